@@ -42,7 +42,7 @@ struct Generated {
 struct Check {
   bool is_applicable = true;  ///< else the law says nothing of the case, and the rest is empty
   /// Else why, in a clause of the law's or the backend's own; may be empty. Of few texts: records
-  /// count cases by what is before a colon.
+  /// count cases by it, but for numbers after a colon.
   std::string why_not = {};
   records::Judgement judgement;
   std::uint64_t violation_count = 0;

@@ -158,6 +158,7 @@ Outcome check_law(const properties::Law& law, const Input& input, const Drawer& 
   Outcome outcome{input.file, std::string(law.id), input.backend, {}, found.verdict, {}};
   outcome.check = properties::check_or_note(law, source, *by.backend, found.index,
                                             by.known ? &*by.known : nullptr);
+  if (found.law == law.id) properties::put_alike_first(outcome.check, source, found);
   if (!outcome.check.is_applicable && outcome.check.why_not.empty()) {
     outcome.check.why_not = properties::reason_of(law, *by.backend, outcome.check);
   }

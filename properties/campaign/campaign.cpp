@@ -9,6 +9,7 @@
 #include "backends/isolation.h"
 #include "properties/campaign/power.h"
 #include "properties/draw.h"
+#include "properties/fitted_case.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -240,13 +241,17 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   }
   for (std::uint64_t i = task.first; i < task.last && !findings.fault; ++i) {
     if (is_to_end && is_to_end()) break;
-    const NumberedCase numbered = numbered_case(task, *law, i);
-    const bool is_held =
-        check_case(*law, task.backend, backend, plan_.seed, numbered, findings, known);
-    if (!is_held || task.kind != TaskKind::random || !is_sabotaged(plan_, *law, i)) continue;
+    if (task.kind != TaskKind::random) {
+      check_case(*law, task.backend, backend, plan_.seed, numbered_case(task, i), findings, known);
+      continue;
+    }
+    const std::optional<NumberedCase> held =
+        check_random_case(*law, task.backend, backend, plan_.seed, i,
+                          records::capabilities_of(plan_, task.backend), findings, known);
+    if (!held || !is_sabotaged(plan_, *law, i)) continue;
     const records::RecordKey key{task.law, task.backend, records::AttributeKind::coverage,
-                                 numbered.stratum};
-    measure_power(plan_, *law, backend, numbered.source, findings.records[key].power);
+                                 held->stratum};
+    measure_power(plan_, *law, backend, held->source, findings.records[key].power);
   }
   return findings;
 }
@@ -272,18 +277,13 @@ std::map<std::string, cases::Capabilities> TaskRunner::capabilities() {
   return all;
 }
 
-NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::uint64_t i) const {
+NumberedCase TaskRunner::numbered_case(const Task& task, std::uint64_t i) const {
   if (task.kind == TaskKind::corpus) {
-    return {corpus_[i], std::string(records::kCorpusStratum), i, records::Origin::corpus};
+    return {fitted_case(records::capabilities_of(plan_, task.backend), corpus_[i]),
+            std::string(records::kCorpusStratum), i, records::Origin::corpus};
   }
-  if (task.kind == TaskKind::saved) {
-    const cases::Case& source = task.subject->source;
-    return {source, std::string(records::kSavedStratum), source.found->index,
-            records::Origin::saved};
-  }
-  Generated generated =
-      random_case(law, plan_.seed, i, records::capabilities_of(plan_, task.backend));
-  return {std::move(generated.source), std::move(generated.stratum), i, records::Origin::random};
+  const cases::Case& source = task.subject->source;
+  return {source, std::string(records::kSavedStratum), source.found->index, records::Origin::saved};
 }
 
 }  // namespace rastercheck::properties

@@ -128,7 +128,8 @@ class TaskRunner {
     const KnownDefects* known_defects() const { return known ? &*known : nullptr; }
   };
   Result<const Made*> made(const std::string& specification);
-  NumberedCase numbered_case(const Task& task, const Law& law, std::uint64_t i) const;
+  /// A case of a task whose cases are at hand.
+  NumberedCase numbered_case(const Task& task, std::uint64_t i) const;
 
   records::Plan plan_;
   std::vector<cases::Case> corpus_;

@@ -8,6 +8,7 @@
 #include "cases/case_writer.h"
 #include "oracle/transform.h"
 #include "properties/campaign/close_up.h"
+#include "properties/campaign/internal/failure.h"
 #include "properties/draw.h"
 #include "properties/judged_law.h"
 #include "records/record_json.h"
@@ -20,9 +21,14 @@ namespace {
 using records::CaseOutcome;
 using records::Counterexample;
 
-bool fails_with(const Check& check, const std::string& verdict) {
-  return check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault &&
-         verdict_of(check) == verdict;
+/// Whether it fails as `found` says, and puts what does so first. A law may say no more than that
+/// it is violated.
+bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found) {
+  const bool fails =
+      check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault;
+  if (!fails) return false;
+  return check.violations.empty() ? found.verdict == verdict_of(check)
+                                  : put_alike_first(check, c, found);
 }
 
 /// Of a drawing that failed.
@@ -55,11 +61,41 @@ Check failed_check(const Error& error) {
   return failed;
 }
 
+bool put_alike_first(Check& check, const cases::Case& c, const cases::Found& found) {
+  const auto is_alike = [&](const records::Violation& violation) {
+    cases::Found other = found;
+    set_failure(other, c, violation);
+    // Cases saved elsewhere may say no more than the verdict.
+    if (found.kind.empty()) return other.verdict == found.verdict;
+    return other == found;
+  };
+  const auto rest =
+      std::stable_partition(check.violations.begin(), check.violations.end(), is_alike);
+  return rest != check.violations.begin();
+}
+
 std::string verdict_of(const Check& check) {
   if (check.violation_count == 0) return "held";
   if (check.violations.empty()) return "violated";
   return std::string(to_string(check.violations.front().fragment_class));
 }
+
+namespace {
+
+/// What a plugin says, without its numbers, which may be others in each case: reasons are counted.
+std::string without_numbers(std::string_view why) {
+  std::string text;
+  bool is_in_number = false;
+  for (const char letter : why) {
+    const bool is_digit = letter >= '0' && letter <= '9';
+    if (!is_digit) text += letter;
+    if (is_digit && !is_in_number) text += '#';
+    is_in_number = is_digit;
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check) {
   if (!is_promised(law, backend)) {
@@ -67,8 +103,8 @@ std::string reason_of(const Law& law, backends::Backend& backend, const Check& c
                                   : std::string(law.unpromised);
   }
   if (check.why_not.empty()) return "the law says nothing of such cases";
-  // What a plugin says of itself may be another each time, and is not counted.
-  return check.why_not.substr(0, check.why_not.find(": "));
+  const std::size_t own = std::min(check.why_not.find(": "), check.why_not.size());
+  return check.why_not.substr(0, own) + without_numbers(check.why_not.substr(own));
 }
 
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
@@ -84,6 +120,28 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
   return check;
 }
 
+namespace {
+
+/// The ways in which a case fails, each once, in the order of violations; what is known is left out
+/// where there is something else.
+std::vector<cases::Found> failures_of(const cases::Found& place, const cases::Case& c,
+                                      const Check& check, const KnownDefects* known) {
+  std::vector<cases::Found> all;
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
+  for (const records::Violation& violation : check.violations) {
+    const bool is_new =
+        known == nullptr || !clip || entries_of(*known, place.law, *clip, violation).empty();
+    if (!is_new && !all.empty()) continue;
+    cases::Found failure = place;
+    set_failure(failure, c, violation);
+    if (std::find(all.begin(), all.end(), failure) == all.end()) all.push_back(std::move(failure));
+  }
+  if (all.empty()) all.push_back(place);
+  return all;
+}
+
+}  // namespace
+
 void keep_counterexample(const Law& law, const std::string& specification,
                          backends::Backend& backend, std::uint64_t seed,
                          const NumberedCase& numbered, const Check& check, Findings& findings,
@@ -94,32 +152,36 @@ void keep_counterexample(const Law& law, const std::string& specification,
     place.seed = numbered.source.found->seed;
     place.index = numbered.source.found->index;
   }
-  if (!is_kept(findings, place, numbered.origin, numbered.source.name)) return;
-  Counterexample found{numbered.source, check.violation_count, check.violations, numbered.origin};
-  // Of a scene with many triangles, not the whole is handed around until it is shrunk.
-  if (numbered.source.triangles.size() > 1 && !check.violations.empty()) {
-    const std::size_t triangle = check.violations.front().place.triangle;
-    if (triangle < numbered.source.triangles.size()) {
-      cases::Case one = with_triangles(numbered.source, {{triangle}});
-      const Check alone = check_or_note(law, one, backend, numbered.index, known);
-      if (fails_with(alone, place.verdict)) {
-        found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
+  for (const cases::Found& failure : failures_of(place, numbered.source, check, known)) {
+    if (!is_kept(findings, failure, numbered.origin, numbered.source.name)) continue;
+    Check whole = check;
+    put_alike_first(whole, numbered.source, failure);
+    Counterexample found{numbered.source, check.violation_count, whole.violations, numbered.origin};
+    // Of a scene with many triangles, not the whole is handed around until it is shrunk.
+    if (numbered.source.triangles.size() > 1 && !whole.violations.empty()) {
+      const std::size_t triangle = whole.violations.front().place.triangle;
+      if (triangle < numbered.source.triangles.size()) {
+        cases::Case one = with_triangles(numbered.source, {{triangle}});
+        Check alone = check_or_note(law, one, backend, numbered.index, known);
+        if (fails_alike(alone, one, failure)) {
+          found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
+        }
       }
     }
+    found.source.found = failure;
+    keep(findings, std::move(found));
   }
-  found.source.found = place;
-  keep(findings, std::move(found));
 }
 
 void shrink_counterexample(const Law& law, backends::Backend& backend, const Counterexample& found,
                            const ShrinkLimits& limits, Findings& findings,
                            const KnownDefects* known) {
   const cases::Found place = found.source.found.value_or(cases::Found());
-  const auto fails_alike = [&](const cases::Case& c) -> std::optional<Check> {
+  const auto still_fails = [&](const cases::Case& c) -> std::optional<Check> {
     if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
     Check check = check_or_note(law, c, backend, place.index, known);
     findings.fault = check.fault;
-    return fails_with(check, place.verdict) ? std::optional(std::move(check)) : std::nullopt;
+    return fails_alike(check, c, place) ? std::optional(std::move(check)) : std::nullopt;
   };
   if (place.verdict == to_string(records::FragmentClass::hang) &&
       found.source.triangles.size() > 1) {
@@ -133,7 +195,7 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
   Check check;
   check.violation_count = found.violation_count;
   check.violations = found.violations;
-  Shrunk shrunk = shrink(found.source, std::move(check), fails_alike, limits);
+  Shrunk shrunk = shrink(found.source, std::move(check), still_fails, limits);
   Counterexample least{std::move(shrunk.source), shrunk.check.violation_count,
                        std::move(shrunk.check.violations), found.origin,
                        records::Shrinking{shrunk.tries, shrunk.is_least}};
@@ -217,6 +279,17 @@ bool account(const Law& law, const std::string& specification, backends::Backend
 
 namespace {
 
+/// Counts what a check gave, and keeps its counterexamples. Returns whether the law says something
+/// of the case and held.
+bool take_check(const Law& law, const std::string& specification, backends::Backend& backend,
+                std::uint64_t seed, const NumberedCase& numbered, const Check& check,
+                Findings& findings, const KnownDefects* known) {
+  if (account(law, specification, backend, numbered, check, findings)) {
+    keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
+  }
+  return check.is_applicable && check.violation_count == 0;
+}
+
 /// The check of a case that a lost backend is not asked to draw.
 Check given_up() {
   Check lost;
@@ -237,10 +310,37 @@ bool check_case(const Law& law, const std::string& specification, backends::Back
     return false;
   }
   const Check check = check_or_note(law, numbered.source, backend, numbered.index, known);
-  if (account(law, specification, backend, numbered, check, findings)) {
-    keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
+  return take_check(law, specification, backend, seed, numbered, check, findings, known);
+}
+
+std::optional<NumberedCase> check_random_case(const Law& law, const std::string& specification,
+                                              backends::Backend& backend, std::uint64_t seed,
+                                              std::uint64_t index,
+                                              const cases::Capabilities& capabilities,
+                                              Findings& findings, const KnownDefects* known) {
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    const std::uint64_t number = index + attempt * kRedrawn;
+    Generated made = random_case(law, seed, number, capabilities);
+    NumberedCase numbered{std::move(made.source), std::move(made.stratum), number,
+                          records::Origin::random};
+    // Whoever draws everything is asked for the same cases whatever becomes of them.
+    const bool is_last = attempt == kMostRedrawn || capabilities.is_everything() ||
+                         backend.is_lost() || !is_promised(law, backend);
+    bool is_held = false;
+    if (is_last) {
+      is_held = check_case(law, specification, backend, seed, numbered, findings, known);
+    } else {
+      const Check check = check_or_note(law, numbered.source, backend, number, known);
+      if (!check.is_applicable && !check.fault && !backend.is_lost()) {
+        const records::RecordKey key{std::string(law.id), specification,
+                                     records::AttributeKind::coverage, numbered.stratum};
+        ++findings.records[key].not_applicable_because[reason_of(law, backend, check)];
+        continue;
+      }
+      is_held = take_check(law, specification, backend, seed, numbered, check, findings, known);
+    }
+    return is_held ? std::optional(std::move(numbered)) : std::nullopt;
   }
-  return check.is_applicable && check.violation_count == 0;
 }
 
 void check_known_case(const Law& law, const std::string& specification, backends::Backend& backend,

@@ -4,6 +4,7 @@
 // violated, a counterexample is kept and made smaller.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,14 +27,28 @@ struct NumberedCase {
 };
 
 /// Checks a case and adds the outcome to the findings: counts, errors, labels, and, where the law
-/// is violated and no case before it failed in the same way, a counterexample: the one triangle
-/// that suffices, if one does, else the case. What the case gave is kept as well where the findings
-/// keep that. One that is violated in ways only that are `known`
-/// is counted as known instead. A backend that is lost (Backend::is_lost) is not asked any more:
-/// each of its cases fails. Returns whether the law says something of the case and held.
+/// is violated and no case before it failed in the same way, a counterexample of each way: the one
+/// triangle that suffices, if one does, else the case. What the case gave is kept as well where the
+/// findings keep that. One that is violated in ways only that are `known` is counted as known
+/// instead. A backend that is lost (Backend::is_lost) is not asked any more: each of its cases
+/// fails. Returns whether the law says something of the case and held.
 bool check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
                 const KnownDefects* known = nullptr);
+
+/// A random case of which a law has nothing to say, or which the backend refuses, is drawn again,
+/// at most so often; drawn again k times, case i is number i + k kRedrawn.
+inline constexpr std::uint64_t kMostRedrawn = 3;
+inline constexpr std::uint64_t kRedrawn = 1'000'000'000;
+
+/// Checks a random case likewise, drawn again where it says nothing; why it does not is counted.
+/// Returns the case if the law held of it.
+std::optional<NumberedCase> check_random_case(const Law& law, const std::string& specification,
+                                              backends::Backend& backend, std::uint64_t seed,
+                                              std::uint64_t index,
+                                              const cases::Capabilities& capabilities,
+                                              Findings& findings,
+                                              const KnownDefects* known = nullptr);
 
 /// Checks the case of an entry of what is known and adds the outcome to the findings: known, where
 /// its violations are of that entry, and a violation where they are not. Where the law holds that
@@ -56,6 +71,10 @@ Check failed_check(const Error& error);
 /// In a word, how a check of a case that the law speaks of came out: the class of its first
 /// violation, or "held".
 std::string verdict_of(const Check& check);
+
+/// Puts the violations of a case that are of the verdict, kind and condition that `found` says
+/// first; false where the check has none.
+bool put_alike_first(Check& check, const cases::Case& c, const cases::Found& found);
 
 /// Why a law says nothing of a case, as records count it: one of few texts, what follows a colon
 /// left out. The check is not applicable.

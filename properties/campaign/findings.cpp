@@ -15,7 +15,7 @@ using records::Counterexample;
 
 /// The way in which a case failed: one counterexample of each is kept.
 auto bucket_of(const cases::Found& found) {
-  return std::tie(found.law, found.backend, found.verdict);
+  return std::tie(found.law, found.backend, found.verdict, found.kind, found.condition);
 }
 
 bool is_in_earlier_bucket(const Counterexample& one, const cases::Found& found) {

@@ -24,8 +24,8 @@ struct Findings {
   records::RecordSet records;
   /// Of campaigns that keep what each case gave; else nothing.
   std::optional<records::CaseRecordSet> cases = std::nullopt;
-  /// By (law, backend, verdict), one of each: the first by origin and index; of a backend that
-  /// hangs one whatever the law.
+  /// By (law, backend, verdict, kind, condition), one of each: the first by origin and index; of a
+  /// backend that hangs one whatever the law.
   std::vector<records::Counterexample> counterexamples;
   /// In order, each once.
   std::vector<records::UnexpectedPass> unexpected;

@@ -17,6 +17,7 @@
 #include "properties/campaign/check_case.h"
 #include "properties/campaign/corpus.h"
 #include "properties/draw.h"
+#include "properties/fitted_case.h"
 #include "records/enclosure.h"
 
 namespace rastercheck::properties {
@@ -152,12 +153,13 @@ Findings check_cases(const Law& law, const std::string& name, backends::Backend&
   const auto is_over = [&findings] {
     return findings.fault.has_value() || !findings.counterexamples.empty();
   };
+  const cases::Capabilities capabilities = capabilities_of(backend);
   for (std::uint64_t i = 0; i < corpus.size() && !is_over(); ++i) {
     check_case(law, name, backend, options.seed,
-               {corpus[i], std::string(records::kCorpusStratum), i, records::Origin::corpus},
+               {fitted_case(capabilities, corpus[i]), std::string(records::kCorpusStratum), i,
+                records::Origin::corpus},
                findings);
   }
-  const cases::Capabilities capabilities = capabilities_of(backend);
   for (std::uint64_t i = 0; i < options.cases && !is_over(); ++i) {
     Generated generated = random_case(law, options.seed, i, capabilities);
     check_case(law, name, backend, options.seed,

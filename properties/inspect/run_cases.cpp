@@ -6,6 +6,7 @@
 
 #include "properties/campaign/shrink.h"
 #include "properties/draw.h"
+#include "properties/fitted_case.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {
@@ -19,7 +20,8 @@ constexpr std::size_t kMostTriangles = 8;
 std::optional<cases::Case> frozen_case(const records::CaseKey& key, const records::Plan& plan,
                                        std::span<const cases::Case> corpus) {
   if (key.origin == records::Origin::corpus) {
-    return key.index < corpus.size() ? std::optional(corpus[key.index]) : std::nullopt;
+    if (key.index >= corpus.size()) return std::nullopt;
+    return fitted_case(records::capabilities_of(plan, key.backend), corpus[key.index]);
   }
   const Law* law = key.origin == records::Origin::random ? find_law(key.law) : nullptr;
   if (law == nullptr || law->generate == nullptr) return std::nullopt;

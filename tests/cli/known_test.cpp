@@ -81,9 +81,11 @@ TEST_F(Known, DefectsDoNotHideNewOnes) {
   EXPECT_EQ(outcome.code, 1) << outcome;
   const json run = run_json();
   const json& found = run.at("counterexamples");
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_FALSE(found.at(0).at("case").contains("scissor"));
-  EXPECT_TRUE(found.at(0).at("shrinking").at("is_least"));
+  ASSERT_GE(found.size(), 1U);
+  for (const json& one : found) {
+    EXPECT_FALSE(one.at("case").contains("scissor"));
+    EXPECT_TRUE(one.at("shrinking").at("is_least"));
+  }
 }
 
 TEST_F(Known, DefectThatIsGoneIsAStaleList) {

@@ -24,6 +24,7 @@ std::uint64_t state_of(const cases::Case& c) {
   state += count(c.front_face != cases::FrontFace::ccw);
   state += count(c.scissor.has_value());
   state += count(c.depth_test != cases::DepthTest::none);
+  state += count(c.depth_clear.has_value());
   state += count(c.depth_clamp);
   state += count(c.viewport.min_depth != 0 || c.viewport.max_depth != 1);
   state += c.clip_distance_count;

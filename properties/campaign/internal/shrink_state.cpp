@@ -140,6 +140,7 @@ void simplify_state(ShrinkSearch& search) {
   search.offer_changed([](Case& c) { c.front_face = cases::FrontFace::ccw; });
   search.offer_changed([](Case& c) { c.scissor.reset(); });
   search.offer_changed([](Case& c) { c.depth_test = cases::DepthTest::none; });
+  search.offer_changed([](Case& c) { c.depth_clear.reset(); });
   search.offer_changed([](Case& c) { c.depth_clamp = false; });
   search.offer_changed([](Case& c) {
     c.viewport.min_depth = 0;

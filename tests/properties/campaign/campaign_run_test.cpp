@@ -91,7 +91,7 @@ TEST_F(CampaignRunTest, KeepsACounterexampleAtOnce) {
   EXPECT_THAT(kept().findings.counterexamples, IsEmpty());
   const Execute and_look = [this](const std::vector<Task>& tasks, const TaskDone& done) {
     done(0, runner_.run(tasks[0]).value());
-    EXPECT_THAT(kept().findings.counterexamples, SizeIs(1));
+    EXPECT_THAT(kept().findings.counterexamples, Not(IsEmpty()));
     return Result<void>();
   };
   ASSERT_TRUE(run_here.check_cases(and_look, {}));
@@ -112,9 +112,9 @@ TEST_F(CampaignRunTest, KeepsWhatIsShrunkUnlessItWasCutShort) {
   std::vector<std::uint64_t> told;
   ASSERT_TRUE(rest.shrink(execute(), {}, [&told](std::uint64_t done, std::uint64_t all) {
     told.push_back(done);
-    EXPECT_EQ(all, 1U);
+    EXPECT_EQ(all, 3U);
   }));
-  EXPECT_THAT(told, ElementsAre(1));
+  EXPECT_THAT(told, ElementsAre(1, 2, 3));
   EXPECT_TRUE(rest.is_shrunk());
   EXPECT_TRUE(kept().findings.counterexamples.at(0).shrinking->is_least);
   EXPECT_EQ(kept().findings, rest.findings());

@@ -37,7 +37,7 @@ TEST(CheckCase, CountsAndSaysWhereItIsFrom) {
   EXPECT_EQ(record->second.labels.at("drawn"), 1U);
   ASSERT_THAT(findings.counterexamples, SizeIs(1));
   EXPECT_EQ(findings.counterexamples[0].source.found,
-            (cases::Found{kCoverage, "damaged", "missing", 7, 4}));
+            (cases::Found{kCoverage, "damaged", "missing", 7, 4, "coverage", "ordinary"}));
 }
 
 records::CaseRecord case_record_of(backends::Backend& backend, const cases::Case& c = square()) {
@@ -115,6 +115,30 @@ TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
   ASSERT_THAT(findings.counterexamples, SizeIs(1));
   EXPECT_THAT(findings.counterexamples[0].source.triangles, SizeIs(2));
   EXPECT_EQ(findings.counterexamples[0].violations[0].place.triangle, 1U);
+}
+
+// Kills: a wrong depth that hides wrong attributes, one condition that hides another.
+TEST(CheckCase, KeepsOneOfEachKindAndCondition) {
+  DamagedBackend backend([](const cases::Case& c, cases::Fragments& drawn) {
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      drawn.depth[i] += 0.25F;
+      drawn.attributes[i * drawn.attribute_count] += 100;
+      if (c.framebuffer.samples > 1) drawn.attributes[i * drawn.attribute_count] += 100;
+    }
+  });
+  Findings findings;
+  const Law& law = *find_law("values-stay-within-the-bound");
+  cases::Case c = square();
+  check_case(law, "damaged", backend, 1, {c, "here", 0}, findings);
+  c.framebuffer.samples = 4;
+  check_case(law, "damaged", backend, 1, {c, "here", 1}, findings);
+  std::vector<std::string> found;
+  for (const Counterexample& one : findings.counterexamples) {
+    found.push_back(one.source.found->kind + ", " + one.source.found->condition);
+    EXPECT_EQ(to_string(one.violations.front().kind), one.source.found->kind);
+  }
+  EXPECT_THAT(found, ElementsAre("depth, ordinary", "depth, several samples", "smooth, ordinary",
+                                 "smooth, several samples"));
 }
 
 TEST(CheckCase, KeepsTheLowestIndex) {

@@ -42,6 +42,20 @@ TEST(Merge, KeepsTheFirstOfEachWayToFail) {
   EXPECT_THAT(kept, ElementsAre("axe1", "axm1", "aye1", "aym1", "bxe1", "bxm1", "bye1", "bym1"));
 }
 
+// Kills: what is wrong under one condition, hidden by what is wrong under another.
+TEST(Merge, KeepsTheFirstOfEachKindAndCondition) {
+  Findings all;
+  for (const std::uint64_t index : {9U, 3U, 8U}) {
+    for (const char* kind : {"depth", "smooth"}) {
+      for (const char* condition : {"clipped", "ordinary"}) {
+        merge(all, found_one({"law", "backend", "beyond bound", 1, index, kind, condition}));
+      }
+    }
+  }
+  EXPECT_THAT(all.counterexamples, SizeIs(4));
+  for (const Counterexample& one : all.counterexamples) EXPECT_EQ(one.source.found->index, 3U);
+}
+
 // Kills: one counterexample of each law where a driver hangs at all that is large.
 TEST(Merge, KeepsOneHangOfABackend) {
   Findings all;

@@ -143,7 +143,8 @@ TEST(JudgeScene, MakesCounterexamplesOfOneTriangle) {
   EXPECT_EQ(found.findings.records.at(key(kValues)).cases, (records::CaseCounts{1, 0, 0}));
   ASSERT_THAT(found.findings.counterexamples, SizeIs(1));
   const Counterexample& one = found.findings.counterexamples[0];
-  EXPECT_EQ(one.source.found, (cases::Found{kCoverage, "damaged", "missing", 7, 1}));
+  EXPECT_EQ(one.source.found,
+            (cases::Found{kCoverage, "damaged", "missing", 7, 1, "coverage", "ordinary"}));
   EXPECT_EQ(one.source.name, "scene square");
   EXPECT_THAT(one.source.triangles, SizeIs(1));
   EXPECT_THAT(one.source.positions,

@@ -140,7 +140,8 @@ TEST(TryLaw, TellsAStrangerWhatIsWrong) {
                               "    drawn:   not drawn\n"),
                     HasSubstr("[-]"), HasSubstr("rastercheck replay - --backend cpu")));
   const cases::Case smaller = case_in(trial.text);
-  EXPECT_EQ(smaller.found, (cases::Found{kCoverage, "Mine", "missing", 7, 0}));
+  EXPECT_EQ(smaller.found,
+            (cases::Found{kCoverage, "Mine", "missing", 7, 0, "coverage", "ordinary"}));
   EXPECT_THAT(smaller.triangles, ElementsAre(testing::_));
 }
 
@@ -194,7 +195,8 @@ TEST(TryLaw, SavesTheCaseWhereItIsTold) {
                                 Not(HasSubstr("\n{\n"))));
   const auto saved = cases::read_case(file);
   ASSERT_TRUE(saved) << to_string(saved.error());
-  EXPECT_EQ(saved->found, (cases::Found{kCoverage, "Mine", "missing", 7, 0}));
+  EXPECT_EQ(saved->found,
+            (cases::Found{kCoverage, "Mine", "missing", 7, 0, "coverage", "ordinary"}));
 }
 
 // Kills: a counterexample that is lost where the disk is full.

@@ -1,0 +1,202 @@
+#include "properties/fitted_case.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "cases/names.h"
+#include "properties/exact_sum.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Capabilities;
+using cases::Case;
+using cases::Feature;
+using cases::Rules;
+
+/// A number is what another one and the weight w make it; nothing where that is no float32.
+using Depth = std::optional<float> (*)(float z, float w);
+
+std::optional<float> to_float_sum(double a, double b) {
+  const std::optional<double> sum = exact_sum(a, b);
+  if (!sum || !is_float(*sum)) return std::nullopt;
+  return static_cast<float>(*sum);
+}
+
+/// OpenGL's −w <= z <= w becomes 0 <= z <= w.
+std::optional<float> from_opengl(float z, float w) {
+  const std::optional<double> twice = exact_sum(double{z}, double{w});
+  return twice ? to_float_sum(*twice / 2, 0) : std::nullopt;
+}
+
+std::optional<float> to_opengl(float z, float w) { return to_float_sum(2 * double{z}, -double{w}); }
+
+/// Changes all clip positions by changing them, or the rows of the projection that make them.
+bool change_positions(Case& c, Depth depth, bool turns_y) {
+  const auto change = [&](float& y, float& z, float w) {
+    if (turns_y) y = -y;
+    if (depth == nullptr) return true;
+    const std::optional<float> changed = depth(z, w);
+    if (changed) z = *changed;
+    return changed.has_value();
+  };
+  if (!c.camera) {
+    return std::all_of(c.positions.begin(), c.positions.end(),
+                       [&](cases::ClipVertex& p) { return change(p.y, p.z, p.w); });
+  }
+  const std::span<float, 16> rows(c.camera->projection);
+  for (std::size_t column = 0; column < 4; ++column) {
+    if (!change(rows[4 + column], rows[8 + column], rows[12 + column])) return false;
+  }
+  return true;
+}
+
+/// Turns what is said as displayed, where window y comes to point the other way.
+void turn_display(Case& c) {
+  c.fill_rule = c.fill_rule == cases::TieRule::top_left ? cases::TieRule::bottom_left
+                                                        : cases::TieRule::top_left;
+  c.front_face =
+      c.front_face == cases::FrontFace::ccw ? cases::FrontFace::cw : cases::FrontFace::ccw;
+}
+
+/// The case by other rules; nothing where it cannot be had exactly.
+std::optional<Case> by_rules(Case c, Rules rules) {
+  const bool was_opengl = c.rules == Rules::opengl;
+  const bool is_opengl = rules == Rules::opengl;
+  const bool turns_y = (c.rules == Rules::d3d) != (rules == Rules::d3d);
+  Depth depth = nullptr;
+  if (was_opengl != is_opengl) depth = is_opengl ? &to_opengl : &from_opengl;
+  if (!change_positions(c, depth, turns_y)) return std::nullopt;
+  if (was_opengl != is_opengl) {
+    turn_display(c);
+    // The same vertex has to provoke: the last of OpenGL, the first of the others.
+    for (cases::Triangle& t : c.triangles) {
+      std::rotate(t.begin(), t.begin() + (is_opengl ? 1 : 2), t.end());
+    }
+  }
+  c.rules = rules;
+  const bool is_ordered = c.viewport.min_depth <= c.viewport.max_depth;
+  if (rules == Rules::d3d && !is_ordered) return std::nullopt;
+  return c;
+}
+
+bool is_about(const Case& c, std::string_view what) {
+  if (!c.essential) return what != "rules" && what != "samples";
+  return std::find(c.essential->begin(), c.essential->end(), what) != c.essential->end();
+}
+
+/// Gives attributes of an interpolation that is lacking another one; false where there is none.
+bool replace_interpolation(Case& c, Feature lacking, const Capabilities& has) {
+  constexpr std::array kFeatures{Feature::smooth, Feature::noperspective, Feature::flat};
+  const auto other = std::find_if(kFeatures.begin(), kFeatures.end(),
+                                  [&has](Feature feature) { return has.has(feature); });
+  if (other == kFeatures.end()) return false;
+  for (cases::Attribute& a : c.attributes) {
+    if (kFeatures[static_cast<std::size_t>(a.interpolation)] != lacking) continue;
+    a.interpolation = static_cast<cases::Interpolation>(other - kFeatures.begin());
+  }
+  return true;
+}
+
+/// Leaves a feature out; false where that would be another picture.
+bool leave_out(Case& c, Feature feature, const Capabilities& has) {
+  const auto replace = [&c](cases::Location location) {
+    for (cases::Attribute& a : c.attributes) {
+      if (a.location == location) a.location = cases::Location::sample;
+    }
+  };
+  switch (feature) {
+    case Feature::clip_distances:
+      c.clip_distances.clear();
+      c.clip_distance_count = 0;
+      return true;
+    case Feature::depth_clamp:
+      c.depth_clamp = false;
+      return true;
+    case Feature::depth_range:
+      c.viewport.min_depth = 0;
+      c.viewport.max_depth = 1;
+      return true;
+    case Feature::depth_test:
+      c.depth_test = cases::DepthTest::none;
+      return true;
+    case Feature::depth_clear:
+      c.depth_clear.reset();
+      return true;
+    case Feature::viewport:
+      c.viewport.x = 0;
+      c.viewport.y = 0;
+      c.viewport.width = static_cast<float>(c.framebuffer.width);
+      c.viewport.height = static_cast<float>(c.framebuffer.height);
+      return true;
+    case Feature::scissor:
+      c.scissor.reset();
+      return true;
+    case Feature::culling:
+      c.cull = cases::Cull::none;
+      return true;
+    case Feature::center:
+      replace(cases::Location::center);
+      return true;
+    case Feature::centroid:
+      replace(cases::Location::centroid);
+      return true;
+    case Feature::smooth:
+    case Feature::noperspective:
+    case Feature::flat:
+      return replace_interpolation(c, feature, has);
+    case Feature::nonpositive_w:
+    case Feature::depth_clipping:
+    case Feature::side_clipping:
+    case Feature::viewport_fractions:
+      break;
+  }
+  return false;
+}
+
+template <typename T>
+bool is_one_of(const std::vector<T>& all, const T& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// The case by the first of the backend's rules that it can be had by.
+std::optional<Case> by_some_rules(const Capabilities& has, const Case& c) {
+  if (is_one_of(has.rules, c.rules)) return c;
+  if (is_about(c, "rules")) return std::nullopt;
+  for (const Rules rules : has.rules) {
+    if (std::optional<Case> changed = by_rules(c, rules)) return changed;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+cases::Case fitted_case(const Capabilities& capabilities, const Case& c) {
+  if (capabilities.is_everything() || lacked_by(capabilities, c).empty()) return c;
+  std::optional<Case> changed = by_some_rules(capabilities, c);
+  if (!changed) return c;
+  const auto& counts = capabilities.sample_counts;
+  if (!is_one_of(counts, changed->framebuffer.samples) && !is_about(c, "samples")) {
+    // The most of those that are fewer, or the least there are.
+    const auto more = std::upper_bound(counts.begin(), counts.end(), changed->framebuffer.samples);
+    changed->framebuffer.samples = more == counts.begin() ? *more : *(more - 1);
+  }
+  if (!is_about(c, "size")) {
+    cases::FramebufferSize& size = changed->framebuffer;
+    size.width = std::min(size.width, capabilities.max_size);
+    size.height = std::min(size.height, capabilities.max_size);
+  }
+  for (const Feature feature : capabilities.lacks) {
+    if (!needs(*changed, feature)) continue;
+    if (is_about(c, cases::name_of(feature)) || !leave_out(*changed, feature, capabilities)) {
+      return c;
+    }
+  }
+  return lacked_by(capabilities, *changed).empty() ? *std::move(changed) : c;
+}
+
+}  // namespace rastercheck::properties
