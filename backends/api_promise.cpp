@@ -370,9 +370,10 @@ cases::TrianglePromise OneTriangle::promise() {
     return promise_;
   }
   promise_.position_error = no_less(position);
-  promise_.clip_tolerance = double{no_less(new_position)};
+  const double of_new = double{no_less(new_position)};
+  promise_.clip_tolerance = std::max(of_new - double{promise_.position_error}, 0.0);
   // New vertices lie beside the side as far as they do beside an edge.
-  if (clipped.is_cut_at_the_sides) promise_.side_tolerance = promise_.clip_tolerance;
+  if (clipped.is_cut_at_the_sides) promise_.side_tolerance = of_new;
   // The first plane cuts by exact distances.
   if (clipped.planes > 1) {
     promise_.clip_error = kRest * clipped.planes * kClipping * arithmetic_.operation;
@@ -495,7 +496,7 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
   // off as the tolerance.
   const double unit = std::ldexp(1.0, -limits_.subpixel_bits);
   const double reach =
-      std::max(1 + double{promise_.position_error}, promise_.clip_tolerance) * unit * grown_;
+      (std::max(1.0, promise_.clip_tolerance) + double{promise_.position_error}) * unit * grown_;
   Evaluation evaluation{arithmetic_.operation, {}, reach, 0};
   if (promised_ == cases::DriverPromise::ieee) {
     evaluation.away = from_origin(window, case_->framebuffer);

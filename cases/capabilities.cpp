@@ -69,10 +69,12 @@ std::string_view to_string(Feature feature) {
   constexpr std::array<std::string_view, kFeatures> kTexts{
       "vertices with w <= 0",
       "clipping by depth",
+      "vertices beyond the viewport's sides",
       "clip distances",
       "depth clamp",
       "depth ranges but 0 to 1",
       "the depth test",
+      "depth buffers that begin with anything but 1",
       "viewports but the whole framebuffer",
       "viewports between pixels",
       "scissors",
@@ -91,6 +93,10 @@ bool needs(const Case& c, Feature feature) {
       return has_vertex(c, [](const ClipVertex& p) { return p.w <= 0; });
     case Feature::depth_clipping:
       return is_depth_clipped(c);
+    case Feature::side_clipping:
+      return has_vertex(c, [](const ClipVertex& p) {
+        return p.w > 0 && std::max(std::fabs(p.x), std::fabs(p.y)) > p.w;
+      });
     case Feature::clip_distances:
       return c.clip_distance_count > 0;
     case Feature::depth_clamp:
@@ -99,6 +105,8 @@ bool needs(const Case& c, Feature feature) {
       return c.viewport.min_depth != 0 || c.viewport.max_depth != 1;
     case Feature::depth_test:
       return c.depth_test != DepthTest::none;
+    case Feature::depth_clear:
+      return c.depth_test != DepthTest::none && c.depth_clear && *c.depth_clear != 1;
     case Feature::viewport:
       return !is_whole_viewport(c);
     case Feature::viewport_fractions:

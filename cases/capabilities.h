@@ -18,10 +18,12 @@ namespace rastercheck::cases {
 enum class Feature {
   nonpositive_w,       ///< a triangle's vertex with w <= 0
   depth_clipping,      ///< a vertex beyond the near or far plane, without depth clamp
+  side_clipping,       ///< a triangle's vertex with w > 0 beyond the viewport's sides
   clip_distances,      ///< any
   depth_clamp,         ///< of cases by other rules than D3D's, too
   depth_range,         ///< any but 0 to 1
   depth_test,          ///< any but none
+  depth_clear,         ///< a depth buffer that has to begin with anything but 1
   viewport,            ///< any but the whole framebuffer
   viewport_fractions,  ///< sides between pixels
   scissor,             ///< any
@@ -33,12 +35,12 @@ enum class Feature {
   centroid,            ///< at their centroid
 };
 constexpr auto names_of(Feature /*type*/) {
-  return std::to_array<std::string_view>({"nonpositive_w", "depth_clipping", "clip_distances",
-                                          "depth_clamp", "depth_range", "depth_test", "viewport",
-                                          "viewport_fractions", "scissor", "culling", "smooth",
-                                          "noperspective", "flat", "center", "centroid"});
+  return std::to_array<std::string_view>(
+      {"nonpositive_w", "depth_clipping", "side_clipping", "clip_distances", "depth_clamp",
+       "depth_range", "depth_test", "depth_clear", "viewport", "viewport_fractions", "scissor",
+       "culling", "smooth", "noperspective", "flat", "center", "centroid"});
 }
-inline constexpr std::size_t kFeatures = 15;
+inline constexpr std::size_t kFeatures = 17;
 /// For readers: "vertices with w <= 0".
 std::string_view to_string(Feature feature);
 /// "D3D's rules".

@@ -36,7 +36,8 @@ enum class Interpolation { smooth, noperspective, flat };
 /// Where in the pixel an attribute is evaluated. Depth always belongs to the sample.
 enum class Location { sample, center, centroid };
 
-/// `less` keeps the nearest fragment of each sample, the first drawn of equal ones.
+/// `less` keeps the nearest fragment of each sample, the first drawn of equal ones, if it is nearer
+/// than what the depth buffer begins with.
 enum class DepthTest { none, less };
 
 /// Pixels, and samples per pixel (1, 2, 4, 8 or 16).
@@ -107,6 +108,8 @@ struct Found {
   std::string verdict;
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
+  std::string kind = {};       ///< of values, or coverage: what was wrong
+  std::string condition = {};  ///< of the fragment that it was wrong of
   bool operator==(const Found&) const = default;
 };
 
@@ -127,6 +130,9 @@ struct Case {
   FrontFace front_face = FrontFace::ccw;
   std::optional<Scissor> scissor;
   DepthTest depth_test = DepthTest::none;
+  /// What the depth buffer begins with, within [0, 1]; matters only where there is a depth test.
+  /// Nothing: 1, or anything farther, so that a fragment of depth 1 may be drawn or not.
+  std::optional<float> depth_clear;
   bool depth_clamp = false;
   std::vector<Attribute> attributes;
   std::optional<Camera> camera;
@@ -137,6 +143,10 @@ struct Case {
   std::vector<float> clip_distances;
   std::size_t clip_distance_count = 0;
   std::vector<Triangle> triangles;
+  /// What the case is about, by the names of cases::Feature and "rules", "samples" and "size":
+  /// where something else keeps a backend from drawing it, that may be left out. Nothing: all but
+  /// rules and samples. Ignored when drawn.
+  std::optional<std::vector<std::string>> essential;
   std::optional<Found> found;
 
   /// The attribute values of one vertex, in the order of `attributes`.

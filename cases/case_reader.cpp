@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "cases/capabilities.h"
 #include "cases/files.h"
 #include "cases/json_node.h"
 #include "cases/names.h"
@@ -163,14 +166,33 @@ void read_triangles(const JsonNode& node, Case& c) {
 }
 
 Found read_found(const JsonNode& node) {
-  node.expect_object({}, {"law", "backend", "verdict", "seed", "index"});
+  node.expect_object({}, {"law", "backend", "verdict", "seed", "index", "kind", "condition"});
   Found found;
   if (node.has("law")) found.law = node["law"].text();
   if (node.has("backend")) found.backend = node["backend"].text();
   if (node.has("verdict")) found.verdict = node["verdict"].text();
   if (node.has("seed")) found.seed = node["seed"].unsigned_integer();
   if (node.has("index")) found.index = node["index"].unsigned_integer();
+  if (node.has("kind")) found.kind = node["kind"].text();
+  if (node.has("condition")) found.condition = node["condition"].text();
   return found;
+}
+
+constexpr std::size_t kMostEssential = 20;
+
+/// One of cases::Feature's names, or of what else a case may be about.
+std::string read_essential(const JsonNode& node) {
+  constexpr std::array<std::string_view, 3> kOthers{"rules", "samples", "size"};
+  constexpr auto kNames = names_of(Feature{});
+  std::string word = node.text();
+  const auto is_one_of = [&word](const auto& all) {
+    return std::find(all.begin(), all.end(), word) != all.end();
+  };
+  if (!node.failed() && !is_one_of(kNames) && !is_one_of(kOthers)) {
+    node.refuse(
+        fmt::format("must be one of {}, {}", fmt::join(kNames, ", "), fmt::join(kOthers, ", ")));
+  }
+  return word;
 }
 
 void check_header(const JsonNode& root) {
@@ -179,7 +201,7 @@ void check_header(const JsonNode& root) {
   root.expect_object(
       {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
       {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
-       "depth_clamp", "attributes", "camera", "found"});
+       "depth_clear", "depth_clamp", "attributes", "camera", "essential", "found"});
   if (root.failed()) return;
   if (root["version"].integer(0, std::numeric_limits<std::int32_t>::max()) != 1) {
     root["version"].refuse("version must be 1");
@@ -204,9 +226,16 @@ Case read_case(const JsonNode& root) {
   if (root.has("front_face")) c.front_face = root["front_face"].enumerator<FrontFace>();
   if (root.has("scissor")) c.scissor = read_scissor(root["scissor"]);
   if (root.has("depth_test")) c.depth_test = root["depth_test"].enumerator<DepthTest>();
+  if (root.has("depth_clear")) c.depth_clear = root["depth_clear"].float32(0, 1);
   if (root.has("depth_clamp")) c.depth_clamp = root["depth_clamp"].boolean();
   if (root.has("attributes")) c.attributes = read_attributes(root["attributes"]);
   if (root.has("camera")) c.camera = read_camera(root["camera"]);
+  if (root.has("essential")) {
+    c.essential.emplace();
+    for (const JsonNode& word : root["essential"].elements(0, kMostEssential, "names")) {
+      c.essential->push_back(read_essential(word));
+    }
+  }
   if (root.has("found")) c.found = read_found(root["found"]);
   if (root.failed()) return c;
   read_vertices(root["vertices"], c);

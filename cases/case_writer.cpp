@@ -58,6 +58,17 @@ std::string vertex_text(const Case& c, std::size_t vertex) {
   return text + "}";
 }
 
+std::string found_text(const Found& found) {
+  std::string rest;
+  if (!found.kind.empty()) rest += fmt::format(R"(, "kind": {})", json_string(found.kind));
+  if (!found.condition.empty()) {
+    rest += fmt::format(R"(, "condition": {})", json_string(found.condition));
+  }
+  return fmt::format(R"({{"law": {}, "backend": {}, "verdict": {}, "seed": {}, "index": {}{}}})",
+                     json_string(found.law), json_string(found.backend), json_string(found.verdict),
+                     found.seed, found.index, rest);
+}
+
 }  // namespace
 
 std::string to_json(const Case& c) {
@@ -86,6 +97,7 @@ std::string to_json(const Case& c) {
                                c.scissor->y, c.scissor->width, c.scissor->height));
   }
   if (c.depth_test != DepthTest::none) add("depth_test", word(c.depth_test));
+  if (c.depth_clear) add("depth_clear", number(*c.depth_clear));
   if (c.depth_clamp) add("depth_clamp", "true");
 
   std::vector<std::string> attributes;
@@ -111,12 +123,12 @@ std::string to_json(const Case& c) {
     triangles.push_back(fmt::format("[{}, {}, {}]", t[0], t[1], t[2]));
   }
   add("triangles", lines(triangles));
-  if (c.found) {
-    add("found", fmt::format(R"({{"law": {}, "backend": {}, "verdict": {}, "seed": {}, )"
-                             R"("index": {}}})",
-                             json_string(c.found->law), json_string(c.found->backend),
-                             json_string(c.found->verdict), c.found->seed, c.found->index));
+  if (c.essential) {
+    std::vector<std::string> words;
+    for (const std::string& one : *c.essential) words.push_back(json_string(one));
+    add("essential", fmt::format("[{}]", fmt::join(words, ", ")));
   }
+  if (c.found) add("found", found_text(*c.found));
   return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
 }
 

@@ -14,6 +14,22 @@ bool Contract::is_affine(Interpolation declared) const {
          (declared == Interpolation::smooth && claims == Claim::affine);
 }
 
+double depth_step(DepthFormat format) {
+  const auto step = [](double steps) { return 1 / steps * (1 + 0x1p-51); };
+  switch (format) {
+    case DepthFormat::float32:
+    case DepthFormat::float64:
+      return 0;
+    case DepthFormat::unorm16:
+      return step(0x1p16 - 1);
+    case DepthFormat::unorm24:
+      return step(0x1p24 - 1);
+    case DepthFormat::unorm32:
+      return step(0x1p32 - 1);
+  }
+  return 0;
+}
+
 double most_growth(const Viewport& viewport, double error) {
   const double size = std::min(std::fabs(viewport.width), std::fabs(viewport.height));
   // Where the difference loses digits it is exact (Sterbenz 1974); there are two roundings more.

@@ -122,8 +122,8 @@ struct Contract {
   /// Whether vertices are placed on points of `coverage`'s grid; else anywhere between those they
   /// may be placed on: a backend that rounds nothing to a grid and is merely a little off.
   bool is_on_grid = true;
-  /// How far an edge that was cut by a clip plane, and the clip edge itself, may be off, in grid
-  /// units per axis. Only where `coverage` is snapped.
+  /// How far an edge that was cut by a clip plane, and the clip edge itself, may be off besides the
+  /// position error, in grid units per axis. Only where `coverage` is snapped.
   double clip_tolerance = 1;
   /// By how much of max|z| + max|w| of a triangle's vertices, or of the greatest of its clip
   /// distances, the distance of a point from a plane that cuts the triangle may be off besides: the
@@ -134,6 +134,9 @@ struct Contract {
   /// the same is asked for, with positions rounded after that. Nothing is promised of viewports
   /// that are no larger than twice that. Only where `coverage` is snapped.
   double viewport_error = 0;
+  /// What its depth tests compare. Rounding keeps the order of depths, but may make equal ones of
+  /// depths that are no farther apart than a step; equal float32 may be different float64.
+  DepthFormat depth_format = DepthFormat::float32;
   Claim claims = Claim::perspective;
   ValueBounds bounds;
   /// Whether triangles of one plane, z/w the same at all vertices, have one depth (RULES §6); the
@@ -209,6 +212,10 @@ struct Contract {
   /// Whether several viewports may be drawn by.
   bool has_open_viewport() const { return coverage && viewport_error > 0; }
 };
+
+/// How far two depths are apart at most that rounding to a format may make equal, rounded upwards;
+/// 0 of floats.
+double depth_step(DepthFormat format);
 
 /// How many pixels of a viewport one of the smallest is at most that may be drawn by, where sides
 /// may be `error` pixels off; infinite where it may vanish.

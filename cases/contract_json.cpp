@@ -125,6 +125,7 @@ void check_contract_header(const JsonNode& root) {
                                              "clip_tolerance",
                                              "clip_error",
                                              "viewport_error",
+                                             "depth_format",
                                              "claims",
                                              "bounds",
                                              "keeps_equal_depth",
@@ -148,6 +149,7 @@ std::string text_of(const std::optional<float>& bound) {
 }
 std::string text_of(Basis basis) { return quoted(name_of(basis)); }
 std::string text_of(DriverPromise promise) { return quoted(name_of(promise)); }
+std::string text_of(DepthFormat format) { return quoted(name_of(format)); }
 std::string text_of(Claim claim) { return quoted(name_of(claim)); }
 std::string text_of(TieRule rule) {
   return quoted(rule == TieRule::unspecified ? kUnspecified : name_of(rule));
@@ -230,6 +232,7 @@ std::string to_json(const ContractTerms& terms) {
   all.add("clip_tolerance", terms.clip_tolerance);
   all.add("clip_error", terms.clip_error);
   all.add("viewport_error", terms.viewport_error);
+  all.add("depth_format", terms.depth_format);
   all.add("claims", terms.claims);
   if (const std::string bounds = bounds_text(terms); !bounds.empty()) all.add("bounds", bounds);
   all.add("keeps_equal_depth", terms.keeps_equal_depth);
@@ -266,6 +269,8 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   read_term(root, "clip_tolerance", terms.clip_tolerance, size);
   read_term(root, "clip_error", terms.clip_error, size);
   read_term(root, "viewport_error", terms.viewport_error, size);
+  read_term(root, "depth_format", terms.depth_format,
+            [](const JsonNode& node) { return node.enumerator<DepthFormat>(); });
   read_term(root, "claims", terms.claims,
             [](const JsonNode& node) { return node.enumerator<Claim>(); });
   if (root.has("bounds")) read_bounds(root["bounds"], terms);

@@ -45,6 +45,7 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   keep(terms.clip_tolerance, own.clip_tolerance);
   keep(terms.clip_error, own.clip_error);
   keep(terms.viewport_error, own.viewport_error);
+  keep(terms.depth_format, own.depth_format);
   keep(terms.claims, own.claims);
   keep(terms.smooth, own.bounds.smooth);
   keep(terms.noperspective, own.bounds.noperspective);

@@ -42,6 +42,7 @@ struct ContractTerms {
   std::optional<float> clip_tolerance;
   std::optional<float> clip_error;
   std::optional<float> viewport_error;
+  std::optional<DepthFormat> depth_format;
   std::optional<Claim> claims;
   std::optional<ValueBound> smooth;
   std::optional<ValueBound> noperspective;

@@ -31,6 +31,9 @@ constexpr auto names_of(Location /*type*/) {
 constexpr auto names_of(DepthTest /*type*/) {
   return std::to_array<std::string_view>({"none", "less"});
 }
+constexpr auto names_of(DepthFormat /*type*/) {
+  return std::to_array<std::string_view>({"float32", "float64", "unorm16", "unorm24", "unorm32"});
+}
 constexpr auto names_of(Rounding /*type*/) {
   return std::to_array<std::string_view>({"nearest_even", "half_up", "unspecified"});
 }

@@ -34,9 +34,16 @@ bool surely_nearer(const Fragment& a, const Fragment& b) {
 }
 
 /// Drops the fragments of one sample that cannot be the nearest, and marks those that may not be.
-void resolve(std::vector<Fragment*>& fragments, std::vector<const Fragment*>& dropped) {
+/// `clear_depth`: what the depth buffer begins with; nothing: 1, or anything beyond it.
+void resolve(const std::vector<Fragment*>& fragments, std::optional<float> clear_depth,
+             std::vector<const Fragment*>& dropped) {
+  const Rational clear(double{clear_depth.value_or(1)});
   std::vector<Fragment*> undecided;
   for (Fragment* a : fragments) {
+    if (clear_depth && a->depth && a->depth->lo >= clear) {
+      dropped.push_back(a);
+      continue;
+    }
     const bool beaten = std::any_of(fragments.begin(), fragments.end(), [a](const Fragment* b) {
       return b != a && b->decision.verdict == records::Verdict::required && surely_nearer(*b, *a);
     });
@@ -47,7 +54,8 @@ void resolve(std::vector<Fragment*>& fragments, std::vector<const Fragment*>& dr
     const bool beats_all = std::all_of(fragments.begin(), fragments.end(), [a](const Fragment* b) {
       return b == a || surely_nearer(*a, *b);
     });
-    if (!beats_all) undecided.push_back(a);
+    const bool is_drawn = a->depth && a->depth->hi < clear;
+    if (!is_drawn || !beats_all) undecided.push_back(a);
   }
   for (Fragment* a : undecided) {
     if (a->decision.verdict != records::Verdict::required) continue;
@@ -83,7 +91,8 @@ void for_each_fragment(const SceneTruth& scene,
   std::map<std::tuple<int, int, int>, std::vector<Fragment*>> by_sample;
   for (Fragment& f : all) by_sample[{f.place.y, f.place.x, f.place.sample}].push_back(&f);
   std::vector<const Fragment*> dropped;
-  for (auto& [place, fragments] : by_sample) resolve(fragments, dropped);
+  for (auto& [place, fragments] : by_sample)
+    resolve(fragments, scene.source().depth_clear, dropped);
   std::sort(dropped.begin(), dropped.end());
 
   std::optional<TriangleTruth> truth;

@@ -118,6 +118,15 @@ float within(const cases::MagnitudeRange& range, float number) {
   return std::ldexp(digits, lowest + offset);
 }
 
+/// A coordinate of a vertex beyond the viewport's sides, mirrored at these until it lies between:
+/// cut off at them, whole triangles would end on a side.
+float folded(float coordinate, float w) {
+  if (std::fabs(coordinate) <= w) return coordinate;
+  const double turns =
+      std::fabs(std::remainder(double{coordinate} / double{w} + 1, 4.0));  // 0 to 2
+  return std::clamp(static_cast<float>((turns - 1) * double{w}), -w, w);
+}
+
 void fit_vertices(const Capabilities& has, cases::Case& c) {
   for (float& value : c.attribute_values) value = within(has.numbers, value);
   for (float& distance : c.clip_distances) distance = within(has.numbers, distance);
@@ -126,6 +135,10 @@ void fit_vertices(const Capabilities& has, cases::Case& c) {
     p = {within(has.numbers, p.x), within(has.numbers, p.y), within(has.numbers, p.z),
          within(has.numbers, p.w)};
     if (!has.has(Feature::nonpositive_w) && p.w <= 0) p.w = p.w < 0 ? -p.w : 1;
+    if (!has.has(Feature::side_clipping) && p.w > 0) {
+      p.x = folded(p.x, p.w);
+      p.y = folded(p.y, p.w);
+    }
     if (!has.has(Feature::depth_clipping) && !c.depth_clamp && p.w > 0) {
       p.z = std::clamp(p.z, near_depth(c) * p.w, p.w);
     }
@@ -151,6 +164,7 @@ void fit_state(Draw& draw, cases::Case& c) {
   if (!has.has(Feature::culling)) c.cull = cases::Cull::none;
   if (!has.has(Feature::depth_clamp)) c.depth_clamp = false;
   if (!has.has(Feature::depth_test)) c.depth_test = cases::DepthTest::none;
+  if (!has.has(Feature::depth_clear)) c.depth_clear.reset();
   fit_attributes(draw, has, c);
   drop_clip_distances(has, c);
 }

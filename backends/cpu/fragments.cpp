@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -15,10 +16,12 @@ namespace {
 namespace ras = rasterizer;
 
 /// The fragments that a depth test `less` leaves: of each sample the nearest, of equals the first
-/// drawn. Indices in ascending order.
-std::vector<std::size_t> nearest(const ras::Fragments& fragments) {
+/// drawn, if it is nearer than what the depth buffer begins with. Indices in ascending order.
+std::vector<std::size_t> nearest(const ras::Fragments& fragments,
+                                 std::optional<float> clear_depth) {
   std::map<std::tuple<int, int, int>, std::size_t> best;
   for (std::size_t i = 0; i < fragments.size(); ++i) {
+    if (clear_depth && !(fragments.depth[i] < *clear_depth)) continue;
     const auto [entry, is_first] =
         best.try_emplace({fragments.y[i], fragments.x[i], fragments.sample[i]}, i);
     if (!is_first && fragments.depth[i] < fragments.depth[entry->second]) entry->second = i;
@@ -60,7 +63,7 @@ Result<cases::Fragments> drawn_fragments(const cases::Case& c, const ras::DrawRe
   if (drawn.error) return tl::unexpected(refused(*drawn.error));
   std::vector<std::size_t> indices(fragments.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
-  if (c.depth_test == cases::DepthTest::less) indices = nearest(fragments);
+  if (c.depth_test == cases::DepthTest::less) indices = nearest(fragments, c.depth_clear);
   return framebuffer(fragments, indices, c.attributes.size());
 }
 

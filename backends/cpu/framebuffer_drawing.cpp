@@ -35,23 +35,28 @@ struct TriangleNumber {
 class FramebufferDrawing {
  public:
   FramebufferDrawing(const cases::Case& c, unsigned threads)
-      : case_(c), state_(state_of(c)), memory_(c), threads_(threads) {
+      : case_(c),
+        state_(state_of(c)),
+        memory_(c),
+        threads_(threads),
+        clear_depth_(is_tested() ? c.depth_clear.value_or(kFarthest) : kFarthest) {
     result_.attribute_count = c.attributes.size();
   }
 
   Result<cases::Fragments> draw() {
-    const bool is_tested = case_.depth_test == cases::DepthTest::less;
-    if (is_tested && case_.triangles.size() > TriangleNumber::kMost) {
+    if (is_tested() && case_.triangles.size() > TriangleNumber::kMost) {
       return tl::unexpected(Error{"", "", "an index of so many triangles is no float32"});
     }
     const std::size_t attributes = case_.attributes.size();
-    auto error = ras::clear(framebuffer_, target_size(case_), attributes, kFarthest);
-    if (!error) error = is_tested ? draw_all() : draw_each();
+    auto error = ras::clear(framebuffer_, target_size(case_), attributes, clear_depth_);
+    if (!error) error = is_tested() ? draw_all() : draw_each();
     if (error) return tl::unexpected(refused(*error));
     return std::move(result_);
   }
 
  private:
+  bool is_tested() const { return case_.depth_test == cases::DepthTest::less; }
+
   /// All triangles in one framebuffer, their numbers in another.
   std::optional<ras::Error> draw_all() {
     state_.depth_test = ras::DepthTest::less;
@@ -60,7 +65,7 @@ class FramebufferDrawing {
     const ras::TargetSize size = target_size(case_);
     ras::Picture numbers;
     const auto error =
-        clear_and_draw(state_, mesh, TriangleNumber(), size, kFarthest, numbers, threads_).error;
+        clear_and_draw(state_, mesh, TriangleNumber(), size, clear_depth_, numbers, threads_).error;
     if (error) return error;
     take([&](std::size_t at) { return static_cast<std::uint32_t>(numbers.attributes[at]); });
     return std::nullopt;
@@ -91,13 +96,14 @@ class FramebufferDrawing {
     const auto width = static_cast<std::size_t>(case_.framebuffer.width);
     const std::size_t attributes = case_.attributes.size();
     for (std::size_t at = 0; at < framebuffer_.depth.size(); ++at) {
-      if (framebuffer_.depth[at] == kFarthest) continue;
+      // What was drawn with a depth test is nearer.
+      if (framebuffer_.depth[at] == clear_depth_) continue;
       result_.triangle.push_back(triangle_of(at));
       result_.x.push_back(static_cast<std::uint16_t>(at / samples % width));
       result_.y.push_back(static_cast<std::uint16_t>(at / samples / width));
       result_.sample.push_back(static_cast<std::uint8_t>(at % samples));
       result_.depth.push_back(framebuffer_.depth[at]);
-      framebuffer_.depth[at] = kFarthest;
+      framebuffer_.depth[at] = clear_depth_;
       const auto values =
           framebuffer_.attributes.begin() + static_cast<std::ptrdiff_t>(at * attributes);
       result_.attributes.insert(result_.attributes.end(), values,
@@ -109,6 +115,7 @@ class FramebufferDrawing {
   ras::State state_;
   CaseMesh memory_;
   unsigned threads_;
+  float clear_depth_ = kFarthest;
   ras::Picture framebuffer_;
   cases::Fragments result_;
 };

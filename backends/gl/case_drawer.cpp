@@ -239,11 +239,12 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
   set_case_state(has, c);
   const auto corners = static_cast<GLsizei>(3 * plan.triangles);
   constexpr std::array<GLfloat, 4> kNoNumber{};
+  const float farthest = c.depth_clear.value_or(has.clears_beyond_one ? kFarthest : 1.0F);
   for (GLint layer = 0; layer < layer_count; ++layer) {
     glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(static_cast<std::size_t>(layer)));
     glDisable(GL_SCISSOR_TEST);
     glClearBufferfv(GL_COLOR, 0, kNoNumber.data());
-    glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
     set_scissor(c);
     glDrawArrays(GL_TRIANGLES, layer * corners, corners);
   }

@@ -59,13 +59,14 @@ void members(Archive& archive, T& s) {
 }
 template <typename Archive, cases::Either<cases::Found> T>
 void members(Archive& archive, T& f) {
-  archive(f.law, f.backend, f.verdict, f.seed, f.index);
+  archive(f.law, f.backend, f.verdict, f.seed, f.index, f.kind, f.condition);
 }
 template <typename Archive, cases::Either<cases::Case> T>
 void members(Archive& archive, T& c) {
   archive(c.name, c.framebuffer, c.viewport, c.rules, c.coverage, c.basis, c.fill_rule, c.cull,
-          c.front_face, c.scissor, c.depth_test, c.depth_clamp, c.attributes, c.camera, c.positions,
-          c.attribute_values, c.clip_distances, c.clip_distance_count, c.triangles, c.found);
+          c.front_face, c.scissor, c.depth_test, c.depth_clear, c.depth_clamp, c.attributes,
+          c.camera, c.positions, c.attribute_values, c.clip_distances, c.clip_distance_count,
+          c.triangles, c.essential, c.found);
 }
 template <typename Archive, cases::Either<cases::TrianglePromise> T>
 void members(Archive& archive, T& p) {
@@ -74,7 +75,7 @@ void members(Archive& archive, T& p) {
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
   archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance,
-          c.clip_error, c.viewport_error, c.claims, c.bounds, c.keeps_equal_depth,
+          c.clip_error, c.viewport_error, c.depth_format, c.claims, c.bounds, c.keeps_equal_depth,
           c.keeps_constants, c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values,
           c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds,
           c.triangles);

@@ -53,8 +53,8 @@ struct Limited {
 
 /// What a contract says that cannot be; empty where there is nothing.
 std::string fault_of(const rastercheck_contract& contract) {
-  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_CENTROID - 1;
-  constexpr double kAllKeeps = 2 * RASTERCHECK_KEEPS_EQUAL_DEPTH - 1;
+  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_SIDE_CLIPPING - 1;
+  constexpr double kAllKeeps = 2 * RASTERCHECK_KEEPS_SIGN_OF_ZERO - 1;
   constexpr double kAllSamples = 31;
   constexpr double kAnyNumber = 3.5e38;
   const auto number = [](auto value) { return static_cast<double>(value); };
@@ -68,6 +68,7 @@ std::string fault_of(const rastercheck_contract& contract) {
       {"tie_rule", number(contract.tie_rule), RASTERCHECK_TIE_RULE_UNSPECIFIED},
       {"basis", number(contract.basis), RASTERCHECK_BASIS_UNSPECIFIED},
       {"claims", number(contract.claims), RASTERCHECK_CLAIM_AFFINE},
+      {"depth_format", number(contract.depth_format), RASTERCHECK_DEPTH_UNORM32},
       {"keeps", number(contract.keeps), kAllKeeps},
       {"lacks", number(contract.lacks), kAllLacks},
       {"sample_counts", number(contract.sample_counts), kAllSamples}};
@@ -211,6 +212,11 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
   promised.keeps_constants = (contract.keeps & RASTERCHECK_KEEPS_CONSTANTS) != 0;
   promised.keeps_vertex_values = (contract.keeps & RASTERCHECK_KEEPS_VERTEX_VALUES) != 0;
   promised.keeps_equal_depth = (contract.keeps & RASTERCHECK_KEEPS_EQUAL_DEPTH) != 0;
+  promised.keeps_sign_of_zero = (contract.keeps & RASTERCHECK_KEEPS_SIGN_OF_ZERO) != 0;
+  constexpr std::array kDepthFormats{cases::DepthFormat::float32, cases::DepthFormat::float64,
+                                     cases::DepthFormat::unorm16, cases::DepthFormat::unorm24,
+                                     cases::DepthFormat::unorm32};
+  promised.depth_format = kDepthFormats[contract.depth_format];
   return promised;
 }
 
@@ -224,10 +230,12 @@ struct LackedFeature {
 constexpr std::array kFeatures{
     LackedFeature{RASTERCHECK_LACKS_NONPOSITIVE_W, cases::Feature::nonpositive_w},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_CLIPPING, cases::Feature::depth_clipping},
+    LackedFeature{RASTERCHECK_LACKS_SIDE_CLIPPING, cases::Feature::side_clipping},
     LackedFeature{RASTERCHECK_LACKS_CLIP_DISTANCES, cases::Feature::clip_distances},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_CLAMP, cases::Feature::depth_clamp},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_RANGE, cases::Feature::depth_range},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_TEST, cases::Feature::depth_test},
+    LackedFeature{RASTERCHECK_LACKS_DEPTH_CLEAR, cases::Feature::depth_clear},
     LackedFeature{RASTERCHECK_LACKS_VIEWPORT, cases::Feature::viewport},
     LackedFeature{RASTERCHECK_LACKS_SCISSOR, cases::Feature::scissor},
     LackedFeature{RASTERCHECK_LACKS_CULLING, cases::Feature::culling},

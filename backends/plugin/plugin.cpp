@@ -85,6 +85,7 @@ rastercheck_draw state_of(const cases::Case& c, const cases::Contract& promised)
   draw.front_face = c.front_face == cases::FrontFace::ccw ? RASTERCHECK_FRONT_FACE_CCW
                                                           : RASTERCHECK_FRONT_FACE_CW;
   draw.depth_test = c.depth_test == cases::DepthTest::none ? 0 : 1;
+  draw.depth_clear = c.depth_clear.value_or(1);
   draw.depth_clamp = c.depth_clamp ? 1 : 0;
   draw.coverage = c.coverage ? RASTERCHECK_COVERAGE_SNAPPED : RASTERCHECK_COVERAGE_EXACT;
   if (c.coverage) {

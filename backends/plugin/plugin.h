@@ -83,7 +83,20 @@ enum {
    * is certain where the vertex is: not with a position_error and values from the grid. */
   RASTERCHECK_KEEPS_VERTEX_VALUES = 2,
   /* Triangles whose vertices have one z/w have one depth. */
-  RASTERCHECK_KEEPS_EQUAL_DEPTH = 4
+  RASTERCHECK_KEEPS_EQUAL_DEPTH = 4,
+  /* An interpolated attribute that is -0 at all vertices is -0, and one that is 0 is 0. */
+  RASTERCHECK_KEEPS_SIGN_OF_ZERO = 8
+};
+
+/* rastercheck_contract.depth_format: what depth tests compare. Depths that become equal when they
+ * are rounded to it may be taken for equal, and the first drawn of them be left; those that are
+ * farther apart than a step may not. */
+enum {
+  RASTERCHECK_DEPTH_FLOAT32 = 0, /* what is handed over as output.depth, to the bit */
+  RASTERCHECK_DEPTH_FLOAT64 = 1, /* before it was rounded to float32 */
+  RASTERCHECK_DEPTH_UNORM16 = 2, /* steps of 1/(2^16 - 1) */
+  RASTERCHECK_DEPTH_UNORM24 = 3,
+  RASTERCHECK_DEPTH_UNORM32 = 4
 };
 
 /* rastercheck_contract.lacks: what is not drawn; any of these, added. Cases with it are not asked
@@ -104,8 +117,12 @@ enum {
   RASTERCHECK_LACKS_SMOOTH = 1 << 12, /* attributes of that interpolation */
   RASTERCHECK_LACKS_NOPERSPECTIVE = 1 << 13,
   RASTERCHECK_LACKS_FLAT = 1 << 14,
-  RASTERCHECK_LACKS_CENTER = 1 << 15,  /* attributes at the centre of pixels of several samples */
-  RASTERCHECK_LACKS_CENTROID = 1 << 16 /* and at their centroid */
+  RASTERCHECK_LACKS_CENTER = 1 << 15,   /* attributes at the centre of pixels of several samples */
+  RASTERCHECK_LACKS_CENTROID = 1 << 16, /* and at their centroid */
+  /* Depth buffers that begin with anything but 1: see rastercheck_draw.depth_clear. */
+  RASTERCHECK_LACKS_DEPTH_CLEAR = 1 << 17,
+  /* Vertices beyond the viewport's sides: only triangles that lie within it are drawn. */
+  RASTERCHECK_LACKS_SIDE_CLIPPING = 1 << 18
 };
 
 /* How far a value v may be off, in units of the float32 spacing at max(|v|, |values of the
@@ -131,8 +148,8 @@ typedef struct rastercheck_contract {
   /* Of SNAPPED: how far the computed window position may be off before it is rounded, in grid
    * units, 0…65536. */
   float position_error;
-  /* Of SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off, in grid units; 0:
-   * they are where the uncut ones are. */
+  /* Of SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off besides the
+   * position error, in grid units; 0: they are where the uncut ones are. */
   float clip_tolerance;
   /* Of SNAPPED and AS_ASKED: vertices farther than this from the window's origin in x or y may be
    * clipped, in pixels; 0: 32768. */
@@ -149,6 +166,7 @@ typedef struct rastercheck_contract {
   uint32_t sample_counts;  /* of 1, 2, 4, 8 and 16 those that there are, added; 0: all */
   uint32_t max_size;       /* of a framebuffer's width and height, pixels; 0: no limit */
   uint32_t max_attributes; /* of a vertex; 0: no limit */
+  uint32_t depth_format;   /* RASTERCHECK_DEPTH_… */
 } rastercheck_contract;
 
 /* ------------------------------------------------------------------------------------------------
@@ -239,6 +257,9 @@ typedef struct rastercheck_draw {
   const float* clip_distances; /* [vertex_count][clip_distance_count]; null where there is none */
   uint32_t triangle_count;
   const uint32_t* indices; /* [triangle_count][3]: vertices */
+  /* What the depth buffer begins with, where there is a depth test: fragments that are not nearer
+   * are not drawn. It is 1 where a case does not say; then fragments of depth 1 may be drawn. */
+  float depth_clear;
 } rastercheck_draw;
 
 /* ------------------------------------------------------------------------------------------------

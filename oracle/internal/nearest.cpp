@@ -19,11 +19,16 @@ using records::Verdict;
 constexpr double kFarthest = std::numeric_limits<double>::infinity();
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 
-/// The most that a computed depth of a triangle may be off, in depth; a float32 times a power of 2.
+/// Gives the most that a depth which is compared may be off from the exact one, in depth: the
+/// bound, and a step, as it may be rounded to either neighbour.
 double near_depth_slack(const TriangleSetup& triangle) {
   const cases::Viewport& viewport = triangle.scene->source().viewport;
   const float largest = std::max(viewport.min_depth, viewport.max_depth);
-  return std::ldexp(double{triangle.promise.bounds.depth.constant}, ulp_exponent(largest));
+  // A float32 times a power of 2: exact.
+  const double bound =
+      std::ldexp(double{triangle.promise.bounds.depth.constant}, ulp_exponent(largest));
+  const double step = cases::depth_step(triangle.scene->contract().depth_format);
+  return step == 0 ? bound : (bound + step) * (1 + 0x1p-50);
 }
 
 /// Gives it exactly.
@@ -31,7 +36,8 @@ Field depth_slack(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
   const Rational unit = ulp(to_rational(largest));
-  return exact_field(triangle.promise.bounds.depth.constant) * to_field(unit);
+  return exact_field(triangle.promise.bounds.depth.constant) * to_field(unit) +
+         Field(cases::depth_step(scene.contract().depth_format));
 }
 
 bool is_required(const records::SampleVerdict& decision) {
@@ -51,11 +57,18 @@ const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle)
 }
 
 NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles)
-    : scene_(&scene), y0_(y0), y1_(y1), triangles_(&triangles) {
+    : scene_(&scene),
+      y0_(y0),
+      y1_(y1),
+      clear_depth_(scene.source().depth_clear.value_or(1)),
+      triangles_(&triangles) {
+  // Where the case does not say what the buffer begins with, that may lie beyond all depths.
+  const double horizon =
+      scene.source().depth_clear ? std::nextafter(double{clear_depth_}, -kFarthest) : kFarthest;
   const cases::FramebufferSize& size = scene.source().framebuffer;
   samples_.resize(static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(size.width) *
                       static_cast<std::size_t>(size.samples),
-                  Sample{{}, false, kFarthest});
+                  Sample{{}, false, horizon});
 }
 
 Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
@@ -93,8 +106,9 @@ void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
 }
 
 void NearestBand::add(Sample& sample, const Covering& covering) const {
-  sample.is_required = sample.is_required || is_required(covering.decision);
   // Comparisons that NaN fails: what has no depth is neither nearer nor behind.
+  sample.is_required = sample.is_required ||
+                       (is_required(covering.decision) && covering.depth.hi < double{clear_depth_});
   if (covering.depth.lo > sample.horizon) return;
   sample.coverings.push_back(covering);
   if (!is_required(covering.decision)) return;
@@ -112,6 +126,7 @@ struct NearestBand::Rival {
   /// The depths that a backend may compute; nothing where any is right.
   std::optional<FieldRange> depth;
 
+  bool is_surely_nearer_than(float other) const { return depth && depth->hi < exact_field(other); }
   bool is_surely_nearer_than(const Rival& other) const {
     return depth && other.depth && depth->hi < other.depth->lo;
   }
@@ -120,14 +135,15 @@ struct NearestBand::Rival {
 /// Coverings that are surely behind a required one are gone. That changes nothing for the others:
 /// the nearest of the required ones is still there; and where several remain, what is surely nearer
 /// than these is nearer than all that these hide.
-void NearestBand::resolve(const Sample& sample, int y, int x, int s,
+bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
                           std::vector<Candidate>& candidates) {
   candidates.clear();
-  if (sample.coverings.size() == 1) {
+  if (sample.coverings.size() == 1 && sample.coverings.front().depth.hi < double{clear_depth_}) {
     const Covering& only = sample.coverings.front();
     candidates.push_back({only.triangle, only.decision});
-    return;
+    return sample.is_required;
   }
+  bool is_any_required = sample.is_required;
   std::vector<Rival> rivals;
   for (const Covering& covering : sample.coverings) {
     rivals.push_back({&covering, std::nullopt});
@@ -138,6 +154,11 @@ void NearestBand::resolve(const Sample& sample, int y, int x, int s,
     if (depth) rivals.back().depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
   }
   for (const Rival& a : rivals) {
+    const bool is_drawn = a.is_surely_nearer_than(clear_depth_);
+    const bool is_beyond = scene_->source().depth_clear && a.depth &&
+                           a.depth->lo >= exact_field(*scene_->source().depth_clear);
+    if (is_beyond) continue;
+    is_any_required = is_any_required || (is_drawn && is_required(a.covering->decision));
     const bool is_beaten = std::any_of(rivals.begin(), rivals.end(), [&a](const Rival& b) {
       return is_required(b.covering->decision) && b.is_surely_nearer_than(a);
     });
@@ -146,10 +167,11 @@ void NearestBand::resolve(const Sample& sample, int y, int x, int s,
       return &b == &a || a.is_surely_nearer_than(b);
     });
     candidates.push_back({a.covering->triangle, a.covering->decision});
-    if (!beats_all && is_required(a.covering->decision)) {
+    if (!(is_drawn && beats_all) && is_required(a.covering->decision)) {
       candidates.back().decision = {Verdict::permitted, Reason::depth};
     }
   }
+  return is_any_required;
 }
 
 void NearestBand::for_each_answer(const Take& take) {
@@ -160,8 +182,8 @@ void NearestBand::for_each_answer(const Take& take) {
     for (int x = 0; x < size.width; ++x) {
       for (int s = 0; s < size.samples; ++s, ++sample) {
         if (sample->coverings.empty()) continue;
-        resolve(*sample, y, x, s, candidates);
-        take(y, x, s, candidates, sample->is_required);
+        const bool is_required_there = resolve(*sample, y, x, s, candidates);
+        if (!candidates.empty()) take(y, x, s, candidates, is_required_there);
       }
     }
   }

@@ -66,8 +66,9 @@ class NearestBand {
 
   /// Calls take for each sample that something may cover, by y, x, sample. Depths are compared as
   /// far as a backend can know them: one is surely nearer where the two stay apart when each is
-  /// moved towards the other by the contract's depth bound. Not judged: which of two equal depths
-  /// was drawn first.
+  /// moved towards the other by the contract's depth bound, and on to the next step of what its
+  /// depth tests compare. Not judged: which of two equal depths was drawn first. What is not surely
+  /// nearer than the depth buffer's beginning does not have to be drawn.
   void for_each_answer(const Take& take);
 
  private:
@@ -81,7 +82,7 @@ class NearestBand {
   struct Sample {
     boost::container::small_vector<Covering, 1> coverings;  ///< not surely behind a required one
     bool is_required = false;
-    /// What is deeper is surely behind a required one.
+    /// What is deeper is surely behind a required one, or is the buffer's beginning or beyond it.
     double horizon = 0;
   };
   struct Rival;
@@ -89,11 +90,14 @@ class NearestBand {
   void add(Sample& sample, const Covering& covering) const;
   records::Enclosure depth_of(const PreparedTriangles::Prepared& triangle,
                               const DepthFilter& filter, double slack, int x, int y, int s) const;
-  void resolve(const Sample& sample, int y, int x, int s, std::vector<Candidate>& candidates);
+  /// Says whether something has to be drawn there.
+  bool resolve(const Sample& sample, int y, int x, int s, std::vector<Candidate>& candidates);
 
   const SceneTruth* scene_;
   int y0_;
   int y1_;
+  /// What is surely nearer passes the depth test of an empty buffer.
+  float clear_depth_;
   PreparedTriangles* triangles_;
   std::vector<Sample> samples_;
   CoverageRow row_;

@@ -158,7 +158,7 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   side_reach = Ring(promise.side_tolerance) * unit;
   reach = candidate_radius(snapping) * unit;
   if (shape == Shape::cut) {
-    tolerance = Ring(promise.clip_tolerance) * unit;
+    tolerance = (Ring(promise.clip_tolerance) + exact_ring(promise.position_error)) * unit;
     reach = std::max(reach, tolerance);
     moved_alone = reach;
     if (scene->contract().has_open_viewport()) open_viewport();

@@ -1,5 +1,5 @@
 // Constants stay constant: an attribute that has the same value at all three vertices has it
-// everywhere, to the bit.
+// everywhere, to the bit; of zeros whichever sign, unless the contract keeps that.
 //
 // How far that follows from the contract. A bound of b scale ULP, one half of it for the rounding
 // to float32, promises a result before rounding that is off by less than e = b − 1/2. Where e < 1/4
@@ -70,6 +70,7 @@ class ConstantsCheck {
                  const cases::Fragments& drawn)
       : case_(&c),
         keeps_constants_(contract.keeps_constants),
+        keeps_sign_of_zero_(contract.keeps_sign_of_zero),
         drawn_(&drawn),
         verdicts_(c, contract),
         tally_(c) {
@@ -119,7 +120,8 @@ class ConstantsCheck {
     if (expected == 0) tally_.label("constant zero");
     const AttributeKind kind = records::kind_of(declared.interpolation);
     const FragmentClass found = class_of(actual, expected);
-    if (found == FragmentClass::correct) return tally_.pass(kind);
+    const bool is_free = found == FragmentClass::wrong_sign_of_zero && !keeps_sign_of_zero_;
+    if (found == FragmentClass::correct || is_free) return tally_.pass(kind);
     const Rational exact{double{expected}};
     records::Violation violation =
         violation_at(place, found, exact.to_string(),
@@ -134,6 +136,7 @@ class ConstantsCheck {
 
   const cases::Case* case_;
   bool keeps_constants_;
+  bool keeps_sign_of_zero_ = true;
   const cases::Fragments* drawn_;
   std::vector<std::vector<std::uint32_t>> constants_;  ///< [triangle]: attributes
   Verdicts verdicts_;

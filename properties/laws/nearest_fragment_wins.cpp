@@ -11,13 +11,19 @@
 //
 // Samples: all, but for those at which some depth is no number, which is neither nearer nor
 // farther. What is the same depth is said by the floats that the backend itself drew: -0 and 0 are
-// equal.
+// equal. A backend that promises tests of another format compares k(d) in place of such a float d,
+// of which is known that d < e makes k(d) <= k(e), equal only where they are a step apart at most.
+// So a fragment may be left if each one drawn before it may have the greater k, and each one drawn
+// after it no smaller one. What the depth buffer begins with is a fragment drawn before all; where
+// the case does not say, it may lie at 1 or beyond all depths.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -32,19 +38,32 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
+/// What is known of the order in which a depth test sees two depths.
+class DepthOrder {
+ public:
+  explicit DepthOrder(cases::DepthFormat format)
+      : step_(cases::depth_step(format)), hides_digits_(format == cases::DepthFormat::float64) {}
+
+  bool may_be_less(float a, float b) const { return a < b || (hides_digits_ && a == b); }
+  bool is_surely_less(float a, float b) const { return a<b&& double{b} - double{a}> step_; }
+
+ private:
+  double step_;
+  bool hides_digits_;  ///< equal floats may be of depths that differ
+};
+
 /// What a drawing without a depth test has at a sample.
 struct Candidates {
-  std::size_t first = 0;    ///< fragment, in submission order
-  std::size_t nearest = 0;  ///< fragment; the first of equals
-  int count = 0;
-  bool is_tied = false;  ///< whether another is as near
-  bool has_nan = false;  ///< whether some depth is no number
+  std::vector<std::size_t> all;  ///< fragments, in submission order
+  std::size_t nearest = 0;       ///< fragment; the first of equals
+  bool is_tied = false;          ///< whether another is as near
+  bool has_nan = false;          ///< whether some depth is no number
 };
 
 class NearestCheck {
  public:
-  NearestCheck(const cases::Case& c, const cases::Fragments& all)
-      : case_(&c), all_(&all), tally_(c) {
+  NearestCheck(const cases::Case& c, const cases::Fragments& all, cases::DepthFormat compared)
+      : case_(&c), all_(&all), order_(compared), tally_(c) {
     for (std::size_t i = 0; i < all.size(); ++i) add(i);
   }
 
@@ -64,7 +83,7 @@ class NearestCheck {
       }
     }
     for (const auto& [sample, candidates] : candidates_) {
-      if (seen.contains(sample) || candidates.has_nan) continue;
+      if (seen.contains(sample) || candidates.has_nan || !has_to_be_drawn(candidates)) continue;
       tally_.report(violation_at(all_->place_of(candidates.nearest), FragmentClass::missing,
                                  "required: it is the nearest there", "nothing is left there"));
     }
@@ -77,9 +96,9 @@ class NearestCheck {
   void add(std::size_t i) {
     const float depth = all_->depth[i];
     const auto [entry, is_first] =
-        candidates_.try_emplace(sample_of(all_->place_of(i)), Candidates{i, i});
+        candidates_.try_emplace(sample_of(all_->place_of(i)), Candidates{{}, i});
     Candidates& there = entry->second;
-    ++there.count;
+    there.all.push_back(i);
     there.has_nan = there.has_nan || std::isnan(depth);
     if (is_first) return;
     const float least = all_->depth[there.nearest];
@@ -87,20 +106,42 @@ class NearestCheck {
     if (depth <= least) there.is_tied = depth == least;
   }
 
+  bool has_to_be_drawn(const Candidates& there) const {
+    const float beginning = case_->depth_clear.value_or(1);
+    return order_.is_surely_less(all_->depth[there.nearest], beginning);
+  }
+
+  /// Whether the depth test may leave one of a sample's fragments.
+  bool may_be_left(const Candidates& there, std::size_t left) const {
+    const float depth = all_->depth[left];
+    return std::all_of(there.all.begin(), there.all.end(), [&](std::size_t other) {
+      if (other < left) return order_.may_be_less(depth, all_->depth[other]);
+      return other == left || !order_.is_surely_less(all_->depth[other], depth);
+    });
+  }
+
   void compare(const Candidates& there, const cases::Fragments& tested, std::size_t i) {
     const cases::SamplePlace place = tested.place_of(i);
     const cases::SamplePlace nearest = all_->place_of(there.nearest);
-    if (place.triangle != nearest.triangle) {
+    const auto left = std::find_if(there.all.begin(), there.all.end(), [&](std::size_t one) {
+      return all_->place_of(one).triangle == place.triangle;
+    });
+    if (left == there.all.end() || !may_be_left(there, *left)) {
       const std::string why = there.is_tied ? " is as near, and drawn first" : " is nearer";
       return tally_.report(violation_at(
           place, FragmentClass::wrong_triangle,
           "forbidden: triangle " + std::to_string(nearest.triangle) + why,
           "at depth " + value_text(tested.depth[i]) + ", the nearest of " +
-              std::to_string(there.count) + " at " + value_text(all_->depth[there.nearest])));
+              std::to_string(there.all.size()) + " at " + value_text(all_->depth[there.nearest])));
     }
-    const auto difference =
-        find_difference(*case_, *all_, there.nearest, tested, i,
-                        "with a depth test `less`; without one, it was the other");
+    if (case_->depth_clear && !order_.may_be_less(all_->depth[*left], *case_->depth_clear)) {
+      return tally_.report(
+          violation_at(place, FragmentClass::extra,
+                       "forbidden: it is no nearer than what the depth buffer begins with",
+                       "at depth " + value_text(tested.depth[i])));
+    }
+    const auto difference = find_difference(
+        *case_, *all_, *left, tested, i, "with a depth test `less`; without one, it was the other");
     if (difference) return tally_.report(*difference);
     tally_.pass(AttributeKind::coverage);
   }
@@ -109,15 +150,16 @@ class NearestCheck {
     for (const auto& [sample, there] : candidates_) {
       const cases::SamplePlace nearest = all_->place_of(there.nearest);
       if (is_of_case(*case_, nearest)) tally_.see(nearest.triangle);
-      if (there.count > 1) tally_.label("overdraw");
-      if (there.count > 2) tally_.label("three and more");
+      if (there.all.size() > 1) tally_.label("overdraw");
+      if (there.all.size() > 2) tally_.label("three and more");
       if (there.is_tied) tally_.label("equal nearest");
-      if (there.nearest != there.first) tally_.label("farther drawn first");
+      if (there.nearest != there.all.front()) tally_.label("farther drawn first");
     }
   }
 
   const cases::Case* case_;
   const cases::Fragments* all_;
+  DepthOrder order_;
   std::map<cases::SamplePlace, Candidates> candidates_;
   Tally tally_;
 };
@@ -130,7 +172,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   clip.depth_test = cases::DepthTest::less;
   const Result<backends::Drawn> tested = draw_promised(clip, backend);
   if (!tested) return tl::unexpected(tested.error());
-  return NearestCheck(clip, all->fragments).run(tested->fragments);
+  return NearestCheck(clip, all->fragments, tested->contract.depth_format).run(tested->fragments);
 }
 
 // --- the law's own cases: triangles drawn once more, as they are or moved in depth --------------

@@ -8,12 +8,13 @@
 // by the other. If a's depth were below b's, the second order would not have left b. So the depths
 // are equal, or a and b are the same fragment.
 //
-// Samples: all. Where the two depths are equal, which of the two triangles is left is a matter of
-// order and left alone here; so is what has no number for a depth. Cases without a depth test get
-// one. A third drawing without it says how many fragments there were to choose from, for the labels
-// alone.
+// Samples: all. Where the two depths are equal, or no farther apart than a step of what the
+// backend's depth tests compare, which of the two triangles is left is a matter of order and left
+// alone here; so is what has no number for a depth. Cases without a depth test get one. A third
+// drawing without it says how many fragments there were to choose from, for the labels alone.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -34,8 +35,12 @@ using records::FragmentClass;
 class OrderCheck {
  public:
   OrderCheck(const cases::Case& c, const cases::Fragments& forward,
-             const cases::Fragments& backward)
-      : case_(&c), forward_(&forward), backward_(&backward), tally_(c) {}
+             const cases::Fragments& backward, cases::DepthFormat compared)
+      : case_(&c),
+        forward_(&forward),
+        backward_(&backward),
+        step_(cases::depth_step(compared)),
+        tally_(c) {}
 
   /// `all`: what there was to choose from.
   Check run(const cases::Fragments& all) {
@@ -87,7 +92,7 @@ class OrderCheck {
           find_difference(*case_, *forward_, i, *backward_, j,
                           "the triangles drawn in the reverse order; before, it was the other");
       if (difference) return tally_.report(*difference);
-    } else if (depth < other_depth || other_depth < depth) {
+    } else if (std::fabs(double{depth} - double{other_depth}) > step_) {
       return tally_.report(wrong_triangle(place, depth, other, other_depth));
     }
     tally_.pass(AttributeKind::coverage);
@@ -111,6 +116,7 @@ class OrderCheck {
   const cases::Case* case_;
   const cases::Fragments* forward_;
   const cases::Fragments* backward_;
+  double step_;
   Tally tally_;
 };
 
@@ -131,7 +137,8 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   for (std::uint32_t& triangle : backward->fragments.triangle) {
     if (triangle < count) triangle = count - 1 - triangle;
   }
-  return OrderCheck(clip, forward->fragments, backward->fragments).run(all->fragments);
+  return OrderCheck(clip, forward->fragments, backward->fragments, forward->contract.depth_format)
+      .run(all->fragments);
 }
 
 // --- the law's own cases: triangles that meet each other ----------------------------------------

@@ -52,8 +52,9 @@ TEST(ApiPromise, OfPositionsIsThatOfFiveOperations) {
   // 10^-5 (4 · 16 + 2 · 32) pixels, 256 units each.
   const cases::Contract contract = api_promise(case_of(kPlain), kEightBits, kSpec);
   EXPECT_NEAR(contract.coverage->position_error, 1e-5 * 128 * 256 * 1.01, 1e-6);
-  // What a triangle is not cut by does not matter.
-  EXPECT_NEAR(contract.clip_tolerance, 1e-5 * 128 * 256 * 1.01 + 1, 1e-6);
+  // What a triangle is not cut by does not matter: besides the position error a new vertex is
+  // rounded.
+  EXPECT_NEAR(contract.clip_tolerance, 1, 1e-6);
 }
 
 // A side is less than a part of the viewport's grid away; where origin and size are rounded each
@@ -116,7 +117,7 @@ TEST(ApiPromise, OfNewVerticesDependsOnTheLeastW) {
   const double position = 1e-5 * (4 * 0.0625 / 0.2F * 32 + 2 * 32);
   const double cut = 14 * 1e-5 / 0.4 * (0.25 + 1) * 32;
   EXPECT_NEAR(contract.coverage->position_error, position * 256 * 1.01, 1e-4);
-  EXPECT_NEAR(contract.clip_tolerance, (position + cut) * 256 * 1.01 + 1, 1e-4);
+  EXPECT_NEAR(contract.clip_tolerance, cut * 256 * 1.01 + 1, 1e-4);
 }
 
 TEST(ApiPromise, OfVerticesBesideTheViewportCountsAsOfNewOnes) {
@@ -127,7 +128,8 @@ TEST(ApiPromise, OfVerticesBesideTheViewportCountsAsOfNewOnes) {
   const double cut = 14 * 1e-5 * (3 + 1) * 32;
   // A new vertex is rounded as well.
   EXPECT_NEAR(contract.coverage->position_error, (position + cut) * 256 * 1.01 + 1, 1e-4);
-  EXPECT_EQ(contract.triangles[0].side_tolerance, contract.triangles[0].clip_tolerance);
+  EXPECT_EQ(contract.triangles[0].clip_tolerance, 0);
+  EXPECT_EQ(contract.triangles[0].side_tolerance, double{contract.coverage->position_error});
 }
 
 TEST(ApiPromise, OfWhatReachesTheEyeIsNothing) {

@@ -183,6 +183,33 @@ TEST(Cpu, DrawsTheSameOnSeveralThreads) {
   EXPECT_GT(drawn, 100'000U);
 }
 
+// Kills: a depth buffer that begins with something else, "less or equal" against it.
+TEST(Cpu, DrawsWhatIsNearerThanTheBeginningOfTheDepthBuffer) {
+  cases::Case c;
+  c.framebuffer = {4, 4, 1};
+  c.viewport = {0, 0, 4, 4, 0, 1};
+  c.depth_test = cases::DepthTest::less;
+  for (const float depth : {0.25F, 0.5F, 0.75F}) {
+    const auto first = static_cast<std::uint32_t>(c.positions.size());
+    c.positions.insert(c.positions.end(),
+                       {{-1, -1, depth, 1}, {1, -1, depth, 1}, {-1, 1, depth, 1}});
+    c.triangles.insert(c.triangles.begin(), {first, first + 1, first + 2});  // farthest first
+  }
+  for (const char* const name : {"cpu", "cpu:output=framebuffer"}) {
+    const auto backend = make_backend(name).value();
+    const auto drawn = [&](float clear_depth) {
+      c.depth_clear = clear_depth;
+      return backend->draw(c).value().fragments;
+    };
+    EXPECT_EQ(drawn(0.25F).size(), 0U) << name;
+    for (const float clear_depth : {0.3F, 0.5F, 0.75F, 1.0F}) {
+      EXPECT_EQ(drawn(clear_depth).depth, std::vector<float>(6, 0.25F)) << name;
+    }
+    c.depth_clear.reset();
+    EXPECT_EQ(backend->draw(c).value().fragments.size(), 6U);
+  }
+}
+
 TEST(Cpu, SaysWhatItsOptionsAre) {
   for (const char* bad : {"threads=0", "threads=257", "threads=-1", "threads=2x", "threads=",
                           "output=framebuffer,threads=0", "simd", "simd=", "simd=mmx"}) {

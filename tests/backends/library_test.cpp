@@ -26,12 +26,14 @@ TEST(PluginContract, OfZerosIsWhatACaseAsksForCorrectlyRounded) {
   cases::Case c = plain_case();
   cases::Contract asked_for = cases::contract_of(c);
   asked_for.clip_tolerance = 0;
+  asked_for.keeps_sign_of_zero = false;
   EXPECT_EQ(contract_of(zeros, c), asked_for);
   c.coverage = cases::Snapping{4, cases::Rounding::half_up, 0};
   c.basis = cases::Basis::snapped;
   c.fill_rule = cases::TieRule::bottom_left;
   asked_for = cases::contract_of(c);
   asked_for.clip_tolerance = 0;
+  asked_for.keeps_sign_of_zero = false;
   EXPECT_EQ(contract_of(zeros, c), asked_for);
 }
 
@@ -46,7 +48,9 @@ TEST(PluginContract, SaysWhatItSays) {
   contract.tie_rule = RASTERCHECK_TIE_RULE_UNSPECIFIED;
   contract.basis = RASTERCHECK_BASIS_UNSPECIFIED;
   contract.claims = RASTERCHECK_CLAIM_AFFINE;
-  contract.keeps = RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_EQUAL_DEPTH;
+  contract.keeps =
+      RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_EQUAL_DEPTH | RASTERCHECK_KEEPS_SIGN_OF_ZERO;
+  contract.depth_format = RASTERCHECK_DEPTH_UNORM24;
   contract.smooth = {1, 2, 3, 4};
   contract.depth.constant = 5;
 
@@ -59,6 +63,7 @@ TEST(PluginContract, SaysWhatItSays) {
   expected.claims = cases::Claim::affine;
   expected.keeps_constants = true;
   expected.keeps_equal_depth = true;
+  expected.depth_format = cases::DepthFormat::unorm24;
   expected.bounds.smooth = {1, 2, 3, 4};
   expected.bounds.depth.constant = 5;
   EXPECT_EQ(contract_of(contract, plain_case()), expected);
@@ -101,6 +106,14 @@ TEST(PluginContract, LacksWhatItSaysAndNothingElse) {
   EXPECT_EQ(
       lacking(RASTERCHECK_LACKS_DEPTH_TEST, [](Case& c) { c.depth_test = cases::DepthTest::less; }),
       "the depth test");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_CLEAR,
+                    [](Case& c) {
+                      c.depth_test = cases::DepthTest::less;
+                      c.depth_clear = 0.5F;
+                    }),
+            "depth buffers that begin with anything but 1");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_SIDE_CLIPPING, [](Case& c) { c.positions[1].x = 1.5F; }),
+            "vertices beyond the viewport's sides");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_VIEWPORT, [](Case& c) { c.viewport.height = -4; }),
             "viewports but the whole framebuffer");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_SCISSOR, [](Case& c) { c.scissor = cases::Scissor(); }),
@@ -253,8 +266,10 @@ TEST(Plugin, SaysWhatCanBeSaid) {
             contract + "subpixel_bits is 17, which has to be from 0 to 16");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.tie_rule = 4; }),
             contract + "tie_rule is 4, which has to be from 0 to 3");
-  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 17U; }),
-            contract + "lacks is 131072, which has to be from 0 to 131071");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 19U; }),
+            contract + "lacks is 524288, which has to be from 0 to 524287");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.depth_format = 5; }),
+            contract + "depth_format is 5, which has to be from 0 to 4");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.position_error = -1; }),
             contract + "position_error is -1, which has to be from 0 to 65536");
   EXPECT_EQ(problem_of([](Structs& s) {

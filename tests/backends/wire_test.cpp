@@ -21,6 +21,7 @@ cases::Case full_case() {
   c.front_face = cases::FrontFace::cw;
   c.scissor = cases::Scissor{1, 2, 3, 4};
   c.depth_test = cases::DepthTest::less;
+  c.depth_clear = 0.5F;
   c.depth_clamp = true;
   c.attributes = {{"u", cases::Interpolation::flat, cases::Location::centroid},
                   {"", cases::Interpolation::noperspective, cases::Location::center}};
@@ -32,7 +33,8 @@ cases::Case full_case() {
   c.clip_distances = {5, 6, 7, 8};
   c.clip_distance_count = 2;
   c.triangles = {{0, 1, 0}, {1, 1, 0}};
-  c.found = cases::Found{"law", "backend", "verdict", 7, 8};
+  c.essential = {"scissor", "rules"};
+  c.found = cases::Found{"law", "backend", "verdict", 7, 8, "depth", "tie"};
   return c;
 }
 
@@ -46,6 +48,7 @@ cases::Contract full_contract() {
   contract.clip_tolerance = 3;
   contract.clip_error = 0.5;
   contract.viewport_error = 0.25;
+  contract.depth_format = cases::DepthFormat::unorm16;
   contract.claims = cases::Claim::affine;
   contract.bounds = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
   contract.keeps_equal_depth = true;
@@ -136,7 +139,8 @@ TEST(Wire, RefusesEveryPart) {
 }
 
 // Each byte in turn made 255. Refused are: whether there is a coverage, its rounding, basis, tie
-// rule, grid, claim, five promises, and whether each of five bounds is there, 16; the four bytes
+// rule, grid, claim, what depth tests compare, five promises, and whether each of five bounds is
+// there, 17; the four bytes
 // of subpixel_bits; and the last byte of each number, which is negative then: position error, guard
 // band, clip tolerance and error, 12 of bounds, four, five of textures, and two magnitudes, 27; and
 // the eight of how many triangles there are promises of.
@@ -148,7 +152,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 16 + 4 + 28 + 8);
+  EXPECT_EQ(refused, 17 + 4 + 28 + 8);
 }
 
 // Kills: a comparison that is true of no number.

@@ -20,6 +20,7 @@ namespace {
 
 using nlohmann::json;
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 /// A document with the required keys alone.
@@ -69,7 +70,9 @@ TEST(CaseReader, OptionalKeysHaveTheirDefaults) {
   EXPECT_EQ(c.front_face, FrontFace::ccw);
   EXPECT_FALSE(c.scissor.has_value());
   EXPECT_EQ(c.depth_test, DepthTest::none);
+  EXPECT_FALSE(c.depth_clear.has_value());
   EXPECT_FALSE(c.depth_clamp);
+  EXPECT_FALSE(c.essential.has_value());
   EXPECT_TRUE(c.attributes.empty());
   EXPECT_FALSE(c.camera.has_value());
   EXPECT_EQ(c.clip_distance_count, 0U);
@@ -123,6 +126,10 @@ TEST(CaseReader, EveryKeyOfTheStateIsReadIntoItsField) {
   EXPECT_EQ(read_with("scissor", R"({"x": -5, "y": 6, "width": 0, "height": 8})").scissor,
             (Scissor{-5, 6, 0, 8}));
   EXPECT_EQ(read_with("depth_test", R"("less")").depth_test, DepthTest::less);
+  EXPECT_EQ(read_with("depth_clear", "0.75").depth_clear, 0.75F);
+  EXPECT_THAT(*read_with("essential", R"(["rules", "centroid"])").essential,
+              ElementsAre("rules", "centroid"));
+  EXPECT_THAT(*read_with("essential", "[]").essential, IsEmpty());
   EXPECT_TRUE(read_with("depth_clamp", "true").depth_clamp);
   EXPECT_FALSE(read_with("depth_clamp", "false").depth_clamp);
   EXPECT_EQ(read_with("found", R"({"law": "l", "backend": "b", "verdict": "v", "seed": 1,

@@ -79,6 +79,7 @@ Case every_key() {
   c.front_face = FrontFace::cw;
   c.scissor = Scissor{-16384, 3, 0, 16384};
   c.depth_test = DepthTest::less;
+  c.depth_clear = 0.1F;
   c.depth_clamp = true;
   c.attributes = {{"u", Interpolation::noperspective, Location::centroid},
                   {"v", Interpolation::flat, Location::center}};
@@ -93,8 +94,14 @@ Case every_key() {
   c.clip_distances = {1, 2, 3, 4, 5, 6, 7, 8, -1, -2, -3, -4, -5, -6, -7, -8};
   c.clip_distance_count = 8;
   c.triangles = {{0, 1, 1}, {1, 0, 0}};
-  c.found = Found{"law", "cpu:threads=2", "violated", std::numeric_limits<std::uint64_t>::max(),
-                  std::uint64_t{1} << 63};
+  c.found = Found{"law",
+                  "cpu:threads=2",
+                  "violated",
+                  std::numeric_limits<std::uint64_t>::max(),
+                  std::uint64_t{1} << 63,
+                  "depth",
+                  "several samples"};
+  c.essential = {"samples", "nonpositive_w"};
   return c;
 }
 
@@ -180,9 +187,9 @@ TEST(CaseWriter, FloatsAreHexAndVerticesOnLinesOfTheirOwn) {
 
 TEST(CaseWriter, OptionalKeysThatAreNotSetAreLeftOut) {
   const std::string text = to_json(one_triangle());
-  for (const char* key :
-       {"\"basis\"", "\"fill_rule\"", "\"scissor\"", "\"depth_test\"", "\"depth_clamp\"",
-        "\"attributes\"", "\"camera\"", "\"clip_distances\"", "\"found\"", "\"position_error\""}) {
+  for (const char* key : {"\"basis\"", "\"fill_rule\"", "\"scissor\"", "\"depth_test\"",
+                          "\"depth_clamp\"", "\"depth_clear\"", "\"essential\"", "\"attributes\"",
+                          "\"camera\"", "\"clip_distances\"", "\"found\"", "\"position_error\""}) {
     EXPECT_THAT(text, Not(HasSubstr(key)));
   }
 }

@@ -35,6 +35,7 @@ ContractTerms all_terms() {
   terms.clip_tolerance = 2.25F;
   terms.clip_error = 0.0625F;
   terms.viewport_error = 0.5F;
+  terms.depth_format = DepthFormat::unorm24;
   terms.claims = Claim::affine;
   terms.smooth = ValueBound{6.84F, 0.25F, 0x1p-24F, 1e-7F};
   terms.noperspective = ValueBound{1, 2, 3, 4};
@@ -134,6 +135,7 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   expected.clip_tolerance = 2.25;
   expected.clip_error = 0.0625;
   expected.viewport_error = 0.5;
+  expected.depth_format = DepthFormat::unorm24;
   expected.claims = Claim::affine;
   expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4}, {0.51F}};
   expected.keeps_equal_depth = true;

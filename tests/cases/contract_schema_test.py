@@ -37,6 +37,7 @@ FULL_CONTRACT = {
     "clip_tolerance": "0x1p-1",
     "clip_error": 0.25,
     "viewport_error": 0.5,
+    "depth_format": "unorm24",
     "claims": "affine",
     "bounds": {
         "smooth": {"constant": 2, "per_horizon": 1, "per_condition": 0.5, "range_share": 0.25},

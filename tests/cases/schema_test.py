@@ -230,7 +230,9 @@ FULL_CASE = {
     "basis": "snapped",
     "scissor": {"x": -1, "y": 1, "width": 3, "height": 2},
     "depth_test": "less",
+    "depth_clear": 0.5,
     "depth_clamp": True,
+    "essential": ["rules", "centroid"],
     "attributes": [
         {"name": "u", "interpolation": "noperspective", "location": "center"},
         {"name": "v", "interpolation": "flat", "location": "centroid"},
@@ -246,7 +248,8 @@ FULL_CASE = {
         {"position": [0, 1, 0.5, 2], "attributes": [4, 0.5], "clip_distances": [2, 0]},
     ],
     "triangles": [[0, 1, 2], [2, 1, 0]],
-    "found": {"law": "a", "backend": "cpu", "verdict": "missing", "seed": 1, "index": 2**64 - 1},
+    "found": {"law": "a", "backend": "cpu", "verdict": "missing", "seed": 1, "index": 2**64 - 1,
+              "kind": "coverage", "condition": "tie"},
 }
 
 # The required keys only, so without a camera.

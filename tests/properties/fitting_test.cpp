@@ -42,10 +42,13 @@ Capabilities of_a_driver() {
 Capabilities of_little() {
   Capabilities has = of_plain_opengl();
   has.rules = {cases::Rules::d3d};
-  has.lacks = {Feature::nonpositive_w, Feature::depth_clipping,     Feature::clip_distances,
-               Feature::depth_clamp,   Feature::depth_range,        Feature::depth_test,
-               Feature::viewport,      Feature::viewport_fractions, Feature::scissor,
-               Feature::culling,       Feature::noperspective,      Feature::flat};
+  has.lacks = {Feature::nonpositive_w, Feature::depth_clipping,
+               Feature::side_clipping, Feature::clip_distances,
+               Feature::depth_clamp,   Feature::depth_range,
+               Feature::depth_test,    Feature::depth_clear,
+               Feature::viewport,      Feature::viewport_fractions,
+               Feature::scissor,       Feature::culling,
+               Feature::noperspective, Feature::flat};
   has.max_size = 32;
   has.max_attributes = 1;
   has.numbers = {0x1p-16F, 0x1p16F};

@@ -163,7 +163,6 @@ cases::Capabilities drawable(const Capabilities& has) {
     if (!has_it) all.lacks.push_back(feature);
   };
   add(has.has_depth_clamp, Feature::depth_clamp);
-  add(has.clears_beyond_one, Feature::depth_test);
   add(has.has_viewport_fractions, Feature::viewport_fractions);
   add(has.has_noperspective, Feature::noperspective);
   all.max_size = std::min(has.max_size, cases::kMaxSize);
@@ -182,10 +181,6 @@ std::string lacks(const Capabilities& has, const cases::Case& c) {
   if (c.clip_distance_count > static_cast<std::size_t>(has.max_clip_distances)) {
     return fmt::format("{} has {} clip distances, asked for {}", has.api, has.max_clip_distances,
                        c.clip_distance_count);
-  }
-  if (c.depth_test == cases::DepthTest::less && !has.clears_beyond_one) {
-    return "its depth buffers cannot be cleared to more than 1, as fragments at 1 need that are to "
-           "be nearer";
   }
   return "";
 }

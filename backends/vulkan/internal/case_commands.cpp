@@ -59,6 +59,11 @@ VkFrontFace front_face_of(const cases::Case& c) {
   return is_ccw != is_up ? VK_FRONT_FACE_COUNTER_CLOCKWISE : VK_FRONT_FACE_CLOCKWISE;
 }
 
+VkCompareOp compare_op_of(const cases::Case& c) {
+  if (c.depth_test == cases::DepthTest::none) return VK_COMPARE_OP_ALWAYS;
+  return c.depth_clear ? VK_COMPARE_OP_LESS : VK_COMPARE_OP_LESS_OR_EQUAL;
+}
+
 }  // namespace
 
 PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
@@ -91,9 +96,7 @@ void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline
   vkCmdSetScissor(buffer, 0, 1, &scissor);
   vkCmdSetCullMode(buffer, cull_of(c.cull));
   vkCmdSetFrontFace(buffer, front_face_of(c));
-  vkCmdSetDepthCompareOp(buffer, c.depth_test == cases::DepthTest::none
-                                     ? VK_COMPARE_OP_ALWAYS
-                                     : VK_COMPARE_OP_LESS_OR_EQUAL);
+  vkCmdSetDepthCompareOp(buffer, compare_op_of(c));
 }
 
 }  // namespace rastercheck::backends::vulkan

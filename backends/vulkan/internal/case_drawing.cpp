@@ -52,10 +52,12 @@ std::vector<Layer> layers_of(const cases::Case& c) {
     for (std::size_t i = 0; i < c.triangles.size(); ++i) layers.push_back({i});
     return layers;
   }
-  // A target is cleared to depth 1, at which there may be fragments, so that the test is
-  // `less or equal`; the first of equal ones is left where they are drawn from last to first.
+  // Where a case does not say what the buffer begins with it is 1, at which there may be fragments,
+  // so that the test is `less or equal`; the first of equal ones is left where they are drawn from
+  // last to first.
   Layer all(c.triangles.size());
-  std::iota(all.rbegin(), all.rend(), std::size_t{0});
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (!c.depth_clear) std::reverse(all.begin(), all.end());
   layers.push_back(std::move(all));
   return layers;
 }
@@ -255,7 +257,7 @@ void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkP
   std::uint32_t first = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const auto count = static_cast<std::uint32_t>(3 * layers[i].size());
-    target_of.begin_layer(buffer, i);
+    target_of.begin_layer(buffer, i, c.depth_clear.value_or(1));
     vkCmdDraw(buffer, count, 1, first, 0);
     Target::end_layer(buffer);
     first += count;

@@ -171,7 +171,7 @@ void Target::begin(VkCommandBuffer commands) const {
   for (const Part& part : parts_) barrier(commands, part, true);
 }
 
-void Target::begin_layer(VkCommandBuffer commands, std::size_t layer) const {
+void Target::begin_layer(VkCommandBuffer commands, std::size_t layer, float clear_depth) const {
   const auto color = [&](const Part& part) {
     return attachment(part.views[layer].get(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   };
@@ -180,7 +180,7 @@ void Target::begin_layer(VkCommandBuffer commands, std::size_t layer) const {
   for (std::size_t i = 0; i < shape_.slots; ++i) colors.push_back(color(parts_[1 + i]));
   VkRenderingAttachmentInfo depth =
       attachment(parts_[0].views[layer].get(), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
-  depth.clearValue.depthStencil = {1, 0};
+  depth.clearValue.depthStencil = {clear_depth, 0};
   VkRenderingInfo info{};
   info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
   info.renderArea.extent = {static_cast<std::uint32_t>(shape_.width),

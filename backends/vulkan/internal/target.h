@@ -39,8 +39,8 @@ class Target {
 
   /// Recorded before drawing: what was in the images is lost.
   void begin(VkCommandBuffer commands) const;
-  /// Recorded around the drawing into one layer, which is cleared.
-  void begin_layer(VkCommandBuffer commands, std::size_t layer) const;
+  /// Recorded around the drawing into one layer, which is cleared, its depths to `clear_depth`.
+  void begin_layer(VkCommandBuffer commands, std::size_t layer, float clear_depth) const;
   static void end_layer(VkCommandBuffer commands);
   /// Recorded after drawing: reads so many layers back.
   void end(VkCommandBuffer commands, const SampleReader& reader, std::size_t layers) const;

@@ -65,7 +65,8 @@ class OpenSamples {
     if (!of_parts.coverage) return;
     const double unit = 1 / static_cast<double>(1 << of_parts.coverage->subpixel_bits);
     const double tolerance = std::max(of_parts.clip_tolerance, of_whole.clip_tolerance);
-    margin_ = 3 * std::max(placement_reach(*of_parts.coverage), tolerance * unit);
+    const double of_cut = (tolerance + double{of_parts.coverage->position_error}) * unit;
+    margin_ = 3 * std::max(placement_reach(*of_parts.coverage), of_cut);
     if (of_parts.has_open_viewport()) {
       margin_ *= cases::most_growth(parted.whole.viewport, of_parts.viewport_error);
       margin_ += of_parts.viewport_error;

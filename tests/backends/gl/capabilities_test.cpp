@@ -98,9 +98,6 @@ TEST(Capabilities, NameWhatThisContextLacks) {
   c.depth_clamp = true;
   expect(&Capabilities::has_depth_clamp, c, "no depth clamp");
   c = small_case();
-  c.depth_test = cases::DepthTest::less;
-  expect(&Capabilities::clears_beyond_one, c, "cleared to more than 1");
-  c = small_case();
   c.viewport.x = 0.5F;
   expect(&Capabilities::has_viewport_fractions, c, "takes viewports in whole pixels");
 }

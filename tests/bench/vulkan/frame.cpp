@@ -148,7 +148,7 @@ void Frame::Impl::record(VkCommandBuffer buffer) const {
   vkCmdSetCullMode(buffer, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(buffer, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   vkCmdSetDepthCompareOp(buffer, VK_COMPARE_OP_LESS);
-  target->begin_layer(buffer, 0);
+  target->begin_layer(buffer, 0, 1);
   vkCmdDrawIndexed(buffer, index_count, 1, 0, 0, 0);
   Target::end_layer(buffer);
 }

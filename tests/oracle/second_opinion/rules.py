@@ -78,6 +78,7 @@ class Case:
         self.depth_clamp = case.get("depth_clamp", False)
         self.clamps_depth = self.depth_clamp or self.rules == "d3d"
         self.depth_test = case.get("depth_test", "none")
+        self.depth_clear = number(case["depth_clear"]) if "depth_clear" in case else None
         self.attributes = [(a.get("interpolation", "smooth"), a.get("location", "sample"))
                            for a in case.get("attributes", [])]
         self.basis = case.get("basis", "snapped" if self.rules == "d3d" else "ideal")
@@ -206,7 +207,7 @@ class Triangle:
         self.boxes = [None if clipped else (list(case.candidates(X / w)), list(case.candidates(Y / w)))
                       for clipped, (X, Y, w) in zip(self.clipped, self.columns)]
         if self.cut:
-            self.rho = max(Fraction(1), case.radius) / case.grid
+            self.rho = max(1 + case.error, case.radius) / case.grid
             self.prepare_cut()
             return
         self.rho = case.radius / case.grid
@@ -337,7 +338,7 @@ class Triangle:
         """
         case, det = self.case, self.ideal.det
         self.snapped_edges, self.banded = [], []
-        self.tolerance = Fraction(1, case.grid)  # t: one grid unit, in pixels
+        self.tolerance = (1 + case.error) / case.grid  # t: the contract's one grid unit, and the error, in pixels
         if det == 0:
             lines = [row for row in self.ideal.adj if row[0] != 0 or row[1] != 0]
             self.flat_line = lines[0] if lines else None
@@ -576,14 +577,22 @@ def printed(value, ranged):
     return str(value[0])
 
 
-def depth_test_less(fragments):
-    """Keep what may be nearest at its sample; what is not surely nearest is permitted."""
+def depth_test_less(fragments, clear):
+    """Keep what may be nearest at its sample; what is not surely nearest is permitted.
+
+    clear: what the depth buffer begins with; None: 1 or anything beyond it.
+    """
     def nearer(a, b):  # surely, in any choice of values; a tie goes to the earlier triangle
         if a["range"] is None or b["range"] is None:
             return False
         high, low = a["range"][1], b["range"][0]
         return high < low or (high == low and a["triangle"] < b["triangle"])
 
+    def lies_before(a):  # the buffer's beginning, surely
+        return a["range"] is not None and a["range"][1] < (1 if clear is None else clear)
+
+    if clear is not None:
+        fragments = [f for f in fragments if f["range"] is None or f["range"][0] < clear]
     groups = {}
     for f in fragments:
         groups.setdefault((f["y"], f["x"], f["sample"]), []).append(f)
@@ -592,7 +601,7 @@ def depth_test_less(fragments):
         others = [g for g in groups[f["y"], f["x"], f["sample"]] if g is not f]
         if any(g["verdict"] == REQUIRED and nearer(g, f) for g in others):
             continue
-        if f["verdict"] == REQUIRED and not all(nearer(f, g) for g in others):
+        if f["verdict"] == REQUIRED and not (lies_before(f) and all(nearer(f, g) for g in others)):
             f = {**f, "verdict": PERMITTED, "reason": "depth"}
         kept.append(f)
     return kept
@@ -605,7 +614,7 @@ def oracle(case: dict, clip: bool = False) -> dict:
     for index, indices in enumerate(case["triangles"]):
         fragments += Triangle(parsed, indices).fragments(index)
     if parsed.depth_test == "less":
-        fragments = depth_test_less(fragments)
+        fragments = depth_test_less(fragments, parsed.depth_clear)
     for f in fragments:
         del f["range"]
     return {"format": "rastercheck-oracle", "version": 1, "case": case.get("name", ""),

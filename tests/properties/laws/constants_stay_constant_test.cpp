@@ -71,6 +71,8 @@ TEST(ConstantsStayConstant, JudgesWhatIsPromisedToBeKeptWhateverTheBound) {
   };
   EXPECT_EQ(violations(false), 0U);
   EXPECT_EQ(violations(true), 2U);
+  contract.keeps_sign_of_zero = false;
+  EXPECT_EQ(violations(true), 1U);
 }
 
 TEST(ConstantsStayConstant, SaysNothingOfACaseWithoutConstants) {

@@ -68,6 +68,61 @@ TEST(NearestFragment, IsNotTheLastOne) {
   EXPECT_THAT(violation.note, HasSubstr("the nearest of 3 at 0.25"));
 }
 
+/// The square's layers, held to the tests of another depth buffer.
+Check check_under(cases::DepthFormat format, const Case& c, const Damage& damage) {
+  DamagedBackend backend(damage);
+  backend.promised = backend.promise(c);
+  backend.promised->depth_format = format;
+  return check_law(*find_law(kLaw), c, backend, 0).value();
+}
+
+// Kills: the law comparing floats of a backend whose depth buffer has 24 bits, or those of a
+// double.
+TEST(NearestFragment, IsToldByWhatTheBufferHolds) {
+  constexpr float kNear = 0.5F - 0x1p-25F;  // by less than a step of 1/(2^24 - 1)
+  const Case c = layers(0.5F, kNear, 0.75F);
+  const Damage leaves_first = leaving(0, 0.5F);
+  EXPECT_EQ(check_under(cases::DepthFormat::float32, c, leaves_first).violation_count, 1U);
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm24, c, leaves_first).violation_count, 0U);
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm24, c, leaving(1, kNear)).violation_count, 0U);
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm32, c, leaves_first).violation_count, 1U);
+  // The nearer one first: rounding makes none less than it.
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm24, layers(kNear, 0.5F, 0.75F), leaving(1, 0.5F))
+                .violation_count,
+            1U);
+  // Doubles that are the same float may differ, either way.
+  const Case equal = layers(0.5F, 0.5F, 0.75F);
+  const Damage leaves_second = leaving(1, 0.5F);
+  EXPECT_EQ(check_under(cases::DepthFormat::float64, equal, leaves_second).violation_count, 0U);
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm24, equal, leaves_second).violation_count, 1U);
+}
+
+// Kills: what lies at the buffer's beginning, required or forbidden whatever the case says.
+TEST(NearestFragment, IsNearerThanTheBeginningOfTheBuffer) {
+  const Damage drops_all = [](const Case& c, Fragments& drawn) {
+    const std::size_t attributes = drawn.attribute_count;
+    if (!is_tested(c)) return;
+    drawn = {};
+    drawn.attribute_count = attributes;
+  };
+  EXPECT_EQ(check_of(kLaw, layers(1, 1, 1), {}).violation_count, 0U);
+  EXPECT_EQ(check_of(kLaw, layers(1, 1, 1), drops_all).violation_count, 0U);
+  EXPECT_EQ(check_of(kLaw, layers(0.5F, 1, 1), drops_all).violation_count, 28U);
+  Case c = layers(0.5F, 0.25F, 0.75F);
+  c.depth_clear = 0.25F;
+  EXPECT_EQ(check_of(kLaw, c, {}).violation_count, 0U);
+  const Damage ignores_it = [&c](const Case& asked, Fragments& drawn) {
+    if (!is_tested(asked)) return;
+    Case other = asked;
+    other.depth_clear.reset();
+    drawn = backends::make_backend("method:rational-linear").value()->draw(other).value().fragments;
+  };
+  const Check check = check_of(kLaw, c, ignores_it);
+  EXPECT_EQ(check.violation_count, 28U);
+  EXPECT_EQ(check.violations.front().exact,
+            "forbidden: it is no nearer than what the depth buffer begins with");
+}
+
 // Where the test is "less or equal".
 TEST(NearestFragment, IsTheFirstOfEqualOnes) {
   const Case c = layers(0.5F, 0.25F, 0.25F);

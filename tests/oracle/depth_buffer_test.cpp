@@ -1,0 +1,156 @@
+// What a depth buffer begins with and how finely it compares, and how far edges of cut triangles
+// may be off: expected by hand.
+
+#include <gtest/gtest.h>
+
+#include "oracle/fragments.h"
+#include "oracle/judge.h"
+#include "tests/oracle/drawing.h"
+#include "tests/oracle/small_case.h"
+
+namespace rastercheck::oracle::depth_buffer_test {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// Two corner triangles of a 4×4 target, on its six pixels x + y < 3, at depths of their own.
+cases::Case layers(float first, float second) {
+  cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                             {{{-1, -1, first, 1}, {1, -1, first, 1}, {-1, 1, first, 1}}});
+  c.positions.insert(c.positions.end(),
+                     {{-1, -1, second, 1}, {1, -1, second, 1}, {-1, 1, second, 1}});
+  c.triangles.push_back({3, 4, 5});
+  c.depth_test = cases::DepthTest::less;
+  return c;
+}
+
+cases::Fragments drawing(std::uint32_t triangle, float depth) {
+  cases::Fragments drawn;
+  for (std::uint16_t y = 0; y < 3; ++y) {
+    for (std::uint16_t x = 0; x + y < 3; ++x) {
+      drawn.triangle.push_back(triangle);
+      drawn.y.push_back(y);
+      drawn.x.push_back(x);
+      drawn.sample.push_back(0);
+      drawn.depth.push_back(depth);
+    }
+  }
+  return drawn;
+}
+
+/// How many of a drawing's samples are of a class.
+std::uint64_t count(const cases::Case& c, const cases::Contract& contract,
+                    const cases::Fragments& drawn, FragmentClass fragment_class) {
+  const records::Judgement judgement = judge(SceneTruth(c, contract), drawn).judgement;
+  const auto found = judgement.errors.find(AttributeKind::coverage);
+  return found == judgement.errors.end() ? 0 : found->second.classes[fragment_class];
+}
+
+std::uint64_t count(const cases::Case& c, const cases::Fragments& drawn,
+                    FragmentClass fragment_class) {
+  return count(c, cases::contract_of(c), drawn, fragment_class);
+}
+
+// Kills: fragments of depth 1 that have to be drawn, though buffers begin at 1.
+TEST(DepthBuffer, MayBeginWithOneWhereTheCaseDoesNotSay) {
+  const cases::Case c = layers(1, 1);
+  EXPECT_EQ(count(c, drawing(0, 1), FragmentClass::correct), 6U);
+  EXPECT_EQ(count(c, {}, FragmentClass::missing), 0U);
+  const records::Judgement judgement = judge(SceneTruth(c, cases::contract_of(c)), {}).judgement;
+  EXPECT_EQ(judgement.counts.required, 0U);
+  EXPECT_EQ(judgement.counts.permitted, 12U);
+}
+
+TEST(DepthBuffer, BeginsWithWhatTheCaseSays) {
+  cases::Case c = layers(0.5F, 0.75F);
+  c.depth_clear = 0.75F;
+  EXPECT_EQ(count(c, {}, FragmentClass::missing), 6U);
+  EXPECT_EQ(count(c, drawing(0, 0.5F), FragmentClass::correct), 6U);
+  c.depth_clear = 0.25F;
+  EXPECT_EQ(count(c, {}, FragmentClass::missing), 0U);
+  EXPECT_EQ(count(c, drawing(0, 0.5F), FragmentClass::extra), 6U);
+}
+
+// Kills: "less or equal" against what the buffer begins with. Depths are exact here, so the
+// contract promises them.
+TEST(DepthBuffer, KeepsWhatItBeginsWithOfEqualDepths) {
+  cases::Case c = layers(0.75F, 0.75F);
+  c.depth_clear = 0.75F;
+  cases::Contract contract = cases::contract_of(c);
+  contract.bounds.depth.constant = 0;
+  EXPECT_EQ(count(c, contract, {}, FragmentClass::missing), 0U);
+  EXPECT_EQ(count(c, contract, drawing(0, 0.75F), FragmentClass::extra), 6U);
+  // Half an ulp of 1, the greater end of the range, and a computed depth may be less.
+  EXPECT_EQ(count(c, drawing(0, 0.75F), FragmentClass::correct), 6U);
+}
+
+TEST(DepthBuffer, LeavesOpenWhetherADepthIsLessThanItsBeginning) {
+  cases::Case c = layers(1 - 0x1p-24F, 1 - 0x1p-24F);  // half an ulp of 1 before 1
+  EXPECT_EQ(count(c, {}, FragmentClass::missing), 0U);
+  c = layers(1 - 0x1p-23F, 1 - 0x1p-23F);
+  EXPECT_EQ(count(c, {}, FragmentClass::missing), 6U);
+}
+
+// The second triangle is nearer by 2^-20: more than 2 steps of 2^-24, less than one of 2^-16.
+TEST(DepthBuffer, ComparesAsFinelyAsTheContractSays) {
+  const cases::Case c = layers(0.5F, 0.5F - 0x1p-20F);
+  cases::Contract contract = cases::contract_of(c);
+  const cases::Fragments farther = drawing(0, 0.5F);
+  const cases::Fragments nearer = drawing(1, 0.5F - 0x1p-20F);
+  for (const cases::DepthFormat format :
+       {cases::DepthFormat::float32, cases::DepthFormat::float64, cases::DepthFormat::unorm24,
+        cases::DepthFormat::unorm32}) {
+    contract.depth_format = format;
+    EXPECT_EQ(count(c, contract, farther, FragmentClass::wrong_triangle), 6U);
+    EXPECT_EQ(count(c, contract, nearer, FragmentClass::correct), 6U);
+  }
+  contract.depth_format = cases::DepthFormat::unorm16;
+  EXPECT_EQ(count(c, contract, farther, FragmentClass::correct), 6U);
+  EXPECT_EQ(count(c, contract, nearer, FragmentClass::correct), 6U);
+  EXPECT_EQ(count(c, contract, {}, FragmentClass::missing), 6U);
+}
+
+TEST(DepthBuffer, IsHeededWhereFragmentsAreListed) {
+  cases::Case c = layers(0.5F, 1);
+  const auto listed = [&c](records::Verdict verdict) {
+    std::size_t all = 0;
+    for_each_fragment(SceneTruth(c, cases::contract_of(c)),
+                      [&](const Fragment& fragment, const TriangleTruth&) {
+                        all += fragment.decision.verdict == verdict ? 1U : 0U;
+                        return true;
+                      });
+    return all;
+  };
+  EXPECT_EQ(listed(records::Verdict::required), 6U);
+  c.depth_clear = 0.5F;
+  EXPECT_EQ(listed(records::Verdict::required), 0U);
+  EXPECT_EQ(listed(records::Verdict::permitted), 0U);
+  c.depth_clear.reset();
+  c.triangles.erase(c.triangles.begin());  // the one at depth 1
+  EXPECT_EQ(listed(records::Verdict::required), 0U);
+  EXPECT_EQ(listed(records::Verdict::permitted), 6U);
+}
+
+// The left edge lies at x = 1.506, 0.006 pixels or 1.536 units of 1/256 to the right of the samples
+// of column 1. All vertices lie beyond a guard band of a pixel, so that the triangle is cut.
+TEST(CutEdges, AreOffByTheToleranceAndThePositionError) {
+  constexpr float kLeft = 1.506F / 2 - 1;
+  const cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                                   {{{kLeft, -1, 0, 1}, {3, -1, 0, 1}, {kLeft, 3, 0, 1}}});
+  cases::Contract contract = cases::contract_of(c);
+  contract.coverage = cases::Snapping();
+  contract.guard_band = 1;
+  contract.clip_tolerance = 1;
+  const auto verdict = [&](float position_error) {
+    contract.coverage->position_error = position_error;
+    return TriangleTruth(SceneTruth(c, contract), 0).judge(1, 1, 0).verdict;
+  };
+  EXPECT_EQ(verdict(0), records::Verdict::forbidden);
+  EXPECT_EQ(verdict(0.5F), records::Verdict::forbidden);
+  EXPECT_EQ(verdict(0.625F), records::Verdict::permitted);
+  EXPECT_EQ(verdict(64), records::Verdict::permitted);
+}
+
+}  // namespace
+}  // namespace rastercheck::oracle::depth_buffer_test
