@@ -172,6 +172,33 @@ class Little(PluginTest):
                           self.rastercheck(code, "replay", file, "--backend", plugin))
 
 
+# What none of today's contracts can say: that both triangles draw a sample on their common edge.
+VIOLATED = {"inclusive_edges": {"a-shared-edge-covers-each-sample-once",
+                                "a-triangulation-of-the-screen-covers-each-sample-once"}}
+
+
+class Typical(PluginTest):
+    def test_holds_what_it_promises(self):
+        sources = sorted(SOURCE.glob("tests/plugins/typical/*.c"))
+        self.assertEqual(len(sources), 6)
+        for source in sources:
+            with self.subTest(source.stem):
+                self.check(source)
+
+    def check(self, source):
+        plugin = self.build(source, source.stem)
+        expected = VIOLATED.get(source.stem, set())
+        self.rastercheck(1 if expected else 0, "run", "--backend", plugin, "--seed", 1, "--cases", max(CASES // 4, 60),
+                         "--output", source.stem, "--shrink-tries", 20)
+        rows = self.rows(source.stem)
+        self.assertEqual({law for (law, _), row in rows.items() if row["violations"] > 0}, expected)
+        # Cases fit it: of most laws that say something of it, most random cases are judged.
+        judged = [row for row in rows.values() if row["checked"] > 0]
+        self.assertGreater(len(judged), 20)
+        checked = rows[COVERAGE, plugin]
+        self.assertGreater(checked["checked"], checked["not_applicable"])
+
+
 def source_of(fault):
     (file,) = SOURCE.glob(f"docs/examples/plugin/faulty/{fault}.c*")
     return file
