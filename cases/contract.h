@@ -116,8 +116,9 @@ struct Contract {
   Coverage coverage;
   Basis basis = Basis::ideal;
   TieRule tie_rule = TieRule::top_left;
-  /// A vertex whose window position is farther than this from the window origin in x or y, in
-  /// pixels, may be clipped. Only where `coverage` is snapped. D3D: 2^15.
+  /// A vertex outside the viewport whose window position is farther than this from the window
+  /// origin in x or y, in pixels, may be clipped. Only where `coverage` is snapped. D3D: 2^15.
+  /// Clipped at the viewport: 0.
   float guard_band = 32768;
   /// Whether vertices are placed on points of `coverage`'s grid; else anywhere between those they
   /// may be placed on: a backend that rounds nothing to a grid and is merely a little off.
@@ -143,7 +144,7 @@ struct Contract {
   /// bound alone allows two where the exact depth lies near the middle between two floats.
   bool keeps_equal_depth = false;
   /// Whether an attribute with the same value at all vertices, to the bit, has it everywhere, to
-  /// the bit, whatever its bound.
+  /// the bit but for a zero's sign (keeps_sign_of_zero), whatever its bound.
   bool keeps_constants = false;
   /// Whether a sample that lies exactly at a vertex, w > 0, has the vertex's value, to the bit;
   /// zeros of either sign are alike. That is the vertex as the basis places it.

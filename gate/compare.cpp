@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -144,7 +145,16 @@ class FigureComparer {
   std::vector<records::FigureChange>& changes_;
 };
 
-std::vector<records::FigureChange> figure_changes(const records::EntryFigures& before,
+/// Fragments or values that were drawn or are missing, judged or not. Fragments that are not judged
+/// are in a class as well.
+std::uint64_t drawn_of(records::AttributeKind kind, const records::EntryFigures& figures) {
+  const auto& classes = figures.classes.counts;
+  const std::uint64_t all = std::accumulate(classes.begin(), classes.end(), std::uint64_t{0});
+  return kind == records::AttributeKind::coverage ? all : all + figures.not_judged.value_or(0);
+}
+
+std::vector<records::FigureChange> figure_changes(records::AttributeKind kind,
+                                                  const records::EntryFigures& before,
                                                   const records::EntryFigures& after) {
   std::vector<records::FigureChange> changes;
   FigureComparer compare(changes);
@@ -160,6 +170,11 @@ std::vector<records::FigureChange> figure_changes(const records::EntryFigures& b
     if (fragment_class == records::FragmentClass::correct) continue;
     compare.count(records::Figure::mismatches, before.classes[fragment_class],
                   after.classes[fragment_class], fragment_class);
+  }
+  // Where as many are not judged, more or fewer of them were drawn.
+  if (before.not_judged && after.not_judged && *before.not_judged != *after.not_judged) {
+    compare.share(records::Figure::not_judged, *before.not_judged, drawn_of(kind, before),
+                  *after.not_judged, drawn_of(kind, after));
   }
   const records::Histogram& was = before.histogram;
   const records::Histogram& is = after.histogram;
@@ -262,7 +277,7 @@ std::vector<records::EntryChange> entry_changes(const records::BaselineSection& 
       entry.change = records::Change::appeared;
       continue;
     }
-    entry.figures = figure_changes(entry.before, entry.after);
+    entry.figures = figure_changes(key.kind, entry.before, entry.after);
     if (const auto cases = grown.find(key); cases != grown.end()) {
       FigureComparer(entry.figures).count(records::Figure::grown_cases, 0, cases->second);
     }

@@ -34,13 +34,18 @@ records::EntryFigures figures_of(const records::ErrorSizes& sizes) {
   return figures;
 }
 
-bool is_empty(const records::EntryFigures& figures) { return figures == records::EntryFigures(); }
+bool is_empty(records::EntryFigures figures) {
+  if (figures.not_judged == 0U) figures.not_judged.reset();
+  return figures == records::EntryFigures();
+}
 
 /// The entries of one law and kind.
 void add_entries(std::map<records::EntryKey, records::EntryFigures>& entries,
                  const std::string& law, AttributeKind kind, const records::Record& record) {
   records::EntryFigures all = figures_of(record.errors.ideal);
   all.classes = record.errors.classes;
+  all.not_judged = 0;
+  for (const auto& [why, count] : record.errors.not_judged) *all.not_judged += count;
   if (kind == AttributeKind::coverage) {
     all.cases = record.cases;
     all.power = records::total(record.power);

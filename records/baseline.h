@@ -51,6 +51,9 @@ struct EntryFigures {
   CaseCounts cases;     ///< of the law; of kind `coverage` only
   Noticed power;        ///< of all defects together; likewise
   ClassCounts classes;  ///< of all strata together only
+  /// Fragments or values of the kind that were drawn and not judged, of all strata together only.
+  /// Files from before they were counted have none.
+  std::optional<std::uint64_t> not_judged = std::nullopt;
   Histogram histogram;  ///< of magnitudes of errors against the exact triangle
   Enclosure worst;      ///< the largest magnitude; 0 without one
   /// Magnitudes of the parts of errors; of laws that split them.

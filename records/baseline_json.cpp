@@ -61,6 +61,7 @@ void members(Archive& archive, Key& key, T& figures) {
       inner.optional(to_string(static_cast<FragmentClass>(i)), classes.counts[i]);
     }
   });
+  archive.optional("not_judged", figures.not_judged);
   archive.optional("worst", figures.worst);
   archive.optional("histogram", figures.histogram);
   archive.optional_object("stages", figures.stages,

@@ -28,6 +28,7 @@ enum class Figure {
   known,       ///< cases violated in known ways only
   checked,     ///< cases that the law says something of: others are not looked at any more
   mismatches,  ///< of one class, FigureChange::fragment_class
+  not_judged,  ///< the share of fragments, or values, that nothing was said of
   noticed,     ///< of as many drawings that were made wrong on purpose
   worst,       ///< the largest magnitude
   misrounded,  ///< the share of values off by more than kRoundingError
@@ -41,8 +42,8 @@ enum class Figure {
 };
 constexpr auto names_of(Figure /*type*/) {
   return std::to_array<std::string_view>({"violations", "known violations", "cases checked",
-                                          "mismatches", "defects noticed", "worst", "misrounded",
-                                          "p99.9", "p99", "p50", "cases that grew"});
+                                          "mismatches", "not judged", "defects noticed", "worst",
+                                          "misrounded", "p99.9", "p99", "p50", "cases that grew"});
 }
 constexpr std::string_view to_string(Figure figure) { return cases::name_of(figure); }
 

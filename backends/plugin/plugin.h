@@ -77,7 +77,7 @@ enum {
 
 /* rastercheck_contract.keeps: promises to the bit; any of these, added. */
 enum {
-  /* An attribute with one value at all vertices has it everywhere. */
+  /* An attribute with one value at all vertices has it everywhere; of zeros whichever sign. */
   RASTERCHECK_KEEPS_CONSTANTS = 1,
   /* A sample exactly at a vertex has the vertex's values. Held against what is drawn only where it
    * is certain where the vertex is: not with a position_error and values from the grid. */
@@ -151,8 +151,9 @@ typedef struct rastercheck_contract {
   /* Of SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off besides the
    * position error, in grid units; 0: they are where the uncut ones are. */
   float clip_tolerance;
-  /* Of SNAPPED and AS_ASKED: vertices farther than this from the window's origin in x or y may be
-   * clipped, in pixels; 0: 32768. */
+  /* Of SNAPPED and AS_ASKED: vertices outside the viewport and farther than this from the window's
+   * origin in x or y may be clipped, in pixels; 0: 32768. Any number so small that no vertex
+   * outside is nearer says that triangles are clipped at the viewport. */
   float guard_band;
   uint32_t tie_rule; /* RASTERCHECK_TIE_RULE_… */
   uint32_t basis;    /* RASTERCHECK_BASIS_… */

@@ -137,8 +137,9 @@ bool TriangleSetup::has_points_deeper_than(const Ring& distance) const {
 
 bool TriangleSetup::is_beyond_guard_band(std::size_t vertex) const {
   const RingVector3& column = columns[vertex];
-  const Ring band = exact_ring(scene->contract().guard_band) * column[2];
-  return magnitude(column[0]) > band || magnitude(column[1]) > band;
+  const auto [lo, hi] = guard_band_box(*scene);
+  return column[0] < lo.u * column[2] || column[0] > hi.u * column[2] ||
+         column[1] < lo.v * column[2] || column[1] > hi.v * column[2];
 }
 
 void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
@@ -403,9 +404,17 @@ ConvexRegion box_around(const Point& p, const Ring& reach) {
   return {Point{p.u - reach, p.v - reach}, Point{p.u + reach, p.v + reach}};
 }
 
-ConvexRegion guard_band_of(const Scene& scene) {
+std::pair<Point, Point> guard_band_box(const Scene& scene) {
   const Ring band = exact_ring(scene.contract().guard_band);
-  return {Point{-band, -band}, Point{band, band}};
+  const Point& lo = scene.viewport_lo();
+  const Point& hi = scene.viewport_hi();
+  return {Point{std::min(-band, lo.u), std::min(-band, lo.v)},
+          Point{std::max(band, hi.u), std::max(band, hi.v)}};
+}
+
+ConvexRegion guard_band_of(const Scene& scene) {
+  const auto [lo, hi] = guard_band_box(scene);
+  return {lo, hi};
 }
 
 }  // namespace rastercheck::oracle

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "cases/case.h"
@@ -178,7 +179,9 @@ struct TriangleSetup {
 
 /// The closed square of half-width `reach` around a point.
 ConvexRegion box_around(const Point& p, const Ring& reach);
-/// The closed square in which a contract leaves vertices unclipped.
+/// Corners of the closed box in which a contract leaves vertices unclipped: its guard band, and the
+/// viewport wherever that lies, as its sides clip nothing within it.
+std::pair<Point, Point> guard_band_box(const Scene& scene);
 ConvexRegion guard_band_of(const Scene& scene);
 
 }  // namespace rastercheck::oracle

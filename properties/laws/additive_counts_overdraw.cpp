@@ -145,7 +145,7 @@ class OverdrawCheck {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   if (backend.picture_drawer() == nullptr || clip.triangles.size() > kMostTriangles)
-    return not_applicable();
+    return not_applicable("the backend draws no pictures, or the case has too many triangles");
   const bool keeps_constants = backend.contract(clip).keeps_constants;
   const bool is_flat = !keeps_constants || fingerprint(clip) % 2 == 0;
   const cases::Case counting = counting_case(clip, is_flat);

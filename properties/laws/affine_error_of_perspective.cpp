@@ -118,7 +118,8 @@ class AffineErrorCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
-    if (drawn.contract.claims != cases::Claim::affine) return not_applicable();
+    if (drawn.contract.claims != cases::Claim::affine)
+      return not_applicable("the contract claims perspective");
     return AffineErrorCheck(clip, drawn.contract, drawn.fragments).run();
   });
 }

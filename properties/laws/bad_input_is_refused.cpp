@@ -210,7 +210,8 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
   backends::PictureDrawer* const drawer = backend.picture_drawer();
-  if (drawer == nullptr || clip.triangles.empty()) return not_applicable();
+  if (drawer == nullptr || clip.triangles.empty())
+    return not_applicable("the backend draws no pictures, or the case no triangles");
   const cases::Pipeline pipeline = adding_pipeline(clip);
   const Result<cases::Picture> before = draw_picture(clip, backend, pipeline);
   if (!before) return tl::unexpected(before.error());

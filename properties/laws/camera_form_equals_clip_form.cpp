@@ -341,7 +341,7 @@ Result<Check> check_forms(const Forms& forms, backends::Backend& backend) {
 Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t index) {
   const std::optional<Forms> forms = forms_of(c);
   if (!forms) {
-    return not_applicable();
+    return not_applicable("the case has no camera whose clip positions are exact");
   }
   Result<Check> check = check_forms(*forms, backend);
   if (!check || check->fault) return check;

@@ -116,7 +116,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint6
   cases::Case source = c;
   move_centroids_to_samples(source);
   const std::optional<QuarterTurn> turn = quarter_turn_of(source);
-  if (!turn) return not_applicable();
+  if (!turn) return not_applicable("the turned camera is no float32");
   cases::Case changed = turned_window(source, *turn);
   changed.camera->projection = rolled(source.camera->projection, *turn);
   Result<std::vector<cases::ClipVertex>> positions = positions_of(changed, backend);

@@ -26,10 +26,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/capabilities.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -148,10 +150,31 @@ struct PlaneClipping {
   Plane plane = Plane::near;
 };
 
-PlaneClipping clipping_of(const cases::Case& c) {
+/// The planes that a backend clips at.
+std::vector<Plane> planes_of(const cases::Capabilities& has) {
+  using cases::Feature;
+  const auto is_there = [&has](Plane plane) {
+    switch (plane) {
+      case Plane::near:
+      case Plane::far:
+        return has.has(Feature::depth_clipping);
+      case Plane::near_through_eye:
+        return has.has(Feature::depth_clipping) && has.has(Feature::nonpositive_w);
+      case Plane::distance:
+        return has.has(Feature::clip_distances) && has.max_clip_distances > 0;
+      default:
+        return has.has(Feature::side_clipping);
+    }
+  };
+  std::vector<Plane> planes;
+  std::copy_if(kPlanes.begin(), kPlanes.end(), std::back_inserter(planes), is_there);
+  return planes;
+}
+
+PlaneClipping clipping_of(const cases::Case& c, const std::vector<Plane>& planes) {
   Choices choices(fingerprint(c));
   PlaneClipping result;
-  result.plane = choices.pick(kPlanes);
+  result.plane = planes[choices.below(planes.size())];
   cases::Case source = c;
   if (result.plane == Plane::distance && source.clip_distance_count == 0) {
     source.clip_distance_count = 1;
@@ -208,7 +231,9 @@ bool is_on_plane(Verdicts& with_l, const cases::SamplePlace& place) {
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
-  PlaneClipping clipping = clipping_of(clip);
+  const std::vector<Plane> planes = planes_of(backend.about().capabilities);
+  if (planes.empty()) return not_applicable("the backend clips at no plane");
+  PlaneClipping clipping = clipping_of(clip, planes);
   cases::Contract exact;
   exact.tie_rule = cases::TieRule::unspecified;  // ties of either kind are not forbidden
   Verdicts with_l(clipping.with_l, exact);

@@ -82,7 +82,8 @@ class ConstantsCheck {
   Check run() {
     const bool has_some = std::any_of(constants_.begin(), constants_.end(),
                                       [](const auto& of_triangle) { return !of_triangle.empty(); });
-    if (!has_some) return not_applicable();
+    if (!has_some)
+      return not_applicable("no attribute is constant on a triangle and promised to stay so");
     for (std::size_t i = 0; i < drawn_->size(); ++i) check_fragment(i);
     return tally_.finish();
   }

@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+#include "cases/capabilities.h"
+#include "cases/contract.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -202,7 +204,19 @@ struct Mixed {
   std::set<std::string> labels;
 };
 
-Mixed mixed(const cases::Case& c) {
+/// Whether a backend draws a case with such a triangle and promises something of it. Of one that
+/// draws everything nothing is asked.
+bool is_drawn(const cases::Case& c, const Triangle& triangle, backends::Backend& backend) {
+  const cases::Capabilities has = backend.about().capabilities;
+  const bool has_limits = backend.about().has_limits;
+  if (has.is_everything() && !has_limits) return true;
+  cases::Case alone = c;
+  alone.triangles = {triangle};
+  return lacked_by(has, alone).empty() &&
+         (!has_limits || cases::promises_all_of(backend.contract(alone), alone));
+}
+
+Mixed mixed(const cases::Case& c, backends::Backend& backend) {
   constexpr std::size_t kMost = 6;
   const std::uint64_t number = fingerprint(c);
   Mixed result;
@@ -212,7 +226,7 @@ Mixed mixed(const cases::Case& c) {
     Choices choices(number + i * 0x9e3779b97f4a7c15U);
     const Degeneracy kind = choices.pick(kKinds);
     const auto triangle = Degenerates(result.source, choices).make(kind);
-    if (!triangle) continue;
+    if (!triangle || !is_drawn(result.source, *triangle, backend)) continue;
     added.emplace_back(*triangle, kind);
     result.labels.emplace(word_of(kind));
   }
@@ -291,9 +305,10 @@ class DegenerateCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (clip.triangles.empty()) return not_applicable();
+  if (clip.triangles.empty()) return not_applicable("the case has no triangles");
   if (backend.contract(clip).coverage) clip.depth_test = cases::DepthTest::none;
-  const Mixed with = mixed(clip);
+  const Mixed with = mixed(clip, backend);
+  if (with.labels.empty()) return not_applicable("the backend draws no triangle without area");
   const Result<backends::Drawn> before = draw_promised(clip, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw_promised(with.source, backend);

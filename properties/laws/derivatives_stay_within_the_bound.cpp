@@ -95,7 +95,7 @@ Check find(const cases::Case& c, const backends::Drawn& drawn) {
   const cases::Fragments& fragments = drawn.fragments;
   const bool has_derivatives = fragments.size() == 0 || !fragments.derivatives.empty();
   if (!drawn.contract.derivative_bound || c.attributes.empty() || !has_derivatives) {
-    return not_applicable();
+    return not_applicable("the contract promises no derivatives, or the case has no attributes");
   }
   return DerivativesCheck(c, drawn.contract, fragments).run();
 }

@@ -156,7 +156,8 @@ bool is_promised(backends::Backend& backend) {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (!is_promised(backend) || clip.attributes.empty()) return not_applicable();
+  if (!is_promised(backend) || clip.attributes.empty())
+    return not_applicable("no differences are promised, or the case has no attributes");
   clip.depth_test = cases::DepthTest::none;
   Choices choices(fingerprint(clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;

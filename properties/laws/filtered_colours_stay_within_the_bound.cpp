@@ -156,7 +156,8 @@ bool is_promised(backends::Backend& backend) {
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
-  if (!is_promised(backend) || clip.attributes.size() < 2) return not_applicable();
+  if (!is_promised(backend) || clip.attributes.size() < 2)
+    return not_applicable("no filtering is promised, or the case has no coordinates");
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

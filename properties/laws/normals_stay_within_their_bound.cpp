@@ -77,7 +77,8 @@ Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bou
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t /*index*/) {
   const std::optional<float> bound = backend.contract(c).normal_bound;
-  if (!c.camera || backend.vertex_stage() == nullptr || !bound) return not_applicable();
+  if (!c.camera || backend.vertex_stage() == nullptr || !bound)
+    return not_applicable("no normals are promised, or the case has no camera");
   const auto computed = transform_normals(c.camera->model, normals_of(c), backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);

@@ -122,7 +122,7 @@ class OrderCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (clip.triangles.size() < 2) return not_applicable();
+  if (clip.triangles.size() < 2) return not_applicable("the case has one triangle");
   clip.depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> all = draw_promised(clip, backend);
   if (!all) return tl::unexpected(all.error());

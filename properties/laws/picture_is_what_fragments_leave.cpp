@@ -97,7 +97,7 @@ class PictureCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (backend.picture_drawer() == nullptr) return not_applicable();
+  if (backend.picture_drawer() == nullptr) return not_applicable("the backend draws no pictures");
   clip.depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<backends::Drawn> fragments = draw_promised(clip, backend);

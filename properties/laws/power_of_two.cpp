@@ -137,7 +137,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   const cases::Case own = with_own_vertices(clip);
   const ScaledCase changed = scaled_case(own);
-  if (!changed.is_changed) return not_applicable();
+  if (!changed.is_changed) return not_applicable("no number can be scaled by a power of two");
   const Result<backends::Drawn> before = draw_promised(own, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw_promised(changed.source, backend);

@@ -33,7 +33,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase clip = c;
   move_centroids_to_samples(clip);
   const std::optional<QuarterTurn> turn = quarter_turn_of(clip);
-  if (!turn) return not_applicable();
+  if (!turn) return not_applicable("the turned viewport or scissor is none that a case may have");
   cases::Case changed = turned_window(clip, *turn);
   for (cases::ClipVertex& p : changed.positions) p = turned(p, *turn);
   const auto contract = turned_back(clip, backend.contract(changed));

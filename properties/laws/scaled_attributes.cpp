@@ -337,7 +337,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   std::vector<Affine> maps = maps_of(clip);
   const bool is_changed =
       std::any_of(maps.begin(), maps.end(), [](const Affine& map) { return !map.is_identity(); });
-  if (!is_changed) return not_applicable();
+  if (!is_changed) return not_applicable("no attribute can be scaled or moved exactly");
   const cases::Case changed = changed_case(clip, maps);
   // Both drawings are held to one promise.
   const cases::Contract contract = backend.contract(clip);

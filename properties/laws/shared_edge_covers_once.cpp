@@ -103,7 +103,10 @@ class SharedEdgeCheck {
 
   Check run() {
     for (const TrianglePair& pair : pairs_of(*case_)) check_pair(pair);
-    return has_pairs_ ? tally_.finish() : not_applicable();
+    return has_pairs_ ? tally_.finish()
+                      : not_applicable(
+                            "no two triangles with a common edge are certain to lie beside each "
+                            "other, uncut");
   }
 
  private:

@@ -158,7 +158,8 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase expanded = c;
   const Indexed indexed = indices_of(expanded);
   expanded.triangles = triangles_of(c.rules, indexed);
-  if (backend.assembler() == nullptr || expanded.triangles.empty()) return not_applicable();
+  if (backend.assembler() == nullptr || expanded.triangles.empty())
+    return not_applicable("the backend assembles no strips, or the case has no triangles");
   const Result<cases::Fragments> drawn =
       draw_assembled(expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());

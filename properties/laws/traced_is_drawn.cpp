@@ -222,7 +222,7 @@ class TraceCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (backend.tracer() == nullptr) return not_applicable();
+  if (backend.tracer() == nullptr) return not_applicable("the backend shows no stages");
   clip.depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());

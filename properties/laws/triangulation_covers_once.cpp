@@ -379,7 +379,8 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const double error = contract.has_open_viewport() ? contract.viewport_error : 0;
   const auto screen = planes ? Screen::of(clip, *planes, error) : std::nullopt;
   if (!screen || !is_triangulation(clip, contract, verdicts)) {
-    return not_applicable();
+    return not_applicable(
+        "it is no triangulation of the screen that nothing may clip or turn round");
   }
   const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -59,7 +59,7 @@ bool is_promised(backends::Backend& backend) { return !backend.about().same_as.e
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   const std::vector<std::string> all = backend.about().same_as;
-  if (all.empty()) return not_applicable();
+  if (all.empty()) return not_applicable("the backend has no variants");
   const Result<backends::Drawn> own = draw_promised(clip, backend);
   if (!own) return tl::unexpected(own.error());
   const cases::Pipeline pipeline = pipeline_of(clip);

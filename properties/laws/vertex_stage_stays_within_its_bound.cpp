@@ -82,7 +82,8 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t /*index*/) {
   const std::optional<float> bound = backend.contract(c).transform_bound;
-  if (!c.camera || backend.vertex_stage() == nullptr || !bound) return not_applicable();
+  if (!c.camera || backend.vertex_stage() == nullptr || !bound)
+    return not_applicable("no vertex stage is promised, or the case has no camera");
   const Result<std::vector<cases::ClipVertex>> computed = transform(c, backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);

@@ -76,7 +76,7 @@ class VertexCheck {
 
   Check run() {
     for (std::size_t i = 0; i < drawn_->size(); ++i) check_fragment(i);
-    if (tally_.counts().required == 0) return not_applicable();
+    if (tally_.counts().required == 0) return not_applicable("no sample lies at a vertex");
     if (case_->coverage) tally_.label("snapped");
     return tally_.finish();
   }
@@ -159,7 +159,8 @@ class VertexCheck {
 };
 
 Check find(const cases::Case& c, const backends::Drawn& drawn) {
-  if (!drawn.contract.keeps_vertex_values) return not_applicable();
+  if (!drawn.contract.keeps_vertex_values)
+    return not_applicable("the contract does not keep vertices' values");
   return VertexCheck(c, drawn.contract, drawn.fragments).run();
 }
 

@@ -78,7 +78,7 @@ bool is_promised(backends::Backend& backend) {
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
-  if (!is_promised(backend)) return not_applicable();
+  if (!is_promised(backend)) return not_applicable("the backend draws in one way only");
   std::optional<cases::Fragments> first;
   std::string name_of_first;
   std::string lacking;

@@ -113,7 +113,7 @@ std::string note_of(const Move& move) {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std::uint64_t index) {
   const Move move = move_of(clip);
   const std::optional<Moved> moved = moved_by(clip, move);
-  if (!moved) return not_applicable();
+  if (!moved) return not_applicable("it cannot be moved by whole pixels");
   const cases::Contract contract = backend.contract(moved->after);
   if (contract.coverage && !(keeps_even_points(*contract.coverage, move.du) &&
                              keeps_even_points(*contract.coverage, move.dv))) {

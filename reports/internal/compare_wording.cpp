@@ -52,6 +52,10 @@ bool is_size(records::Figure figure) {
          figure == records::Figure::p99 || figure == records::Figure::p999;
 }
 
+bool is_share(records::Figure figure) {
+  return figure == records::Figure::misrounded || figure == records::Figure::not_judged;
+}
+
 std::string actual_value_text(const records::WorstError& worst) {
   return fmt::format("{:.9g} ({})", worst.actual, cases::to_hex(worst.actual));
 }
@@ -112,7 +116,7 @@ std::string bits_sentence(const records::Comparison& comparison) {
 
 OldAndNew figure_texts(const records::FigureChange& change) {
   const auto& [figure, fragment_class, how, before, after] = change;
-  if (figure == records::Figure::misrounded) return shares_text(before, after);
+  if (is_share(figure)) return shares_text(before, after);
   if (!is_size(figure)) return {grouped(before.count), grouped(after.count)};
   const Enclosure was = before.size.value_or(Enclosure());
   const Enclosure is = after.size.value_or(Enclosure());

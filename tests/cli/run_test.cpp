@@ -148,6 +148,25 @@ TEST_F(Run, ThatReachesALabelTooSeldomIsNotOk) {
   EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("Not reached: "));
 }
 
+// Kills: "held" on a handful of cases, and exit code 0.
+TEST_F(Run, EndsWithFiveWhereFewerCasesAreJudgedThanRequired) {
+  const std::vector<std::string> options{"--cases", "6", "--seed", "1", "--property", kCoverage};
+  const auto required = [&](const std::string& cases) {
+    std::vector<std::string> all = options;
+    all.insert(all.end(), {"--require-cases", cases});
+    return run(all);
+  };
+  const Outcome enough = required("300");
+  EXPECT_EQ(enough.code, 0) << enough;
+  EXPECT_THAT(enough.out, Not(HasSubstr("thin")));
+  const Outcome few = required("100000");
+  EXPECT_EQ(few.code, 5) << few;
+  EXPECT_THAT(few.out, AllOf(HasSubstr("thin: "),
+                             HasSubstr("\n1 property held on fewer than 100000 cases.\n")));
+  EXPECT_THAT(folder_.content("out/junit.xml"), HasSubstr("type=\"too few cases\""));
+  EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("<h2>Held on few cases</h2>"));
+}
+
 // Kills: one violation hidden by a law that checked nothing.
 TEST_F(Run, ThatIsViolatedAndCheckedNothingIsViolated) {
   EXPECT_EQ(run_damaged({"--backend", "damaged", "--cases", "0", "--property", "co*"}).code, 1);

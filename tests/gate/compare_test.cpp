@@ -152,6 +152,23 @@ TEST(Compare, SeesOneMismatchOfAClass) {
   EXPECT_EQ(change.after.count, 1U);
 }
 
+// Kills: a contract that was loosened, so that fewer values are judged than before.
+TEST(Compare, HoldsTheShareThatWasJudged) {
+  const auto change_of = [](std::optional<std::uint64_t> was, std::optional<std::uint64_t> is) {
+    records::BaselineSection before = records::sample_section();
+    records::BaselineSection after = before;
+    before.entries[records::kSampleCoverage].not_judged = was;
+    after.entries[records::kSampleCoverage].not_judged = is;
+    return entry_of(compared(before, after), records::kSampleCoverage);
+  };
+  ASSERT_EQ(change_of(1, 2).figures.size(), 1U);
+  EXPECT_EQ(change_of(1, 2).figures[0].figure, records::Figure::not_judged);
+  EXPECT_EQ(change_of(1, 2).change, records::Change::worse);
+  EXPECT_EQ(change_of(2, 1).change, records::Change::better);
+  EXPECT_EQ(change_of(2, 2).change, records::Change::same);
+  EXPECT_EQ(change_of(std::nullopt, 2).change, records::Change::same);  // of an older file
+}
+
 TEST(Compare, SeesViolationsAndCasesThatAreNoLongerChecked) {
   EXPECT_EQ(only_change(records::kSampleCoverage,
                         [](records::EntryFigures& figures) { ++figures.cases.violations; })

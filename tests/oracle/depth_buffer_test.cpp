@@ -132,6 +132,34 @@ TEST(DepthBuffer, IsHeededWhereFragmentsAreListed) {
   EXPECT_EQ(listed(records::Verdict::permitted), 6U);
 }
 
+// Kills: a guard band about the window's origin alone, by which everything may be clipped where the
+// viewport is narrower.
+TEST(GuardBand, IsTheViewportAtLeast) {
+  cases::Case c =
+      small_case(cases::Rules::vulkan, 64, 64, {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}}});
+  c.viewport.x = 16;
+  c.viewport.width = 32;
+  c.viewport.height = 32;
+  cases::Contract contract = cases::contract_of(c);
+  contract.coverage = cases::Snapping();
+  const auto judged = [&](float guard_band, int x, int y) {
+    contract.guard_band = guard_band;
+    const SceneTruth scene(c, contract);
+    const TriangleTruth truth(scene, 0);
+    return std::pair(truth.has_certain_orientation(), truth.judge(x, y, 0).verdict);
+  };
+  // The hypotenuse runs from (48, 0) to (16, 32), through the sample at (26.5, 21.5).
+  for (const int x : {16, 25, 26, 27, 47}) {
+    EXPECT_EQ(judged(0, x, 21), judged(32768, x, 21)) << x;
+  }
+  EXPECT_TRUE(judged(0, 16, 21).first);
+  EXPECT_NE(judged(0, 26, 21).second, records::Verdict::permitted);
+  // A vertex a hair outside may be clipped, and with it the hypotenuse moved.
+  c.positions[1].x = 1 + 0x1p-20F;
+  EXPECT_NE(judged(32768, 26, 21).second, records::Verdict::permitted);
+  EXPECT_EQ(judged(0, 26, 21).second, records::Verdict::permitted);
+}
+
 // The left edge lies at x = 1.506, 0.006 pixels or 1.536 units of 1/256 to the right of the samples
 // of column 1. All vertices lie beyond a guard band of a pixel, so that the triangle is cut.
 TEST(CutEdges, AreOffByTheToleranceAndThePositionError) {

@@ -63,6 +63,7 @@ BASELINE = {
                     "cases": {"checked": 3, "not_applicable": 1, "violations": 1, "known": 1},
                     "power": {"drawings": 7, "noticed": 6},
                     "classes": {name: 1 for name in CLASSES},
+                    "not_judged": 2,
                     "worst": [0.5, 0.75],
                     "histogram": {"buckets": [[0, 1], [482, 2]], "non_finite": 1},
                     "stages": {"set-up": SUM},
