@@ -94,9 +94,8 @@ bool needs(const Case& c, Feature feature) {
     case Feature::depth_clipping:
       return is_depth_clipped(c);
     case Feature::side_clipping:
-      return has_vertex(c, [](const ClipVertex& p) {
-        return p.w > 0 && std::max(std::fabs(p.x), std::fabs(p.y)) > p.w;
-      });
+      return has_vertex(
+          c, [](const ClipVertex& p) { return std::max(std::fabs(p.x), std::fabs(p.y)) > p.w; });
     case Feature::clip_distances:
       return c.clip_distance_count > 0;
     case Feature::depth_clamp:

@@ -18,7 +18,7 @@ namespace rastercheck::cases {
 enum class Feature {
   nonpositive_w,       ///< a triangle's vertex with w <= 0
   depth_clipping,      ///< a vertex beyond the near or far plane, without depth clamp
-  side_clipping,       ///< a triangle's vertex with w > 0 beyond the viewport's sides
+  side_clipping,       ///< a triangle's vertex beyond the viewport's sides, or behind the eye
   clip_distances,      ///< any
   depth_clamp,         ///< of cases by other rules than D3D's, too
   depth_range,         ///< any but 0 to 1

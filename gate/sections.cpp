@@ -85,9 +85,12 @@ void add_cases(records::BaselineSection& section, const records::CaseRecordSet& 
   for (const auto& [key, record] : all) {
     if (key.backend != backend) continue;
     records::LawCases& law = section.laws[key.law];
-    ++law.count;
-    numbered[key.law] +=
-        fmt::format("{} {} {:016x}\n", to_string(key.origin), key.index, record.source_digest);
+    // What is drawn in place of a case depends on who is judged; what was drawn at first does not.
+    if (key.index < records::kRedrawn) {
+      ++law.count;
+      numbered[key.law] +=
+          fmt::format("{} {} {:016x}\n", to_string(key.origin), key.index, record.source_digest);
+    }
     if (key.origin == records::Origin::corpus) section.corpus[key.index] = record.name;
     if (record.outcome == records::CaseOutcome::not_applicable) continue;
     law.cases[{key.origin, key.index}] = {record.found_digest, record.mismatches, record.worst,

@@ -134,8 +134,9 @@ void fit_vertices(const Capabilities& has, cases::Case& c) {
   for (cases::ClipVertex& p : c.positions) {
     p = {within(has.numbers, p.x), within(has.numbers, p.y), within(has.numbers, p.z),
          within(has.numbers, p.w)};
-    if (!has.has(Feature::nonpositive_w) && p.w <= 0) p.w = p.w < 0 ? -p.w : 1;
-    if (!has.has(Feature::side_clipping) && p.w > 0) {
+    const bool has_behind = has.has(Feature::nonpositive_w) && has.has(Feature::side_clipping);
+    if (!has_behind && p.w <= 0) p.w = p.w < 0 ? -p.w : 1;
+    if (!has.has(Feature::side_clipping)) {
       p.x = folded(p.x, p.w);
       p.y = folded(p.y, p.w);
     }

@@ -46,6 +46,12 @@ constexpr auto names_of(Origin /*type*/) {
 }
 constexpr std::string_view to_string(Origin origin) { return cases::name_of(origin); }
 
+/// A random case that said nothing may have been drawn again: case i, k times, is number
+/// i + k kRedrawn.
+inline constexpr std::uint64_t kRedrawn = 1'000'000'000;
+/// "case 7 of seed 1", "case 7 of seed 1, drawn again twice".
+std::string random_case_text(const cases::Found& found);
+
 /// How the case became as small as it is.
 struct Shrinking {
   std::uint64_t tries = 0;  ///< smaller cases that were checked

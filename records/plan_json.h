@@ -6,8 +6,8 @@
 //   ["*edge*"],
 //    "scene": "bunny.obj", "scene_size": 512, "contract": {"file": "…", "terms": {a contract
 //    file}}, "corpus": "…", "known": "…", "ignores_known": true, "shrink_tries": 1000,
-//    "shrink_seconds": 5, "power": 5, "keeps_cases": true, "timeout": 10, "shard": {"index": 2,
-//    "count": 7}}
+//    "shrink_seconds": 5, "power": 5, "require_cases": 20, "keeps_cases": true, "timeout": 10,
+//    "shard": {"index": 2, "count": 7}}
 //
 // All but seed and cases are absent where they are what they usually are (plan.h).
 

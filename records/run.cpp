@@ -111,6 +111,14 @@ std::string file_word(std::string_view text) {
   return word;
 }
 
+std::string random_case_text(const cases::Found& found) {
+  const std::uint64_t times = found.index / kRedrawn;
+  std::string text = fmt::format("case {} of seed {}", found.index % kRedrawn, found.seed);
+  if (times == 0) return text;
+  if (times <= 2) return text + (times == 1 ? ", drawn again once" : ", drawn again twice");
+  return text + fmt::format(", drawn again {} times", times);
+}
+
 std::string file_of(const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   std::string name = fmt::format("{}-{}-{}", file_word(found.law), file_word(found.backend),

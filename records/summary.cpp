@@ -232,6 +232,7 @@ std::string thin_sentence(const std::vector<LawSummary>& rows) {
 
 std::vector<std::pair<std::uint64_t, std::string>> reasons_of(const LawSummary& row) {
   std::vector<std::pair<std::uint64_t, std::string>> all;
+  all.reserve(row.not_applicable_because.size());
   for (const auto& [why, cases] : row.not_applicable_because) all.emplace_back(cases, why);
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;

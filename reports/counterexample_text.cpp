@@ -77,10 +77,10 @@ std::string history_text(const Counterexample& one) {
       text = fmt::format("triangle {} of a scene", found.index);
       break;
     case records::Origin::saved:
-      text = fmt::format("saved before: case {} of seed {}", found.index, found.seed);
+      text = "saved before: " + records::random_case_text(found);
       break;
     case records::Origin::random:
-      text = fmt::format("case {} of seed {}", found.index, found.seed);
+      text = records::random_case_text(found);
       break;
   }
   if (!one.source.name.empty()) text += fmt::format(", “{}”", cases::printable(one.source.name));

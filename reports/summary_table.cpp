@@ -150,7 +150,7 @@ std::string not_checked_text(const std::vector<records::LawSummary>& rows) {
     }
   }
   if (laws.empty()) return "";
-  std::vector<std::vector<std::string>> cells{{"backend", "cases", "not judged, as", "laws"}};
+  std::vector<std::vector<std::string>> cells{{"backend", "times", "not judged, as", "laws"}};
   for (const auto& [key, text] : laws) {
     const auto& [backend, cases, why] = key;
     cells.push_back({cases::printable(backend), grouped(static_cast<std::uint64_t>(-cases)),

@@ -139,7 +139,8 @@ void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
   if (has_vertex_beyond_band(c)) {
     contract.coverage->position_error =
         static_cast<float>(std::min(contract.clip_tolerance, double{cases::kMaxPositionError}));
-    contract.clip_tolerance -= double{contract.coverage->position_error};
+    contract.clip_tolerance =
+        std::max(contract.clip_tolerance - double{contract.coverage->position_error}, 0.0);
   }
   const double clipped = std::min(0x1p-34 * amplification, 0x1p60);
   contract.bounds.smooth = value_bound(promise.smooth, clipped);

@@ -134,7 +134,12 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
   if (const std::string fault = fault_of(*contract); !fault.empty()) {
     return tl::unexpected(unavailable(path, fault));
   }
-  return Plugin{*name, *version, *contract, all->draw};
+  rastercheck_contract promised = *contract;
+  // Who was compiled before draws said what depth buffers begin with does not look.
+  constexpr std::size_t kWithDepthClear =
+      offsetof(rastercheck_contract, depth_format) + sizeof(rastercheck_contract::depth_format);
+  if (all->contract->size < kWithDepthClear) promised.lacks |= RASTERCHECK_LACKS_DEPTH_CLEAR;
+  return Plugin{*name, *version, promised, all->draw};
 }
 
 namespace {

@@ -283,6 +283,20 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   return is_interrupted() && !is_whole ? first_of(code, ExitCode::interrupted) : code;
 }
 
+/// Adds the options for how much a "held" says.
+void add_scrutiny(CLI::App& app, records::Plan& plan) {
+  app.add_option("--power", plan.power,
+                 "Makes the drawing of one in N random cases wrong in all ways, to see what is "
+                 "noticed; 0 of none")
+      ->transform(whole_number())
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--require-cases", plan.require_cases,
+                 "Ends with exit code 5 where a property is judged on fewer than N cases")
+      ->transform(whole_number())
+      ->type_name("N");
+}
+
 void add_early_ends(CLI::App& app, RunOptions& options) {
   app.add_flag("--fail-fast", options.fail_fast, "Ends with the first violation");
   app.add_option(
@@ -350,16 +364,7 @@ Action set_up(CLI::App& app) {
   add_formats(app, options->formats);
   add_shrinking(app, plan.shrinking);
   add_timeout(app, plan.timeout);
-  app.add_option("--power", plan.power,
-                 "Makes the drawing of one in N random cases wrong in all ways, to see what is "
-                 "noticed; 0 of none")
-      ->transform(whole_number())
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--require-cases", plan.require_cases,
-                 "Ends with exit code 5 where a property is judged on fewer than N cases")
-      ->transform(whole_number())
-      ->type_name("N");
+  add_scrutiny(app, plan);
   app.add_flag("--keep-cases", plan.keeps_cases,
                "Keeps what each case gave in run.json, for a baseline and for --format cases");
   add_early_ends(app, *options);

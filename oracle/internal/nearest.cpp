@@ -40,6 +40,13 @@ Field depth_slack(const TriangleSetup& triangle) {
          Field(cases::depth_step(scene.contract().depth_format));
 }
 
+/// Gives the least that a depth buffer may begin with: the beginning is rounded to a step as well,
+/// if it is not one that every format has.
+double nearest_clear_depth(const SceneTruth& scene) {
+  const double clear{scene.source().depth_clear.value_or(1)};
+  return clear == 1 ? clear : clear - cases::depth_step(scene.contract().depth_format);
+}
+
 bool is_required(const records::SampleVerdict& decision) {
   return decision.verdict == Verdict::required;
 }
@@ -60,11 +67,12 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
     : scene_(&scene),
       y0_(y0),
       y1_(y1),
-      clear_depth_(scene.source().depth_clear.value_or(1)),
+      clear_depth_(nearest_clear_depth(scene)),
       triangles_(&triangles) {
   // Where the case does not say what the buffer begins with, that may lie beyond all depths.
-  const double horizon =
-      scene.source().depth_clear ? std::nextafter(double{clear_depth_}, -kFarthest) : kFarthest;
+  const double horizon = scene.source().depth_clear
+                             ? std::nextafter(double{*scene.source().depth_clear}, -kFarthest)
+                             : kFarthest;
   const cases::FramebufferSize& size = scene.source().framebuffer;
   samples_.resize(static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(size.width) *
                       static_cast<std::size_t>(size.samples),
@@ -107,8 +115,8 @@ void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
 
 void NearestBand::add(Sample& sample, const Covering& covering) const {
   // Comparisons that NaN fails: what has no depth is neither nearer nor behind.
-  sample.is_required = sample.is_required ||
-                       (is_required(covering.decision) && covering.depth.hi < double{clear_depth_});
+  sample.is_required =
+      sample.is_required || (is_required(covering.decision) && covering.depth.hi < clear_depth_);
   if (covering.depth.lo > sample.horizon) return;
   sample.coverings.push_back(covering);
   if (!is_required(covering.decision)) return;
@@ -126,7 +134,7 @@ struct NearestBand::Rival {
   /// The depths that a backend may compute; nothing where any is right.
   std::optional<FieldRange> depth;
 
-  bool is_surely_nearer_than(float other) const { return depth && depth->hi < exact_field(other); }
+  bool is_surely_nearer_than(double other) const { return depth && depth->hi < Field(other); }
   bool is_surely_nearer_than(const Rival& other) const {
     return depth && other.depth && depth->hi < other.depth->lo;
   }
@@ -138,7 +146,7 @@ struct NearestBand::Rival {
 bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
                           std::vector<Candidate>& candidates) {
   candidates.clear();
-  if (sample.coverings.size() == 1 && sample.coverings.front().depth.hi < double{clear_depth_}) {
+  if (sample.coverings.size() == 1 && sample.coverings.front().depth.hi < clear_depth_) {
     const Covering& only = sample.coverings.front();
     candidates.push_back({only.triangle, only.decision});
     return sample.is_required;

@@ -97,7 +97,7 @@ class NearestBand {
   int y0_;
   int y1_;
   /// What is surely nearer passes the depth test of an empty buffer.
-  float clear_depth_;
+  double clear_depth_;
   PreparedTriangles* triangles_;
   std::vector<Sample> samples_;
   CoverageRow row_;

@@ -406,10 +406,18 @@ ConvexRegion box_around(const Point& p, const Ring& reach) {
 
 std::pair<Point, Point> guard_band_box(const Scene& scene) {
   const Ring band = exact_ring(scene.contract().guard_band);
-  const Point& lo = scene.viewport_lo();
-  const Point& hi = scene.viewport_hi();
-  return {Point{std::min(-band, lo.u), std::min(-band, lo.v)},
-          Point{std::max(band, hi.u), std::max(band, hi.v)}};
+  Point lo = scene.viewport_lo();
+  Point hi = scene.viewport_hi();
+  // What lies between the two, where they do not meet, is in neither.
+  if (lo.u <= band && hi.u >= -band) {
+    lo.u = std::min(-band, lo.u);
+    hi.u = std::max(band, hi.u);
+  }
+  if (lo.v <= band && hi.v >= -band) {
+    lo.v = std::min(-band, lo.v);
+    hi.v = std::max(band, hi.v);
+  }
+  return {lo, hi};
 }
 
 ConvexRegion guard_band_of(const Scene& scene) {

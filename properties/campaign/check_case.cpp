@@ -23,12 +23,20 @@ using records::Counterexample;
 
 /// Whether it fails as `found` says, and puts what does so first. A law may say no more than that
 /// it is violated.
-bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found) {
+bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found,
+                 const KnownDefects* known) {
   const bool fails =
       check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault;
   if (!fails) return false;
-  return check.violations.empty() ? found.verdict == verdict_of(check)
-                                  : put_alike_first(check, c, found);
+  if (check.violations.empty()) return found.verdict == verdict_of(check);
+  // What is known of the driver is not what was found.
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
+  if (known != nullptr && clip) {
+    std::erase_if(check.violations, [&](const records::Violation& violation) {
+      return !entries_of(*known, found.law, *clip, violation).empty();
+    });
+  }
+  return put_alike_first(check, c, found);
 }
 
 /// Of a drawing that failed.
@@ -82,15 +90,18 @@ std::string verdict_of(const Check& check) {
 
 namespace {
 
-/// What a plugin says, without its numbers, which may be others in each case: reasons are counted.
+/// What a plugin says, without the words that have numbers, which may be others in each case:
+/// reasons are counted.
 std::string without_numbers(std::string_view why) {
+  constexpr std::string_view kDigits = "0123456789";
   std::string text;
-  bool is_in_number = false;
-  for (const char letter : why) {
-    const bool is_digit = letter >= '0' && letter <= '9';
-    if (!is_digit) text += letter;
-    if (is_digit && !is_in_number) text += '#';
-    is_in_number = is_digit;
+  while (!why.empty()) {
+    const std::size_t end = std::min(why.find(' '), why.size());
+    const std::string_view word = why.substr(0, end);
+    const bool has_number = word.find_first_of(kDigits) != std::string_view::npos;
+    text += has_number ? std::string_view("#") : word;
+    if (end < why.size()) text += ' ';
+    why.remove_prefix(std::min(end + 1, why.size()));
   }
   return text;
 }
@@ -104,7 +115,8 @@ std::string reason_of(const Law& law, backends::Backend& backend, const Check& c
   }
   if (check.why_not.empty()) return "the law says nothing of such cases";
   const std::size_t own = std::min(check.why_not.find(": "), check.why_not.size());
-  return check.why_not.substr(0, own) + without_numbers(check.why_not.substr(own));
+  const std::string_view why(check.why_not);
+  return std::string(why.substr(0, own)) + without_numbers(why.substr(own));
 }
 
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
@@ -163,7 +175,7 @@ void keep_counterexample(const Law& law, const std::string& specification,
       if (triangle < numbered.source.triangles.size()) {
         cases::Case one = with_triangles(numbered.source, {{triangle}});
         Check alone = check_or_note(law, one, backend, numbered.index, known);
-        if (fails_alike(alone, one, failure)) {
+        if (fails_alike(alone, one, failure, known)) {
           found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
         }
       }
@@ -181,7 +193,7 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
     if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
     Check check = check_or_note(law, c, backend, place.index, known);
     findings.fault = check.fault;
-    return fails_alike(check, c, place) ? std::optional(std::move(check)) : std::nullopt;
+    return fails_alike(check, c, place, known) ? std::optional(std::move(check)) : std::nullopt;
   };
   if (place.verdict == to_string(records::FragmentClass::hang) &&
       found.source.triangles.size() > 1) {
@@ -319,7 +331,7 @@ std::optional<NumberedCase> check_random_case(const Law& law, const std::string&
                                               const cases::Capabilities& capabilities,
                                               Findings& findings, const KnownDefects* known) {
   for (std::uint64_t attempt = 0;; ++attempt) {
-    const std::uint64_t number = index + attempt * kRedrawn;
+    const std::uint64_t number = index + attempt * records::kRedrawn;
     Generated made = random_case(law, seed, number, capabilities);
     NumberedCase numbered{std::move(made.source), std::move(made.stratum), number,
                           records::Origin::random};
@@ -335,6 +347,7 @@ std::optional<NumberedCase> check_random_case(const Law& law, const std::string&
         const records::RecordKey key{std::string(law.id), specification,
                                      records::AttributeKind::coverage, numbered.stratum};
         ++findings.records[key].not_applicable_because[reason_of(law, backend, check)];
+        keep_case(law, specification, numbered, check, findings);
         continue;
       }
       is_held = take_check(law, specification, backend, seed, numbered, check, findings, known);

@@ -37,9 +37,8 @@ bool check_case(const Law& law, const std::string& specification, backends::Back
                 const KnownDefects* known = nullptr);
 
 /// A random case of which a law has nothing to say, or which the backend refuses, is drawn again,
-/// at most so often; drawn again k times, case i is number i + k kRedrawn.
+/// at most so often (records::kRedrawn).
 inline constexpr std::uint64_t kMostRedrawn = 3;
-inline constexpr std::uint64_t kRedrawn = 1'000'000'000;
 
 /// Checks a random case likewise, drawn again where it says nothing; why it does not is counted.
 /// Returns the case if the law held of it.

@@ -88,7 +88,7 @@ std::string history_text(const Counterexample& one, const std::string& name) {
   const cases::Found& found = *one.source.found;
   std::string text = one.origin == records::Origin::corpus
                          ? fmt::format("case {} of the corpus", found.index)
-                         : fmt::format("case {} of seed {}", found.index, found.seed);
+                         : records::random_case_text(found);
   if (!name.empty()) text += fmt::format(", “{}”", cases::printable(name));
   if (!one.is_shrunk()) return text + ", as it was found";
   return text + fmt::format(", shrunk in {} tries", one.shrinking->tries);

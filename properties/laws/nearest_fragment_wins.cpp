@@ -11,11 +11,10 @@
 //
 // Samples: all, but for those at which some depth is no number, which is neither nearer nor
 // farther. What is the same depth is said by the floats that the backend itself drew: -0 and 0 are
-// equal. A backend that promises tests of another format compares k(d) in place of such a float d,
-// of which is known that d < e makes k(d) <= k(e), equal only where they are a step apart at most.
-// So a fragment may be left if each one drawn before it may have the greater k, and each one drawn
-// after it no smaller one. What the depth buffer begins with is a fragment drawn before all; where
-// the case does not say, it may lie at 1 or beyond all depths.
+// equal. A backend that promises tests of another format compares something else
+// (internal/depth_order.h): then a fragment may be left if each one drawn before it may be farther,
+// and none drawn after it is surely nearer. What the depth buffer begins with is a fragment drawn
+// before all; where the case does not say, it may lie at 1 or beyond all depths.
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +25,7 @@
 #include <vector>
 
 #include "properties/judged_law.h"
+#include "properties/laws/internal/depth_order.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/sample_place.h"
@@ -37,20 +37,6 @@ namespace {
 
 using records::AttributeKind;
 using records::FragmentClass;
-
-/// What is known of the order in which a depth test sees two depths.
-class DepthOrder {
- public:
-  explicit DepthOrder(cases::DepthFormat format)
-      : step_(cases::depth_step(format)), hides_digits_(format == cases::DepthFormat::float64) {}
-
-  bool may_be_less(float a, float b) const { return a < b || (hides_digits_ && a == b); }
-  bool is_surely_less(float a, float b) const { return a<b&& double{b} - double{a}> step_; }
-
- private:
-  double step_;
-  bool hides_digits_;  ///< equal floats may be of depths that differ
-};
 
 /// What a drawing without a depth test has at a sample.
 struct Candidates {

@@ -14,13 +14,13 @@
 // drawing without it says how many fragments there were to choose from, for the labels alone.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "properties/judged_law.h"
+#include "properties/laws/internal/depth_order.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/sample_place.h"
 #include "properties/laws/internal/tally.h"
@@ -36,11 +36,7 @@ class OrderCheck {
  public:
   OrderCheck(const cases::Case& c, const cases::Fragments& forward,
              const cases::Fragments& backward, cases::DepthFormat compared)
-      : case_(&c),
-        forward_(&forward),
-        backward_(&backward),
-        step_(cases::depth_step(compared)),
-        tally_(c) {}
+      : case_(&c), forward_(&forward), backward_(&backward), order_(compared), tally_(c) {}
 
   /// `all`: what there was to choose from.
   Check run(const cases::Fragments& all) {
@@ -92,7 +88,8 @@ class OrderCheck {
           find_difference(*case_, *forward_, i, *backward_, j,
                           "the triangles drawn in the reverse order; before, it was the other");
       if (difference) return tally_.report(*difference);
-    } else if (std::fabs(double{depth} - double{other_depth}) > step_) {
+    } else if (order_.is_surely_less(depth, other_depth) ||
+               order_.is_surely_less(other_depth, depth)) {
       return tally_.report(wrong_triangle(place, depth, other, other_depth));
     }
     tally_.pass(AttributeKind::coverage);
@@ -116,7 +113,7 @@ class OrderCheck {
   const cases::Case* case_;
   const cases::Fragments* forward_;
   const cases::Fragments* backward_;
-  double step_;
+  DepthOrder order_;
   Tally tally_;
 };
 

@@ -185,7 +185,7 @@ std::string reasons_text(const LawSummary& row) {
   if (reasons.size() == 1 && row.cases.checked == 0) return reasons.front().second;
   std::string text;
   for (const auto& [cases, why] : reasons) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", counted(cases, "case", "cases"), why);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", counted(cases, "time", "times"), why);
   }
   return text;
 }

@@ -135,8 +135,8 @@ TEST(Replay, ThatNoLawAppliesToIsNotOk) {
   EXPECT_EQ(outcome.code, 5) << outcome;
   EXPECT_EQ(
       outcome.out,
-      "-: constants-stay-constant, cpu: not applicable (found as: beyond bound): the law says "
-      "nothing of such cases\n");
+      "-: constants-stay-constant, cpu: not applicable (found as: beyond bound): no attribute "
+      "is constant on a triangle and promised to stay so\n");
 }
 
 TEST(Replay, RefusesWhatItCannotReplay) {

@@ -156,7 +156,7 @@ TEST_F(Run, EndsWithFiveWhereFewerCasesAreJudgedThanRequired) {
     all.insert(all.end(), {"--require-cases", cases});
     return run(all);
   };
-  const Outcome enough = required("300");
+  const Outcome enough = required("7");
   EXPECT_EQ(enough.code, 0) << enough;
   EXPECT_THAT(enough.out, Not(HasSubstr("thin")));
   const Outcome few = required("100000");

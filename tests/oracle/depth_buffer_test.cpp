@@ -158,6 +158,11 @@ TEST(GuardBand, IsTheViewportAtLeast) {
   c.positions[1].x = 1 + 0x1p-20F;
   EXPECT_NE(judged(32768, 26, 21).second, records::Verdict::permitted);
   EXPECT_EQ(judged(0, 26, 21).second, records::Verdict::permitted);
+  // Two vertices at x = 8, between the window's origin and the viewport, are within neither; the
+  // edge from (38, 0) to (8, 30) runs through the sample at (26.5, 11.5).
+  c.positions = {{-1.5F, -1, 0, 1}, {0.375F, -1, 0, 1}, {-1.5F, 0.875F, 0, 1}};
+  EXPECT_NE(judged(32768, 26, 11).second, records::Verdict::permitted);
+  EXPECT_EQ(judged(0, 26, 11).second, records::Verdict::permitted);
 }
 
 // The left edge lies at x = 1.506, 0.006 pixels or 1.536 units of 1/256 to the right of the samples

@@ -108,7 +108,8 @@ def complete(document):
             "rules": ["opengl"], "sample_counts": [1, 4], "lacks": ["flat"], "max_size": 64, "max_viewport": 64,
             "max_attributes": 2, "max_clip_distances": 1, "numbers": {"least": "0x1p-4", "greatest": "0x1p+4"}}},
         "promise": "spec", "draw_by": "append", "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
-        "shrink_tries": 5, "shrink_seconds": 2.5, "power": 5, "keeps_cases": True,
+        "shrink_tries": 5, "shrink_seconds": 2.5, "power": 5, "require_cases": 20,
+        "keeps_cases": True,
         "shard": {"index": 2, "count": 7}}
     document["cases_left"] = 3
     document["records"][0]["power"] = {"values NaN": {"drawings": 5, "noticed": 4}}

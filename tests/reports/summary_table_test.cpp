@@ -70,7 +70,7 @@ TEST(NotCheckedText, GathersLawsByReason) {
   other.law = "another";
   EXPECT_EQ(not_checked_text({row(), none, other}),
             "Laws that held on few cases, or none:\n"
-            "backend  cases  not judged, as      laws\n"
+            "backend  times  not judged, as      laws\n"
             "cpu      3      there is no camera  a law; another\n");
   EXPECT_EQ(not_checked_text({row()}), "");
 }

@@ -226,7 +226,8 @@ static void draw_pixel(const rastercheck_draw* draw, const triangle* t, uint32_t
                          (double)edge(t, 1, at[s][0], at[s][1]),
                          (double)edge(t, 2, at[s][0], at[s][1])};
     const float depth = depth_at(draw, t, e);
-    if (draw->depth_test && out->coverage[i] && !(depth < out->depth[i])) continue;
+    const float before = out->coverage[i] ? out->depth[i] : draw->depth_clear;
+    if (draw->depth_test && !(depth < before)) continue;
     out->coverage[i] = 1;
     out->triangle[i] = number;
     out->depth[i] = depth;

@@ -298,7 +298,8 @@ class Drawing {
           (static_cast<std::size_t>(y) * draw_.width + static_cast<std::size_t>(x)) * samples + s;
       if (!covered[s]) continue;
       const float depth = depth_at(t, at[s]);
-      if (draw_.depth_test != 0 && out_.coverage[i] != 0 && !(depth < out_.depth[i])) continue;
+      const float before = out_.coverage[i] != 0 ? out_.depth[i] : draw_.depth_clear;
+      if (draw_.depth_test != 0 && !(depth < before)) continue;
       out_.coverage[i] = 1;
       out_.triangle[i] = number;
       out_.depth[i] = depth;

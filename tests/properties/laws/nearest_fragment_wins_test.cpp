@@ -85,7 +85,9 @@ TEST(NearestFragment, IsToldByWhatTheBufferHolds) {
   EXPECT_EQ(check_under(cases::DepthFormat::float32, c, leaves_first).violation_count, 1U);
   EXPECT_EQ(check_under(cases::DepthFormat::unorm24, c, leaves_first).violation_count, 0U);
   EXPECT_EQ(check_under(cases::DepthFormat::unorm24, c, leaving(1, kNear)).violation_count, 0U);
-  EXPECT_EQ(check_under(cases::DepthFormat::unorm32, c, leaves_first).violation_count, 1U);
+  const Case farther = layers(0.5F, 0.5F - 0x1p-22F, 0.75F);
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm24, farther, leaves_first).violation_count, 1U);
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm32, farther, leaves_first).violation_count, 1U);
   // The nearer one first: rounding makes none less than it.
   EXPECT_EQ(check_under(cases::DepthFormat::unorm24, layers(kNear, 0.5F, 0.75F), leaving(1, 0.5F))
                 .violation_count,
@@ -94,7 +96,8 @@ TEST(NearestFragment, IsToldByWhatTheBufferHolds) {
   const Case equal = layers(0.5F, 0.5F, 0.75F);
   const Damage leaves_second = leaving(1, 0.5F);
   EXPECT_EQ(check_under(cases::DepthFormat::float64, equal, leaves_second).violation_count, 0U);
-  EXPECT_EQ(check_under(cases::DepthFormat::unorm24, equal, leaves_second).violation_count, 1U);
+  EXPECT_EQ(check_under(cases::DepthFormat::unorm24, equal, leaves_second).violation_count, 0U);
+  EXPECT_EQ(check_under(cases::DepthFormat::float32, equal, leaves_second).violation_count, 1U);
 }
 
 // Kills: what lies at the buffer's beginning, required or forbidden whatever the case says.
