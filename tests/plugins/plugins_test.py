@@ -188,15 +188,15 @@ class Typical(PluginTest):
     def check(self, source):
         plugin = self.build(source, source.stem)
         expected = VIOLATED.get(source.stem, set())
-        self.rastercheck(1 if expected else 0, "run", "--backend", plugin, "--seed", 1, "--cases", max(CASES // 4, 60),
+        cases = max(CASES // 4, 60)
+        self.rastercheck(1 if expected else 0, "run", "--backend", plugin, "--seed", 1, "--cases", cases,
                          "--output", source.stem, "--shrink-tries", 20)
         rows = self.rows(source.stem)
         self.assertEqual({law for (law, _), row in rows.items() if row["violations"] > 0}, expected)
         # Cases fit it: of most laws that say something of it, most random cases are judged.
         judged = [row for row in rows.values() if row["checked"] > 0]
         self.assertGreater(len(judged), 20)
-        checked = rows[COVERAGE, plugin]
-        self.assertGreater(checked["checked"], checked["not_applicable"])
+        self.assertGreaterEqual(rows[COVERAGE, plugin]["checked"], 0.6 * cases)
 
 
 def source_of(fault):
@@ -300,7 +300,8 @@ class Mutants(PluginTest):
                 self.assertIn("; shrunk in ", said)
                 for file in found:
                     c = json.loads(file.read_text(encoding="utf-8"))
-                    self.assertLessEqual(len(c["triangles"]), 3)
+                    # Few are left; a condition that has to stay may take one more.
+                    self.assertLessEqual(len(c["triangles"]), 4)
                     self.assertIn("(as it was found)", self.rastercheck(1, "replay", file))
                     # The rasterizer that was not damaged has no such fault.
                     self.assertIn(": held", self.rastercheck(0, "replay", file, "--backend", self.whole()))
