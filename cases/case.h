@@ -130,7 +130,7 @@ struct Case {
   FrontFace front_face = FrontFace::ccw;
   std::optional<Scissor> scissor;
   DepthTest depth_test = DepthTest::none;
-  /// What the depth buffer begins with, within [0, 1]; matters only where there is a depth test.
+  /// The depth buffer begins with this, within [0, 1]; matters only where there is a depth test.
   /// Nothing: 1, or anything farther, so that a fragment of depth 1 may be drawn or not.
   std::optional<float> depth_clear;
   bool depth_clamp = false;
@@ -143,9 +143,9 @@ struct Case {
   std::vector<float> clip_distances;
   std::size_t clip_distance_count = 0;
   std::vector<Triangle> triangles;
-  /// What the case is about, by the names of cases::Feature and "rules", "samples" and "size":
-  /// where something else keeps a backend from drawing it, that may be left out. Nothing: all but
-  /// rules and samples. Ignored when drawn.
+  /// Names what the case is about, by the names of cases::Feature and "rules", "samples" and
+  /// "size": where something else keeps a backend from drawing it, that may be left out. Nothing:
+  /// all but rules and samples. Ignored when drawn.
   std::optional<std::vector<std::string>> essential;
   std::optional<Found> found;
 

@@ -135,8 +135,8 @@ struct Contract {
   /// the same is asked for, with positions rounded after that. Nothing is promised of viewports
   /// that are no larger than twice that. Only where `coverage` is snapped.
   double viewport_error = 0;
-  /// What its depth tests compare. Rounding keeps the order of depths, but may make equal ones of
-  /// depths that are no farther apart than a step; equal float32 may be different float64.
+  /// Names what its depth tests compare. Rounding keeps the order of depths, but may make equal
+  /// ones of depths that are no farther apart than a step; equal float32 may be different float64.
   DepthFormat depth_format = DepthFormat::float32;
   Claim claims = Claim::perspective;
   ValueBounds bounds;

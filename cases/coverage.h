@@ -29,7 +29,7 @@ using Coverage = std::optional<Snapping>;
 /// The positions that attributes and facing come from.
 enum class Basis { ideal, snapped, unspecified };
 
-/// What depth tests compare: depths as they are handed over, these before they are rounded to
+/// Names what depth tests compare: depths as they are handed over, these before they are rounded to
 /// float32, or rounded to a step of 1/(2^n − 1).
 enum class DepthFormat { float32, float64, unorm16, unorm24, unorm32 };
 

@@ -85,7 +85,7 @@ void add_cases(records::BaselineSection& section, const records::CaseRecordSet& 
   for (const auto& [key, record] : all) {
     if (key.backend != backend) continue;
     records::LawCases& law = section.laws[key.law];
-    // What is drawn in place of a case depends on who is judged; what was drawn at first does not.
+    // A case that is drawn in place of another depends on who is judged; the first one does not.
     if (key.index < records::kRedrawn) {
       ++law.count;
       numbered[key.law] +=

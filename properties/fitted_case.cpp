@@ -9,6 +9,7 @@
 
 #include "cases/names.h"
 #include "properties/exact_sum.h"
+#include "properties/fitting.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -73,7 +74,7 @@ std::optional<Case> by_rules(Case c, Rules rules) {
   if (!change_positions(c, depth, turns_y)) return std::nullopt;
   if (was_opengl != is_opengl) {
     turn_display(c);
-    // The same vertex has to provoke: the last of OpenGL, the first of the others.
+    // OpenGL's last vertex provokes, the others' first: it has to be the same one.
     for (cases::Triangle& t : c.triangles) {
       std::rotate(t.begin(), t.begin() + (is_opengl ? 1 : 2), t.end());
     }
@@ -87,75 +88,6 @@ std::optional<Case> by_rules(Case c, Rules rules) {
 bool is_about(const Case& c, std::string_view what) {
   if (!c.essential) return what != "rules" && what != "samples";
   return std::find(c.essential->begin(), c.essential->end(), what) != c.essential->end();
-}
-
-/// Gives attributes of an interpolation that is lacking another one; false where there is none.
-bool replace_interpolation(Case& c, Feature lacking, const Capabilities& has) {
-  constexpr std::array kFeatures{Feature::smooth, Feature::noperspective, Feature::flat};
-  const auto other = std::find_if(kFeatures.begin(), kFeatures.end(),
-                                  [&has](Feature feature) { return has.has(feature); });
-  if (other == kFeatures.end()) return false;
-  for (cases::Attribute& a : c.attributes) {
-    if (kFeatures[static_cast<std::size_t>(a.interpolation)] != lacking) continue;
-    a.interpolation = static_cast<cases::Interpolation>(other - kFeatures.begin());
-  }
-  return true;
-}
-
-/// Leaves a feature out; false where that would be another picture.
-bool leave_out(Case& c, Feature feature, const Capabilities& has) {
-  const auto replace = [&c](cases::Location location) {
-    for (cases::Attribute& a : c.attributes) {
-      if (a.location == location) a.location = cases::Location::sample;
-    }
-  };
-  switch (feature) {
-    case Feature::clip_distances:
-      c.clip_distances.clear();
-      c.clip_distance_count = 0;
-      return true;
-    case Feature::depth_clamp:
-      c.depth_clamp = false;
-      return true;
-    case Feature::depth_range:
-      c.viewport.min_depth = 0;
-      c.viewport.max_depth = 1;
-      return true;
-    case Feature::depth_test:
-      c.depth_test = cases::DepthTest::none;
-      return true;
-    case Feature::depth_clear:
-      c.depth_clear.reset();
-      return true;
-    case Feature::viewport:
-      c.viewport.x = 0;
-      c.viewport.y = 0;
-      c.viewport.width = static_cast<float>(c.framebuffer.width);
-      c.viewport.height = static_cast<float>(c.framebuffer.height);
-      return true;
-    case Feature::scissor:
-      c.scissor.reset();
-      return true;
-    case Feature::culling:
-      c.cull = cases::Cull::none;
-      return true;
-    case Feature::center:
-      replace(cases::Location::center);
-      return true;
-    case Feature::centroid:
-      replace(cases::Location::centroid);
-      return true;
-    case Feature::smooth:
-    case Feature::noperspective:
-    case Feature::flat:
-      return replace_interpolation(c, feature, has);
-    case Feature::nonpositive_w:
-    case Feature::depth_clipping:
-    case Feature::side_clipping:
-    case Feature::viewport_fractions:
-      break;
-  }
-  return false;
 }
 
 template <typename T>

@@ -37,20 +37,10 @@ void fit_size(const Capabilities& has, cases::Case& c) {
 
 void fit_viewport(const Capabilities& has, cases::Case& c) {
   cases::Viewport& viewport = c.viewport;
-  if (!has.has(Feature::viewport)) {
-    viewport.x = 0;
-    viewport.y = 0;
-    viewport.width = static_cast<float>(c.framebuffer.width);
-    viewport.height = static_cast<float>(c.framebuffer.height);
-  }
   if (!has.has(Feature::viewport_fractions)) drop_fractions(viewport);
   const auto most = static_cast<float>(has.max_viewport);
   viewport.width = std::clamp(viewport.width, -most, most);
   viewport.height = std::clamp(viewport.height, -most, most);
-  if (!has.has(Feature::depth_range)) {
-    viewport.min_depth = 0;
-    viewport.max_depth = 1;
-  }
   for (float* const depth : {&viewport.min_depth, &viewport.max_depth}) {
     if (!has.numbers.has(*depth)) *depth = has.numbers.least;
   }
@@ -84,15 +74,11 @@ void fit_attributes(Draw& draw, const Capabilities& has, cases::Case& c) {
   }
   for (cases::Attribute& a : c.attributes) {
     a.interpolation = fitting_interpolation(draw, has, a.interpolation);
-    if (c.framebuffer.samples == 1) continue;
-    const bool is_lacked = (a.location == cases::Location::center && !has.has(Feature::center)) ||
-                           (a.location == cases::Location::centroid && !has.has(Feature::centroid));
-    if (is_lacked) a.location = cases::Location::sample;
   }
 }
 
 void drop_clip_distances(const Capabilities& has, cases::Case& c) {
-  const std::size_t most = has.has(Feature::clip_distances) ? has.max_clip_distances : 0;
+  const std::size_t most = has.max_clip_distances;
   const std::size_t count = c.clip_distance_count;
   if (count <= most) return;
   std::vector<float> kept;
@@ -146,7 +132,76 @@ void fit_vertices(const Capabilities& has, cases::Case& c) {
   }
 }
 
+/// Gives attributes of an interpolation that is lacking another one; false where there is none.
+bool replace_interpolation(cases::Case& c, Feature lacking, const Capabilities& has) {
+  constexpr std::array kFeatures{Feature::smooth, Feature::noperspective, Feature::flat};
+  const auto other = std::find_if(kFeatures.begin(), kFeatures.end(),
+                                  [&has](Feature feature) { return has.has(feature); });
+  if (other == kFeatures.end()) return false;
+  for (cases::Attribute& a : c.attributes) {
+    if (kFeatures[static_cast<std::size_t>(a.interpolation)] != lacking) continue;
+    a.interpolation = static_cast<cases::Interpolation>(other - kFeatures.begin());
+  }
+  return true;
+}
+
 }  // namespace
+
+bool leave_out(cases::Case& c, cases::Feature feature, const cases::Capabilities& has) {
+  const auto replace = [&c](cases::Location location) {
+    if (c.framebuffer.samples == 1) return;  // where all are the same
+    for (cases::Attribute& a : c.attributes) {
+      if (a.location == location) a.location = cases::Location::sample;
+    }
+  };
+  switch (feature) {
+    case Feature::clip_distances:
+      c.clip_distances.clear();
+      c.clip_distance_count = 0;
+      return true;
+    case Feature::depth_clamp:
+      c.depth_clamp = false;
+      return true;
+    case Feature::depth_range:
+      c.viewport.min_depth = 0;
+      c.viewport.max_depth = 1;
+      return true;
+    case Feature::depth_test:
+      c.depth_test = cases::DepthTest::none;
+      return true;
+    case Feature::depth_clear:
+      c.depth_clear.reset();
+      return true;
+    case Feature::viewport:
+      c.viewport.x = 0;
+      c.viewport.y = 0;
+      c.viewport.width = static_cast<float>(c.framebuffer.width);
+      c.viewport.height = static_cast<float>(c.framebuffer.height);
+      return true;
+    case Feature::scissor:
+      c.scissor.reset();
+      return true;
+    case Feature::culling:
+      c.cull = cases::Cull::none;
+      return true;
+    case Feature::center:
+      replace(cases::Location::center);
+      return true;
+    case Feature::centroid:
+      replace(cases::Location::centroid);
+      return true;
+    case Feature::smooth:
+    case Feature::noperspective:
+    case Feature::flat:
+      return replace_interpolation(c, feature, has);
+    case Feature::nonpositive_w:
+    case Feature::depth_clipping:
+    case Feature::side_clipping:
+    case Feature::viewport_fractions:
+      break;
+  }
+  return false;
+}
 
 cases::Rules fitting_rules(Draw& draw, cases::Rules chosen) {
   return fitting(draw, chosen, draw.capabilities().rules);
@@ -160,13 +215,9 @@ void fit_state(Draw& draw, cases::Case& c) {
   const Capabilities& has = draw.capabilities();
   if (has.is_everything()) return;
   fit_size(has, c);
-  fit_viewport(has, c);
-  if (!has.has(Feature::scissor)) c.scissor.reset();
-  if (!has.has(Feature::culling)) c.cull = cases::Cull::none;
-  if (!has.has(Feature::depth_clamp)) c.depth_clamp = false;
-  if (!has.has(Feature::depth_test)) c.depth_test = cases::DepthTest::none;
-  if (!has.has(Feature::depth_clear)) c.depth_clear.reset();
   fit_attributes(draw, has, c);
+  for (const Feature feature : has.lacks) leave_out(c, feature, has);
+  fit_viewport(has, c);
   drop_clip_distances(has, c);
 }
 

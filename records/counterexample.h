@@ -52,6 +52,10 @@ inline constexpr std::uint64_t kRedrawn = 1'000'000'000;
 /// "case 7 of seed 1", "case 7 of seed 1, drawn again twice".
 std::string random_case_text(const cases::Found& found);
 
+/// Gives kind and condition of a case that failed, unless they are what most are of: coverage, and
+/// an ordinary fragment.
+std::vector<std::string> special_words(const cases::Found& found);
+
 /// How the case became as small as it is.
 struct Shrinking {
   std::uint64_t tries = 0;  ///< smaller cases that were checked

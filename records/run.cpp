@@ -119,15 +119,20 @@ std::string random_case_text(const cases::Found& found) {
   return text + fmt::format(", drawn again {} times", times);
 }
 
+std::vector<std::string> special_words(const cases::Found& found) {
+  std::vector<std::string> words;
+  if (!found.kind.empty() && found.kind != to_string(AttributeKind::coverage)) {
+    words.push_back(found.kind);
+  }
+  if (!found.condition.empty() && found.condition != "ordinary") words.push_back(found.condition);
+  return words;
+}
+
 std::string file_of(const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   std::string name = fmt::format("{}-{}-{}", file_word(found.law), file_word(found.backend),
                                  file_word(found.verdict));
-  // Coverage and ordinary fragments are what most are of.
-  for (const auto& [word, usual] :
-       {std::pair(found.kind, "coverage"), std::pair(found.condition, "ordinary")}) {
-    if (!word.empty() && word != usual) name += "-" + file_word(word);
-  }
+  for (const std::string& word : special_words(found)) name += "-" + file_word(word);
   return fmt::format("counterexamples/{}.json", name);
 }
 

@@ -96,7 +96,7 @@ class FramebufferDrawing {
     const auto width = static_cast<std::size_t>(case_.framebuffer.width);
     const std::size_t attributes = case_.attributes.size();
     for (std::size_t at = 0; at < framebuffer_.depth.size(); ++at) {
-      // What was drawn with a depth test is nearer.
+      // A depth test draws only what is nearer.
       if (framebuffer_.depth[at] == clear_depth_) continue;
       result_.triangle.push_back(triangle_of(at));
       result_.x.push_back(static_cast<std::uint16_t>(at / samples % width));

@@ -148,10 +148,10 @@ typedef struct rastercheck_contract {
   /* Of SNAPPED: how far the computed window position may be off before it is rounded, in grid
    * units, 0…65536. */
   float position_error;
-  /* Of SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off besides the
+  /* SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off besides the
    * position error, in grid units; 0: they are where the uncut ones are. */
   float clip_tolerance;
-  /* Of SNAPPED and AS_ASKED: vertices outside the viewport and farther than this from the window's
+  /* SNAPPED and AS_ASKED: vertices outside the viewport and farther than this from the window's
    * origin in x or y may be clipped, in pixels; 0: 32768. Any number so small that no vertex
    * outside is nearer says that triangles are clipped at the viewport. */
   float guard_band;
@@ -258,7 +258,7 @@ typedef struct rastercheck_draw {
   const float* clip_distances; /* [vertex_count][clip_distance_count]; null where there is none */
   uint32_t triangle_count;
   const uint32_t* indices; /* [triangle_count][3]: vertices */
-  /* What the depth buffer begins with, where there is a depth test: fragments that are not nearer
+  /* The depth buffer begins with this, where there is a depth test: fragments that are not nearer
    * are not drawn. It is 1 where a case does not say; then fragments of depth 1 may be drawn. */
   float depth_clear;
 } rastercheck_draw;

@@ -82,7 +82,7 @@ class NearestBand {
   struct Sample {
     boost::container::small_vector<Covering, 1> coverings;  ///< not surely behind a required one
     bool is_required = false;
-    /// What is deeper is surely behind a required one, or is the buffer's beginning or beyond it.
+    /// Greater depths are surely behind a required one, or no nearer than the buffer's beginning.
     double horizon = 0;
   };
   struct Rival;
@@ -96,7 +96,7 @@ class NearestBand {
   const SceneTruth* scene_;
   int y0_;
   int y1_;
-  /// What is surely nearer passes the depth test of an empty buffer.
+  /// Depths that are surely nearer pass the depth test of an empty buffer.
   double clear_depth_;
   PreparedTriangles* triangles_;
   std::vector<Sample> samples_;

@@ -408,7 +408,7 @@ std::pair<Point, Point> guard_band_box(const Scene& scene) {
   const Ring band = exact_ring(scene.contract().guard_band);
   Point lo = scene.viewport_lo();
   Point hi = scene.viewport_hi();
-  // What lies between the two, where they do not meet, is in neither.
+  // Where the two do not meet, a vertex between them is in neither.
   if (lo.u <= band && hi.u >= -band) {
     lo.u = std::min(-band, lo.u);
     hi.u = std::max(band, hi.u);

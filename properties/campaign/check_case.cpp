@@ -29,7 +29,7 @@ bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found,
       check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault;
   if (!fails) return false;
   if (check.violations.empty()) return found.verdict == verdict_of(check);
-  // What is known of the driver is not what was found.
+  // A known defect of the driver is not what was found.
   const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (known != nullptr && clip) {
     std::erase_if(check.violations, [&](const records::Violation& violation) {
@@ -90,7 +90,7 @@ std::string verdict_of(const Check& check) {
 
 namespace {
 
-/// What a plugin says, without the words that have numbers, which may be others in each case:
+/// Leaves out the words of a plugin's message that have numbers, which may be others in each case:
 /// reasons are counted.
 std::string without_numbers(std::string_view why) {
   constexpr std::string_view kDigits = "0123456789";

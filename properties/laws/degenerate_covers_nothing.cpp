@@ -207,8 +207,9 @@ struct Mixed {
 /// Whether a backend draws a case with such a triangle and promises something of it. Of one that
 /// draws everything nothing is asked.
 bool is_drawn(const cases::Case& c, const Triangle& triangle, backends::Backend& backend) {
-  const cases::Capabilities has = backend.about().capabilities;
-  const bool has_limits = backend.about().has_limits;
+  const backends::About about = backend.about();
+  const cases::Capabilities& has = about.capabilities;
+  const bool has_limits = about.has_limits;
   if (has.is_everything() && !has_limits) return true;
   cases::Case alone = c;
   alone.triangles = {triangle};

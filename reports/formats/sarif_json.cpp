@@ -38,14 +38,12 @@ json result_of(const Run& run, const records::Counterexample& counterexample) {
                           {{"artifactLocation", {{"uri", records::file_of(counterexample)}}},
                            {"region", {{"startLine", 1}}}}}};
   std::string fingerprint = found.law + "/" + found.backend + "/" + found.verdict;
-  for (const std::string& rest : {found.kind, found.condition}) {
-    if (!rest.empty()) fingerprint += "/" + rest;
-  }
+  for (const std::string& word : records::special_words(found)) fingerprint += "/" + word;
   json result = {{"ruleId", found.law},
                  {"level", "error"},
                  {"message", {{"text", text}}},
                  {"locations", json::array({location})},
-                 {"partialFingerprints", {{"lawBackendVerdict/v2", fingerprint}}}};
+                 {"partialFingerprints", {{"lawBackendVerdict/v1", fingerprint}}}};
   const auto law = std::find(run.plan.laws.begin(), run.plan.laws.end(), found.law);
   if (law != run.plan.laws.end()) result["ruleIndex"] = law - run.plan.laws.begin();
   return result;

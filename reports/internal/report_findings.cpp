@@ -206,23 +206,16 @@ std::string case_of(const cases::Case& source) {
          html(case_text(source)) + "</pre></details>\n";
 }
 
-/// "beyond bound, smooth, clipped": what of it is not what most are of.
-std::string way_of(const cases::Found& found) {
-  std::string way = found.verdict;
-  if (!found.kind.empty() && found.kind != "coverage") way += ", " + found.kind;
-  if (!found.condition.empty() && found.condition != "ordinary") way += ", " + found.condition;
-  return way;
-}
-
 std::string counterexample_section(const Run& run, const Counterexample& counterexample,
                                    const Shown* shown, bool is_open) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
-  std::string text =
-      section_start(shown, "<span class=\"violated\">✗</span>",
-                    fmt::format("<span class=\"title\">{}</span> <small>on {}: {}, case {}</small>",
-                                html(found.law), html(found.backend), html(way_of(found)),
-                                found.index % records::kRedrawn),
-                    is_open);
+  std::string way = found.verdict;
+  for (const std::string& word : records::special_words(found)) way += ", " + word;
+  std::string text = section_start(
+      shown, "<span class=\"violated\">✗</span>",
+      fmt::format("<span class=\"title\">{}</span> <small>on {}: {}, case {}</small>",
+                  html(found.law), html(found.backend), html(way), found.index % records::kRedrawn),
+      is_open);
   if (!counterexample.source.name.empty()) {
     // The name is that of the case it was made of, which need not show in it any more.
     text += fmt::format("<p>{}“{}”</p>\n", counterexample.is_shrunk() ? "Made smaller from " : "",

@@ -52,7 +52,7 @@ TEST(ApiPromise, OfPositionsIsThatOfFiveOperations) {
   // 10^-5 (4 · 16 + 2 · 32) pixels, 256 units each.
   const cases::Contract contract = api_promise(case_of(kPlain), kEightBits, kSpec);
   EXPECT_NEAR(contract.coverage->position_error, 1e-5 * 128 * 256 * 1.01, 1e-6);
-  // What a triangle is not cut by does not matter: besides the position error a new vertex is
+  // Planes that do not cut do not matter: besides the position error a new vertex is
   // rounded.
   EXPECT_NEAR(contract.clip_tolerance, 1, 1e-6);
 }

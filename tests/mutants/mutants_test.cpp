@@ -94,7 +94,7 @@ void expect_shrinks(const properties::Law& law, const Header& header, backends::
                     const Kill& kill) {
   properties::Findings found;
   properties::check_case(law, "mutant", mutant, kSeed, {kill.source, "", kill.index}, found);
-  // Of several ways in which it fails, the one that comes first in the case.
+  // It may fail in several ways; take the one that comes first in the case.
   const auto first = std::find_if(
       found.counterexamples.begin(), found.counterexamples.end(), [&kill](const auto& one) {
         const cases::Found& way = *one.source.found;

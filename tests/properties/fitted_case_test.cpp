@@ -1,5 +1,5 @@
-// The same picture by other rules: the oracle's own fragments of both are the same, and what a case
-// is about stays.
+// A fitted case is the same picture by other rules: the oracle's own fragments of both are the
+// same, and what a case is about stays.
 
 #include "properties/fitted_case.h"
 
@@ -41,7 +41,7 @@ Capabilities with_rules(Rules rules) {
   return has;
 }
 
-/// What is exactly true of a case, as text.
+/// Lists what is exactly true of a case, as text.
 std::vector<std::string> truth_of(const Case& c) {
   std::vector<std::string> all;
   const cases::ClipCase clip = oracle::to_clip_case(c, "").value();

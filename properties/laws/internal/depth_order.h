@@ -1,7 +1,7 @@
 #pragma once
 
-// What is known of the order in which a backend's depth tests see depths that it hands over as
-// float32.
+// Says what is known of the order in which a backend's depth tests see depths that it hands over
+// as float32.
 
 #include <algorithm>
 #include <cmath>

@@ -252,6 +252,20 @@ static inline void each_sample_of(const rastercheck_draw* draw, rastercheck_outp
   each_sample(draw, out, low, high, visit, t);
 }
 
+/* Draws triangle by triangle, its vertices rounded to a grid of so many points per pixel, and calls
+ * `visit` for each sample that may be in it. */
+static inline uint32_t draw_snapped(const rastercheck_draw* draw, rastercheck_output* out,
+                                    double grid, double (*round_to_whole)(double), visitor* visit) {
+  if (!is_viewport_usable(draw)) return refuse(out, "a viewport too far away or too fine");
+  for (uint32_t number = 0; number < draw->triangle_count; ++number) {
+    triangle t = to_window(draw, number);
+    if (!is_within(&t, GUARD_BAND)) return refuse(out, "a vertex too far away");
+    snap(&t, grid, round_to_whole);
+    if (is_kept(draw, t.area)) each_sample_of(draw, out, &t, visit);
+  }
+  return RASTERCHECK_OK;
+}
+
 /* Defines the function that a plugin exports. */
 #define TYPICAL_PLUGIN(plugin_name, plugin_contract, draw_function) \
   static const rastercheck_plugin plugin = {                        \

@@ -45,13 +45,7 @@ static void visit(const rastercheck_draw* draw, rastercheck_output* out, const v
 }
 
 static uint32_t draw_all(const rastercheck_draw* draw, rastercheck_output* out) {
-  for (uint32_t number = 0; number < draw->triangle_count; ++number) {
-    triangle t = to_window(draw, number);
-    if (!is_within(&t, GUARD_BAND)) return refuse(out, "a vertex too far away");
-    snap(&t, 16, rint);
-    if (is_kept(draw, t.area)) each_sample_of(draw, out, &t, visit);
-  }
-  return RASTERCHECK_OK;
+  return draw_snapped(draw, out, 16, rint, visit);
 }
 
 TYPICAL_PLUGIN("depth only", contract, draw_all)

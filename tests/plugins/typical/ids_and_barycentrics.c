@@ -46,13 +46,7 @@ static void visit(const rastercheck_draw* draw, rastercheck_output* out, const v
 }
 
 static uint32_t draw_all(const rastercheck_draw* draw, rastercheck_output* out) {
-  if (!is_viewport_usable(draw)) return refuse(out, "a viewport too far away or too fine");
-  for (uint32_t number = 0; number < draw->triangle_count; ++number) {
-    triangle t = to_window(draw, number);
-    snap(&t, 256, half_up);
-    if (is_kept(draw, t.area)) each_sample_of(draw, out, &t, visit);
-  }
-  return RASTERCHECK_OK;
+  return draw_snapped(draw, out, 256, half_up, visit);
 }
 
 TYPICAL_PLUGIN("ids and barycentrics", contract, draw_all)

@@ -114,7 +114,7 @@ TEST(NearestFragment, IsNearerThanTheBeginningOfTheBuffer) {
   Case c = layers(0.5F, 0.25F, 0.75F);
   c.depth_clear = 0.25F;
   EXPECT_EQ(check_of(kLaw, c, {}).violation_count, 0U);
-  const Damage ignores_it = [&c](const Case& asked, Fragments& drawn) {
+  const Damage ignores_it = [](const Case& asked, Fragments& drawn) {
     if (!is_tested(asked)) return;
     Case other = asked;
     other.depth_clear.reset();
