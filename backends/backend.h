@@ -187,6 +187,14 @@ class Backend {
   /// knows then that it goes on.
   void tell_progress(std::function<void()> tell) { tell_ = std::move(tell); }
 
+  /// Changes what was drawn of a case without a camera.
+  using Amendment = std::function<void(const cases::Case&, cases::Fragments&)>;
+  /// Sets what changes each drawing before a law sees it (properties/drawing.h), so that it can be
+  /// tried what is still wrong once part
+  /// of it is put right. Empty: nothing does.
+  void amend_by(Amendment amend) { amend_ = std::move(amend); }
+  const Amendment& amendment() const { return amend_; }
+
   /// The promise of its API that it is held to; nothing of what promises something of its own.
   std::optional<cases::DriverPromise> driver_promise() const {
     const std::optional<ApiLimits> api = about().api;
@@ -231,6 +239,7 @@ class Backend {
   std::optional<cases::ContractTerms> terms_;
   std::optional<cases::DrawBy> preferred_;
   std::function<void()> tell_;
+  Amendment amend_;
 };
 
 }  // namespace rastercheck::backends

@@ -8,10 +8,9 @@
 #include "backends/backend.h"
 #include "cases/json.h"
 #include "cli/terminal.h"
-#include "properties/campaign/findings.h"
 #include "properties/law.h"
+#include "reports/cause_text.h"
 #include "reports/commands.h"
-#include "reports/counterexample_text.h"
 #include "reports/summary_table.h"
 
 namespace rastercheck::cli {
@@ -46,21 +45,10 @@ bool is_violated(const std::vector<LawSummary>& rows) {
   return std::any_of(rows.begin(), rows.end(), has_verdict(LawVerdict::violated));
 }
 
-void print_counterexamples(const records::Run& run, const std::vector<LawSummary>& rows,
-                           const std::string& output) {
+/// Prints each cause with its smallest counterexample; the others are in the folder and the report.
+void print_causes(const records::Run& run, const reports::CommandOf& command_of) {
   if (run.counterexamples.empty()) return;
-  const auto command_of = [&](const records::Counterexample& one) {
-    const std::filesystem::path file = std::filesystem::path(output) / records::file_of(one);
-    return reports::replay_command(run, file.string());
-  };
-  for (const records::Counterexample& found : run.counterexamples) {
-    fmt::print("{}", reports::counterexample_text(found, command_of(found)));
-  }
-  fmt::print("\nViolated: {} of {} checks. Counterexamples above, one of each way to fail: {}.\n",
-             std::count_if(rows.begin(), rows.end(), has_verdict(LawVerdict::violated)),
-             rows.size(), run.counterexamples.size());
-  const std::size_t first = properties::first_to_read(run.counterexamples);
-  fmt::print("Begin with: {}\n", command_of(run.counterexamples[first]));
+  fmt::print("{}", reports::causes_text(run, command_of));
 }
 
 }  // namespace
@@ -80,9 +68,14 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   if (quiet) return;
   fmt::print("\n{}{}{}{}{}", reports::summary_counts(rows), reports::not_judged_text(rows),
              reports::power_text(rows), reports::not_checked_text(rows), reports::known_text(run));
-  print_counterexamples(run, rows, output);
+  const reports::CommandOf command_of = [&](const records::Counterexample& one) {
+    const std::filesystem::path file = std::filesystem::path(output) / records::file_of(one);
+    return reports::replay_command(run, file.string());
+  };
+  print_causes(run, command_of);
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
   fmt::print("{}", reports::thin_text(rows));
+  if (!run.counterexamples.empty()) fmt::print("\n{}", reports::causes_list(run, command_of));
   if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
 }
 

@@ -61,6 +61,17 @@ auto drawn_by(const cases::Case& c, const Call& call) -> decltype(call()) {
   return drawn;
 }
 
+void amend(const cases::Case& c, const backends::Backend& backend, cases::Fragments& drawn) {
+  if (backend.amendment()) backend.amendment()(c, drawn);
+}
+
+/// What the backend draws by itself, watched and amended.
+Result<backends::Drawn> drawn_by(const cases::Case& c, backends::Backend& backend) {
+  Result<backends::Drawn> drawn = drawn_by(c, [&] { return backend.draw(c); });
+  if (drawn) amend(c, backend, drawn->fragments);
+  return drawn;
+}
+
 }  // namespace
 
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
@@ -70,25 +81,31 @@ Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
                                 "nothing of",
                                 Failure::unsupported});
   }
-  return drawn_by(c, [&] { return backend.draw(c); });
+  return drawn_by(c, backend);
 }
 
 Result<backends::Drawn> draw_promised(const cases::Case& c, backends::Backend& backend) {
   if (!cases::promises_all_of(backend.contract(c), c)) return tl::unexpected(no_promise());
-  return drawn_by(c, [&] { return backend.draw(c); });
+  return drawn_by(c, backend);
 }
 
 Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way,
                                  backends::Backend& backend) {
   if (!cases::promises_all_of(backend.contract(c), c)) return tl::unexpected(no_promise());
-  return drawn_by(c, [&] { return backend.ways_of_drawing()->draw_by(c, way); });
+  Result<cases::Fragments> drawn =
+      drawn_by(c, [&] { return backend.ways_of_drawing()->draw_by(c, way); });
+  if (drawn) amend(c, backend, *drawn);
+  return drawn;
 }
 
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend) {
   if (!cases::promises_all_of(backend.contract(c), c)) return tl::unexpected(no_promise());
-  return drawn_by(c, [&] { return backend.assembler()->draw_assembled(c, topology, indices); });
+  Result<cases::Fragments> drawn =
+      drawn_by(c, [&] { return backend.assembler()->draw_assembled(c, topology, indices); });
+  if (drawn) amend(c, backend, *drawn);
+  return drawn;
 }
 
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {

@@ -63,13 +63,44 @@ struct Shrinking {
   bool operator==(const Shrinking&) const = default;
 };
 
+/// A part of drawings that may be wrong.
+enum class DrawnPart {
+  coverage,  ///< which samples are drawn, and of several triangles which one is seen
+  depth,
+  values,  ///< of attributes
+};
+constexpr auto names_of(DrawnPart /*type*/) {
+  return std::to_array<std::string_view>({"coverage", "depth", "values"});
+}
+
+/// Why a case fails, as far as trying told (properties/campaign/internal/explanation.h).
+struct Explanation {
+  /// The fewest parts that have to be put right in what is drawn of it for the law to hold; none
+  /// where it fails all the same.
+  std::vector<DrawnPart> parts;
+  /// Of a case without `parts`: those that are wrong in a plain drawing of it, and of what it is
+  /// changed to, mostly just where the law fails.
+  std::vector<DrawnPart> wrong;
+  /// Of a case without `parts`: ids of other laws that it violates too, where all that is drawn of
+  /// it is put right.
+  std::vector<std::string> also_violates;
+  /// Ids of what may not be taken away from the case, or the law holds; in their order.
+  std::vector<std::string> needs;
+  /// Ids of what the law is about, as it says nothing of the case without it.
+  std::vector<std::string> inherent;
+  /// Ids of what was taken away, and the law failed all the same.
+  std::vector<std::string> indifferent;
+  bool operator==(const Explanation&) const = default;
+};
+
 /// The case's `found` names law, backend, verdict, seed and index. It is saved as a case file.
 struct Counterexample {
   cases::Case source;
   std::uint64_t violation_count = 0;  ///< of all in the case
   std::vector<Violation> violations;  ///< the first of them
   Origin origin = Origin::random;
-  std::optional<Shrinking> shrinking = std::nullopt;  ///< nothing: left as it was found
+  std::optional<Shrinking> shrinking = std::nullopt;      ///< nothing: left as it was found
+  std::optional<Explanation> explanation = std::nullopt;  ///< nothing: nothing was tried
   /// What was drawn around the first violation, as lines of text; the last ones say what the signs
   /// mean.
   std::vector<std::string> close_up = {};

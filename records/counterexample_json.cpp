@@ -29,6 +29,16 @@ void members(Archive& archive, T& shrinking) {
   archive.required("is_least", shrinking.is_least);
 }
 
+template <typename Archive, cases::Either<Explanation> T>
+void members(Archive& archive, T& explanation) {
+  archive.required("parts", explanation.parts);
+  archive.required("wrong", explanation.wrong);
+  archive.required("also_violates", explanation.also_violates);
+  archive.required("needs", explanation.needs);
+  archive.required("inherent", explanation.inherent);
+  archive.required("indifferent", explanation.indifferent);
+}
+
 template <typename Archive, cases::Either<Counterexample> T>
 void members(Archive& archive, T& counterexample) {
   archive.required("case", counterexample.source);
@@ -36,6 +46,7 @@ void members(Archive& archive, T& counterexample) {
   archive.required("violations", counterexample.violations);
   archive.added("origin", counterexample.origin, Origin::random);
   archive.optional("shrinking", counterexample.shrinking);
+  archive.optional("explanation", counterexample.explanation);
   archive.optional("close_up", counterexample.close_up);
 }
 

@@ -6,10 +6,12 @@
 //    "violations": [{"class": "beyond bound", "kind": "smooth", "triangle": 0, "x": 3, "y": 5,
 //                    "sample": 0, "attribute": 0, "exact": "84/5", "actual": "16.8
 //                    (0x1.0cccccp+4)", "error": [0.7, 0.7], "bound": [0.5, 0.5], "note": ""}],
-//    "origin": "random", "shrinking": {"tries": 214, "is_least": true}, "close_up": ["…"]}
+//    "origin": "random", "shrinking": {"tries": 214, "is_least": true},
+//    "explanation": {"parts": ["values"], "wrong": [], "also_violates": [], "needs": ["samples"],
+//                    "inherent": [], "indifferent": ["tie"]}, "close_up": ["…"]}
 //
-// "attribute", "error", "bound" and "distance" are absent where a violation has none, "shrinking"
-// and "close_up" where the counterexample has none. Texts are UTF-8.
+// "attribute", "error", "bound" and "distance" are absent where a violation has none, "shrinking",
+// "explanation" and "close_up" where the counterexample has none. Texts are UTF-8.
 
 #include <nlohmann/json_fwd.hpp>
 

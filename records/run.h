@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "records/case_record.h"
+#include "records/cause.h"
 #include "records/counterexample.h"
 #include "records/inspection.h"
 #include "records/known.h"
@@ -66,6 +67,9 @@ struct Run {
   std::vector<Specimen> specimens = {};
   /// Ordered by (law, backend, verdict), one of each.
   std::vector<Counterexample> counterexamples;
+  /// What these have in common, those of most counterexamples first; each of one backend. Every
+  /// counterexample is of one.
+  std::vector<Cause> causes = {};
   /// Counterexamples in their order, then worst cases by (law, backend, kind, stratum).
   std::vector<Inspection> inspections = {};
   /// Ordered by (law, backend, label).

@@ -7,6 +7,7 @@
 
 #include "backends/factory.h"
 #include "backends/isolation.h"
+#include "properties/campaign/internal/explanation.h"
 #include "properties/campaign/power.h"
 #include "properties/draw.h"
 #include "properties/fitted_case.h"
@@ -211,6 +212,16 @@ Result<KnownByBackend> TaskRunner::known() {
   return all;
 }
 
+namespace {
+
+/// Whether it is tried why a counterexample fails: not where cases are to be left as they were
+/// found, and not of one that the backend hangs at, as each try would take the whole time-out.
+bool is_explained(const records::Counterexample& one, const ShrinkLimits& limits) {
+  return limits.tries > 0 && one.source.found->verdict != to_string(records::FragmentClass::hang);
+}
+
+}  // namespace
+
 Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   const Law* law = find_law(task.law);
   if (law == nullptr) return tl::unexpected(Error{task.law, "", "no law has this id"});
@@ -230,9 +241,12 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   const bool is_frozen = task.kind == TaskKind::corpus || task.kind == TaskKind::random;
   if (plan_.keeps_cases && is_frozen) findings.cases.emplace();
   if (task.kind == TaskKind::shrink) {
-    shrink_counterexample(*law, backend, *task.subject,
-                          shrink_limits(plan_.shrinking, *task.subject, is_to_end), findings,
-                          known);
+    const ShrinkLimits limits = shrink_limits(plan_.shrinking, *task.subject, is_to_end);
+    shrink_counterexample(*law, backend, *task.subject, limits, findings, known);
+    for (records::Counterexample& one : findings.counterexamples) {
+      if (!is_explained(one, limits) || findings.fault) continue;
+      one.explanation = explain(*law, backend, one, task.subject->source, known, limits.is_to_end);
+    }
     return findings;
   }
   if (task.kind == TaskKind::known) {

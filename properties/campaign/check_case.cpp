@@ -88,26 +88,6 @@ std::string verdict_of(const Check& check) {
   return std::string(to_string(check.violations.front().fragment_class));
 }
 
-namespace {
-
-/// Leaves out the words of a plugin's message that have numbers, which may be others in each case:
-/// reasons are counted.
-std::string without_numbers(std::string_view why) {
-  constexpr std::string_view kDigits = "0123456789";
-  std::string text;
-  while (!why.empty()) {
-    const std::size_t end = std::min(why.find(' '), why.size());
-    const std::string_view word = why.substr(0, end);
-    const bool has_number = word.find_first_of(kDigits) != std::string_view::npos;
-    text += has_number ? std::string_view("#") : word;
-    if (end < why.size()) text += ' ';
-    why.remove_prefix(std::min(end + 1, why.size()));
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check) {
   if (!is_promised(law, backend)) {
     return law.unpromised.empty() ? "the backend does not promise what the law is about"

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cases/json.h"
+#include "properties/campaign/causes.h"
 #include "properties/law.h"
 #include "records/plan_json.h"
 
@@ -101,6 +102,7 @@ Result<records::Run> PlanRun::carry_out() {
   run.records = findings.records;
   run.cases = findings.cases;
   run.counterexamples = findings.counterexamples;
+  run.causes = causes_of(run.counterexamples);
   run.unexpected = findings.unexpected;
   for (const records::BackendPromises& of_backend : promises_) {
     if (of_backend.promise) run.held_to[of_backend.backend] = *of_backend.promise;

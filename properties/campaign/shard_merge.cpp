@@ -12,6 +12,7 @@
 
 #include "cases/json.h"
 #include "properties/campaign/campaign.h"
+#include "properties/campaign/causes.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -271,6 +272,7 @@ Result<MergedRun> ShardMerge::finish() && {
   run.records = std::move(all_.records);
   run.cases = std::move(all_.cases);
   run.counterexamples = std::move(all_.counterexamples);
+  run.causes = causes_of(run.counterexamples);
   run.unexpected = std::move(all_.unexpected);
   run.scenes = std::move(scenes_);
   run.pictures = std::move(pictures_);

@@ -6,6 +6,7 @@
 
 #include "records/share.h"
 #include "records/summary.h"
+#include "reports/cause_text.h"
 #include "reports/commands.h"
 #include "reports/format.h"
 #include "reports/internal/markdown.h"
@@ -94,7 +95,7 @@ std::string known_of(const Run& run) {
 
 std::string counterexample_text(const Run& run, const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
-  std::string text = fmt::format("\n### {} on {}, case {}\n\n", markdown(found.law),
+  std::string text = fmt::format("\n#### {} on {}, case {}\n\n", markdown(found.law),
                                  markdown(found.backend), found.index);
   if (!counterexample.source.name.empty()) {
     text += fmt::format("“{}”. ", markdown(counterexample.source.name));
@@ -133,8 +134,16 @@ std::string write(const Run& run) {
   text += "\n## Do it again\n\n" + command_block(run_command(run));
   if (!run.counterexamples.empty())
     text += "\n## Counterexamples\n\nCommands are for the folder that this file is in.\n";
-  for (const Counterexample& counterexample : run.counterexamples) {
-    text += counterexample_text(run, counterexample);
+  for (std::size_t i = 0; i < run.causes.size(); ++i) {
+    const records::Cause& cause = run.causes[i];
+    text += fmt::format("\n### Cause {}: {}\n\n", i + 1, markdown(cause_line(run, cause)));
+    for (const std::string& tried : cause.tried) text += fmt::format("- It {}.\n", markdown(tried));
+    for (const std::uint64_t place : cause.counterexamples) {
+      text += counterexample_text(run, run.counterexamples[static_cast<std::size_t>(place)]);
+    }
+  }
+  for (const std::size_t i : without_cause(run)) {
+    text += counterexample_text(run, run.counterexamples[i]);
   }
   text += known_of(run) + precision_of(rows) + "\n## Environment\n\n";
   for (const auto& [name, value] : run.environment) {

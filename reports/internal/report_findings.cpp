@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/float_text.h"
+#include "reports/cause_text.h"
 #include "reports/commands.h"
 #include "reports/counterexample_text.h"
 #include "reports/internal/html.h"
@@ -229,6 +230,17 @@ std::string counterexample_section(const Run& run, const Counterexample& counter
                             html(replay_command(run, records::file_of(counterexample))));
 }
 
+/// What some counterexamples have in common, and what was tried of the first.
+std::string cause_heading(const Run& run, std::size_t index) {
+  const records::Cause& cause = run.causes[index];
+  std::string text =
+      fmt::format("<h3>Cause {}: {}</h3>\n", index + 1, html(cause_line(run, cause)));
+  if (cause.tried.empty()) return text;
+  text += "<p>Of the first:</p>\n<ul>\n";
+  for (const std::string& tried : cause.tried) text += "<li>it " + html(tried) + "</li>\n";
+  return text + "</ul>\n";
+}
+
 std::string worst_section(const Shown& shown) {
   const Inspection& inspection = *shown.inspection;
   std::string what = inspection.kind ? std::string(to_string(*inspection.kind)) : "";
@@ -272,10 +284,19 @@ std::string findings_of(const Run& run) {
   if (!run.counterexamples.empty()) {
     text +=
         "<section id=\"counterexamples\">\n<h2>Counterexamples</h2>\n<p class=\"unit\">One of each "
-        "law, backend and verdict. Commands are for the folder that this file is in.</p>\n";
-    for (std::size_t i = 0; i < run.counterexamples.size(); ++i) {
-      text += counterexample_section(run, run.counterexamples[i], shown_of(all, i), i == 0);
+        "law, backend and way to fail. Commands are for the folder that this file is in.</p>\n";
+    bool is_first = true;
+    const auto add = [&](std::size_t i) {
+      text += counterexample_section(run, run.counterexamples[i], shown_of(all, i), is_first);
+      is_first = false;
+    };
+    for (std::size_t i = 0; i < run.causes.size(); ++i) {
+      text += cause_heading(run, i);
+      for (const std::uint64_t place : run.causes[i].counterexamples) {
+        add(static_cast<std::size_t>(place));
+      }
     }
+    for (const std::size_t i : without_cause(run)) add(i);
     text += "</section>\n";
   }
   if (!worst.empty()) {

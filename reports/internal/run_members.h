@@ -3,6 +3,8 @@
 // The members of run.json, in the order of the file. Those of pictures and labels, which it has as
 // single lines, are in the alphabetical order of all its lines.
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -70,6 +72,15 @@ void members(Archive& archive, T& scene) {
   });
 }
 
+template <typename Archive, cases::Either<Cause> T>
+void members(Archive& archive, T& cause) {
+  archive.required("backend", cause.backend);
+  archive.required("sentence", cause.sentence);
+  archive.required("needs", cause.needs);
+  archive.required("tried", cause.tried);
+  archive.required("counterexamples", cause.counterexamples);
+}
+
 template <typename Archive, cases::Either<UnreachedLabel> T>
 void members(Archive& archive, T& label) {
   archive.required("backend", label.backend);
@@ -92,6 +103,7 @@ void members(Archive& archive, T& run) {
   archive.optional("cases", run.cases);
   archive.optional("specimens", run.specimens);
   archive.required("counterexamples", run.counterexamples);
+  archive.optional("causes", run.causes);
   archive.optional("inspections", run.inspections);
   archive.required("unreached", run.unreached);
   archive.optional("held_to", run.held_to);
@@ -101,6 +113,14 @@ void members(Archive& archive, T& run) {
   archive.required("pictures", run.pictures);
   archive.required("environment", run.environment);
   archive.check([&](const cases::JsonNode& node) {
+    for (const Cause& cause : run.causes) {
+      const bool is_of_run =
+          std::all_of(cause.counterexamples.begin(), cause.counterexamples.end(),
+                      [&run](std::uint64_t place) { return place < run.counterexamples.size(); });
+      if (cause.counterexamples.empty() || !is_of_run) {
+        node["causes"].refuse("each must name counterexamples of the run");
+      }
+    }
     if (run.shard.has_value() != run.plan.shard.has_value()) {
       node.refuse("'shard' belongs to a plan with 'shard', and the other way round");
     }

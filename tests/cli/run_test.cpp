@@ -73,10 +73,16 @@ TEST_F(Run, ThatIsViolatedKeepsCounterexamples) {
   EXPECT_THAT(outcome.out, HasSubstr("violated"));
   const std::vector<std::string> files = folder_.files("out/counterexamples");
   EXPECT_THAT(files, testing::Contains("coverage-obeys-the-contract-damaged-missing.json"));
-  for (const std::string& file : files) {
-    EXPECT_THAT(outcome.out, HasSubstr("Again: rastercheck replay " +
-                                       folder_.path("out/counterexamples/") + file + "\n"));
-  }
+  // Of each cause one is shown, and the last lines say how many there are.
+  const std::string first = "rastercheck replay " + folder_.path("out/counterexamples/") +
+                            "coverage-obeys-the-contract-damaged-missing.json\n";
+  EXPECT_THAT(outcome.out, HasSubstr("Again: " + first));
+  EXPECT_THAT(outcome.out, HasSubstr("\n     " + first));
+  const json causes = run_json().at("causes");
+  EXPECT_THAT(outcome.out, HasSubstr("\n" + std::to_string(files.size()) + " counterexamples, "));
+  std::size_t named = 0;
+  for (const json& cause : causes) named += cause.at("counterexamples").size();
+  EXPECT_EQ(named, files.size());
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("on damaged: missing. It is case 0 of the corpus, “square”; "
                               "shrunk in "),

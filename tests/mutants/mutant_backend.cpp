@@ -11,6 +11,7 @@
 
 #include "backends/backend.h"
 #include "backends/factory.h"
+#include "tests/mutants/overlaid_backend.h"
 
 namespace rastercheck::mutants {
 namespace {
@@ -52,6 +53,23 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& name) {
   return backend;
 }
 
+/// Makes `mutants:A+B`: the rasterizer with several defects.
+Result<std::unique_ptr<backends::Backend>> make_several(const std::string& options) {
+  Result<std::unique_ptr<backends::Backend>> unharmed = backends::make_backend("cpu");
+  if (!unharmed) return unharmed;
+  std::vector<std::unique_ptr<backends::Backend>> damaged;
+  std::istringstream text(options);
+  for (std::string name; std::getline(text, name, '+');) {
+    Result<std::unique_ptr<backends::Backend>> one = make(name);
+    if (!one) return one;
+    if (header_of(name).of != "cpu") {
+      return tl::unexpected(Error{"mutants:" + options, "", "'" + name + "' is not of cpu"});
+    }
+    damaged.push_back(*std::move(one));
+  }
+  return std::make_unique<OverlaidBackend>(*std::move(unharmed), std::move(damaged));
+}
+
 std::vector<backends::Listing> list() {
   std::vector<backends::Listing> all;
   const auto add = [&all](const std::vector<std::string>& names, const char* what) {
@@ -66,6 +84,8 @@ std::vector<backends::Listing> list() {
 }
 
 const backends::BackendRegistration kRegistration({"mutant", &make, &list});
+const backends::BackendRegistration kSeveral({"mutants", &make_several,
+                                              [] { return std::vector<backends::Listing>(); }});
 
 }  // namespace
 

@@ -231,6 +231,9 @@ class Faulty(PluginTest):
                     self.assertEqual(mine["checked"] + mine["not_applicable"], 2 + RANDOM_CASES)
                     self.assertEqual((ours["checked"], ours["violations"]), (2 + RANDOM_CASES, 0))
                     self.assertGreaterEqual(mine["violations"], 1 if law in laws else 0)
+                # One fault is one cause, or two; but a wrong promise shows in coverage, depth and values.
+                run = json.loads((self.folder / name / "run.json").read_text(encoding="utf-8"))
+                self.assertIn(len(run["causes"]), (3,) if name == "wrong_contract" else (1, 2))
                 found = self.counterexamples(name)
                 self.assertIn((verdict, plugin), [(one["verdict"], one["backend"]) for one in found.values()])
                 # What is found is found again, by the file alone.
@@ -345,7 +348,7 @@ class Starter(PluginTest):
         self.rastercheck(1, "run", "--backend", "plugin:build/plugin.so", "--seed", 1, "--property", VALUES)
         file = next(file for file in self.counterexamples("rastercheck-out")
                     if file.name.endswith("-beyond-bound-smooth.json"))
-        self.assertIn(f"Begin with: rastercheck replay {file.relative_to(self.folder)}\n", page)
+        self.assertIn(f"rastercheck replay {file.relative_to(self.folder)}\n", page)
         replayed = self.rastercheck(1, "replay", file)
         for line in replayed.splitlines()[1:]:
             self.assertIn(line.rstrip(), page)

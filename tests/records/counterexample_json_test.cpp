@@ -43,6 +43,12 @@ Counterexample small_counterexample() {
   counterexample.violations = {bare, full};
   counterexample.origin = Origin::corpus;
   counterexample.shrinking = {214, true};
+  counterexample.explanation = {{DrawnPart::coverage, DrawnPart::values},
+                                {DrawnPart::depth},
+                                {"a-law"},
+                                {"tie"},
+                                {"scissor"},
+                                {"samples", "w <= 0"}};
   counterexample.close_up = {"y 5 [!]", "x    3"};
   return counterexample;
 }
@@ -61,7 +67,11 @@ TEST(CounterexampleToJson, WritesTheFormat) {
   EXPECT_EQ(written["origin"], "corpus");
   EXPECT_EQ(written["shrinking"], json::parse(R"({"tries": 214, "is_least": true})"));
   EXPECT_EQ(written["close_up"], json::parse(R"(["y 5 [!]", "x    3"])"));
-  EXPECT_EQ(written.size(), 6U);
+  EXPECT_EQ(written["explanation"],
+            json::parse(R"({"parts": ["coverage", "values"], "wrong": ["depth"],
+              "also_violates": ["a-law"], "needs": ["tie"], "inherent": ["scissor"],
+              "indifferent": ["samples", "w <= 0"]})"));
+  EXPECT_EQ(written.size(), 7U);
 }
 
 TEST(CounterexampleToJson, LeavesOutWhatThereIsNot) {
@@ -87,10 +97,11 @@ TEST(CounterexampleFromJson, ReadsWhatWasWritten) {
 // Kills: older files, which have none of these, that no longer read.
 TEST(CounterexampleFromJson, OriginShrinkingAndCloseUpMayBeMissing) {
   json document = cases::json_of(small_counterexample());
-  for (const char* key : {"origin", "shrinking", "close_up"}) document.erase(key);
+  for (const char* key : {"origin", "shrinking", "explanation", "close_up"}) document.erase(key);
   Counterexample expected = small_counterexample();
   expected.origin = Origin::random;
   expected.shrinking.reset();
+  expected.explanation.reset();
   expected.close_up.clear();
   EXPECT_EQ(read(document).value(), expected);
 }

@@ -87,7 +87,9 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
     violation.error = records::random_error();
     if (*rc::gen::arbitrary<bool>()) violation.attribute.reset();
     if (*rc::gen::arbitrary<bool>()) violation.bound.reset();
+    if (*rc::gen::arbitrary<bool>()) counterexample.explanation.reset();
     run.counterexamples.push_back(counterexample);
+    run.causes.push_back({run.plan.scene, "a", {}, {}, {run.causes.size()}});
     run.inspections.push_back(records::random_inspection());
     records::Picture picture;
     picture.name = run.plan.scene;
@@ -183,6 +185,7 @@ const Fault kFaults[] = {
     {"/pictures/0/width", "2147483648", "/pictures/0/width", "from 0 to 2147483647"},
     {"/pictures/1/caption", "", "/pictures/1", "missing key 'caption'"},
     {"/counterexamples/0/origin", R"("yesterday")", "/counterexamples/0/origin", "must be "},
+    {"/causes/0/counterexamples/0", "2", "/causes", "each must name counterexamples of the run"},
     {"/counterexamples/0/shrinking/tries", "-1", "/counterexamples/0/shrinking/tries", "must be "},
     {"/counterexamples/0/shrinking/is_least", "1", "/counterexamples/0/shrinking/is_least",
      "must be "},

@@ -50,6 +50,7 @@ inline records::Counterexample sample_counterexample(std::uint64_t index) {
       sample_case("values are within bounds", "method:float32", index), 12, {value, missing}};
   found.origin = Origin::saved;
   found.shrinking = {214, index == 3};
+  found.explanation = {{DrawnPart::values}, {}, {}, {"samples"}, {"scissor"}, {"tie", "small"}};
   found.close_up = {"y 5 [!]", "x    3", "! <wrong> & `more`"};
   return found;
 }
@@ -181,6 +182,11 @@ inline records::Run sample_run() {
   run.cases = sample_cases(run.plan.laws[1], run.plan.backends[1]);
   run.unreached = {{run.plan.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
   run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
+  run.causes = {{"cpu",
+                 "values are wrong where a pixel has several samples",
+                 {"samples"},
+                 {"holds once values are put right", "holds as soon as: a pixel <has> one sample"},
+                 {0, 1}}};
   run.inspections = {sample_counterexample_inspection(), sample_worst_inspection()};
   run.scenes = {
       {"it's a <bunny>", "cpu", 3, 2, 2, 0, 1, false, {}},

@@ -45,10 +45,23 @@ void set_failure(cases::Found& found, const cases::Case& c, const Violation& vio
   found.kind.clear();
   found.condition.clear();
   if (!violation.has_place()) return;
-  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
-  if (!clip) return;
   found.kind = to_string(violation.kind);
-  found.condition = condition_of(*clip, violation);
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
+  found.condition = clip ? condition_of(*clip, violation) : "ordinary";
+}
+
+std::string without_numbers(std::string_view why) {
+  constexpr std::string_view kDigits = "0123456789";
+  std::string text;
+  while (!why.empty()) {
+    const std::size_t end = std::min(why.find(' '), why.size());
+    const std::string_view word = why.substr(0, end);
+    const bool has_number = word.find_first_of(kDigits) != std::string_view::npos;
+    text += has_number ? std::string_view("#") : word;
+    if (end < why.size()) text += ' ';
+    why.remove_prefix(std::min(end + 1, why.size()));
+  }
+  return text;
 }
 
 }  // namespace rastercheck::properties

@@ -1,0 +1,160 @@
+#include "properties/campaign/internal/put_right.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cases/sample_place.h"
+#include "oracle/judge.h"
+#include "oracle/triangle_truth.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Fragments;
+using cases::SamplePlace;
+using records::DrawnPart;
+using records::FragmentClass;
+
+/// A permitted number; 0 where the rules say nothing of it.
+float permitted(const std::optional<oracle::ValueRange>& range) {
+  if (!range) return 0;
+  const float lo = range->lo.nearest_float();
+  return range->is_open ? lo + (range->hi.nearest_float() - lo) / 2 : lo;
+}
+
+/// What has to become of the fragments.
+struct Repairs {
+  std::map<SamplePlace, std::size_t> too_many;  ///< how often a place is drawn and must not be
+  std::map<SamplePlace, std::vector<float>> missing;  ///< depth, then attributes
+  std::map<SamplePlace, std::map<std::optional<std::uint32_t>, float>> wrong;  ///< nothing: depth
+};
+
+float permitted_value(const oracle::TriangleTruth& truth, std::optional<std::uint32_t> attribute,
+                      const SamplePlace& place) {
+  const auto x = static_cast<int>(place.x);
+  const auto y = static_cast<int>(place.y);
+  const auto sample = static_cast<int>(place.sample);
+  return permitted(attribute ? truth.attribute(*attribute, x, y, sample)
+                             : truth.depth(x, y, sample));
+}
+
+std::vector<float> permitted_values(const oracle::TriangleTruth& truth, std::size_t attributes,
+                                    const SamplePlace& place) {
+  std::vector<float> values{permitted_value(truth, std::nullopt, place)};
+  for (std::uint32_t a = 0; a < attributes; ++a) values.push_back(permitted_value(truth, a, place));
+  return values;
+}
+
+Repairs repairs_of(const cases::Case& c, const cases::Contract& contract, const DrawnParts& parts,
+                   const Fragments& drawn) {
+  Repairs repairs;
+  const oracle::SceneTruth scene(c, contract);
+  oracle::JudgeOptions options;
+  const bool has_coverage = parts.contains(DrawnPart::coverage);
+  options.judges_values = parts.contains(DrawnPart::depth) || parts.contains(DrawnPart::values);
+  options.self_check_one_in = 0;
+  options.shows_ordinary = false;
+  const auto take = [&](const oracle::JudgedSample& sample, const oracle::TriangleTruth* truth) {
+    const bool is_too_much = sample.fragment_class == FragmentClass::extra ||
+                             sample.fragment_class == FragmentClass::wrong_triangle;
+    if (has_coverage && is_too_much) ++repairs.too_many[sample.place];
+    if (truth == nullptr) return;
+    if (has_coverage && sample.fragment_class == FragmentClass::missing) {
+      repairs.missing[sample.place] = permitted_values(*truth, drawn.attribute_count, sample.place);
+    }
+    for (const oracle::JudgedValue& value : sample.values) {
+      const bool is_meant = parts.contains(value.attribute ? DrawnPart::values : DrawnPart::depth);
+      if (!is_meant || value.fragment_class == FragmentClass::correct) continue;
+      repairs.wrong[sample.place][value.attribute] =
+          permitted_value(*truth, value.attribute, sample.place);
+    }
+  };
+  oracle::judge(scene, drawn, options, take);
+  return repairs;
+}
+
+/// Adds a fragment without derivatives.
+void append_fragment(Fragments& to, const SamplePlace& place,
+                     std::vector<float>::const_iterator values) {
+  to.triangle.push_back(place.triangle);
+  to.x.push_back(static_cast<std::uint16_t>(place.x));
+  to.y.push_back(static_cast<std::uint16_t>(place.y));
+  to.sample.push_back(static_cast<std::uint8_t>(place.sample));
+  to.depth.push_back(*values);
+  const auto count = static_cast<std::ptrdiff_t>(to.attribute_count);
+  to.attributes.insert(to.attributes.end(), values + 1, values + 1 + count);
+}
+
+/// Sorts fragments by place, as whoever draws them should have.
+void sort_by_place(Fragments& drawn) {
+  std::vector<std::size_t> order(drawn.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto is_before = [&drawn](std::size_t a, std::size_t b) {
+    return drawn.place_of(a) < drawn.place_of(b);
+  };
+  if (std::is_sorted(order.begin(), order.end(), is_before)) return;
+  std::stable_sort(order.begin(), order.end(), is_before);
+  Fragments sorted;
+  sorted.attribute_count = drawn.attribute_count;
+  for (const std::size_t i : order) {
+    std::vector<float> values{drawn.depth[i]};
+    const auto attributes = drawn.attributes_of(i);
+    values.insert(values.end(), attributes.begin(), attributes.end());
+    append_fragment(sorted, drawn.place_of(i), values.cbegin());
+    if (drawn.derivatives.empty()) continue;
+    const auto derivatives = drawn.derivatives_of(i);
+    sorted.derivatives.insert(sorted.derivatives.end(), derivatives.begin(), derivatives.end());
+  }
+  drawn = std::move(sorted);
+}
+
+}  // namespace
+
+void put_right(const cases::Case& c, const cases::Contract& contract, const DrawnParts& parts,
+               Fragments& drawn) {
+  if (parts.empty()) return;
+  sort_by_place(drawn);
+  Repairs repairs = repairs_of(c, contract, parts, drawn);
+  if (repairs.too_many.empty() && repairs.missing.empty() && repairs.wrong.empty()) return;
+  // Fragments are ordered by place, and stay so. Of one that is drawn twice any may go.
+  Fragments right;
+  right.attribute_count = drawn.attribute_count;
+  const std::size_t derivatives = drawn.derivatives.empty() ? 0 : 2 * drawn.attribute_count;
+  auto missing = repairs.missing.cbegin();
+  const auto add_missing_before = [&](const std::optional<SamplePlace>& place) {
+    for (; missing != repairs.missing.cend() && (!place || missing->first < *place); ++missing) {
+      append_fragment(right, missing->first, missing->second.cbegin());
+      right.derivatives.insert(right.derivatives.end(), derivatives, 0.0F);
+    }
+  };
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const SamplePlace place = drawn.place_of(i);
+    add_missing_before(place);
+    const auto gone = repairs.too_many.find(place);
+    if (gone != repairs.too_many.end() && gone->second > 0) {
+      --gone->second;
+      continue;
+    }
+    std::vector<float> values{drawn.depth[i]};
+    const auto attributes = drawn.attributes_of(i);
+    values.insert(values.end(), attributes.begin(), attributes.end());
+    if (const auto wrong = repairs.wrong.find(place); wrong != repairs.wrong.end()) {
+      for (const auto& [attribute, value] : wrong->second) {
+        values[attribute ? 1 + *attribute : 0] = value;
+      }
+    }
+    append_fragment(right, place, values.cbegin());
+    if (derivatives == 0) continue;
+    const auto of_fragment = drawn.derivatives_of(i);
+    right.derivatives.insert(right.derivatives.end(), of_fragment.begin(), of_fragment.end());
+  }
+  add_missing_before(std::nullopt);
+  drawn = std::move(right);
+}
+
+}  // namespace rastercheck::properties

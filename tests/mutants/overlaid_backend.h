@@ -1,0 +1,52 @@
+#pragma once
+
+// Several defects at once: the backends `mutants:NAME+NAME…`.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "backends/backend.h"
+
+namespace rastercheck::mutants {
+
+/// Draws what a backend without a defect draws, with whatever each of several damaged ones draws
+/// otherwise put over it: samples that one leaves out are left out, those that it adds are added,
+/// and numbers that it has otherwise are taken from it, of two that differ the later one's. So each
+/// defect shows as it does alone, and of what is wrong with a case it can be asked which defect it
+/// is of.
+class OverlaidBackend : public backends::Backend,
+                        backends::PictureDrawer,
+                        backends::Assembler,
+                        backends::VertexStage {
+ public:
+  OverlaidBackend(std::unique_ptr<backends::Backend> unharmed,
+                  std::vector<std::unique_ptr<backends::Backend>> damaged);
+
+  backends::About about() const override { return unharmed_->about(); }
+  cases::Contract promise(const cases::Case& c) const override { return unharmed_->promise(c); }
+  backends::PictureDrawer* picture_drawer() override { return this; }
+  backends::Assembler* assembler() override { return this; }
+  backends::VertexStage* vertex_stage() override { return this; }
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override;
+  Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
+                         cases::Picture& picture) override;
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override;
+  Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override;
+  Result<std::vector<cases::Normal>> transform_normals(
+      const cases::Matrix4& model, std::span<const cases::Normal> normals) override;
+
+  /// Asks all; puts the damaged ones' answers over that of the other.
+  template <typename Ask, typename Overlay>
+  auto overlaid(const Ask& ask, const Overlay& overlay) -> decltype(ask(*this));
+
+  std::unique_ptr<backends::Backend> unharmed_;
+  std::vector<std::unique_ptr<backends::Backend>> damaged_;
+};
+
+}  // namespace rastercheck::mutants

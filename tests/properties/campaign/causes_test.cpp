@@ -1,0 +1,201 @@
+#include "properties/campaign/causes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "records/counterexample.h"
+
+namespace rastercheck::properties::causes_test {
+namespace {
+
+using records::Counterexample;
+using records::DrawnPart;
+using records::FragmentClass;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+constexpr DrawnPart kCoverage = DrawnPart::coverage;
+constexpr DrawnPart kValues = DrawnPart::values;
+
+/// Of a law, with what was tried of it.
+Counterexample one(const std::string& law, FragmentClass verdict,
+                   std::optional<records::Explanation> explanation = std::nullopt) {
+  Counterexample found;
+  found.source.found = {law, "cpu", std::string(to_string(verdict)), 1, 0};
+  records::Violation violation;
+  violation.fragment_class = verdict;
+  found.violations = {violation};
+  found.explanation = std::move(explanation);
+  return found;
+}
+
+records::Explanation explained(const std::vector<DrawnPart>& parts,
+                               const std::vector<std::string>& needs,
+                               const std::vector<std::string>& indifferent = {}) {
+  return {parts, {}, {}, needs, {}, indifferent};
+}
+
+std::vector<std::vector<std::uint64_t>> places_of(const std::vector<Counterexample>& all) {
+  std::vector<std::vector<std::uint64_t>> places;
+  for (const records::Cause& cause : causes_of(all)) places.push_back(cause.counterexamples);
+  return places;
+}
+
+TEST(CausesOf, NothingIsNoCause) { EXPECT_THAT(causes_of({}), IsEmpty()); }
+
+// Kills: a cause for each law.
+TEST(CausesOf, WhatIsWrongInTheSamePartIsOneCause) {
+  const std::vector<records::Cause> causes =
+      causes_of({one("a", FragmentClass::missing, explained({kCoverage}, {})),
+                 one("b", FragmentClass::extra, explained({kCoverage}, {})),
+                 one("c", FragmentClass::beyond_bound, explained({kCoverage}, {}))});
+  ASSERT_EQ(causes.size(), 1U);
+  EXPECT_THAT(causes[0].counterexamples, UnorderedElementsAre(0, 1, 2));
+  EXPECT_EQ(causes[0].backend, "cpu");
+  EXPECT_EQ(causes[0].sentence, "samples are missing, and others drawn that must not be");
+}
+
+TEST(CausesOf, OtherPartsAreOtherCausesTheLargestFirst) {
+  const std::vector<records::Cause> causes =
+      causes_of({one("a", FragmentClass::missing, explained({kCoverage}, {})),
+                 one("b", FragmentClass::not_a_number, explained({kValues}, {})),
+                 one("c", FragmentClass::not_a_number, explained({kValues}, {}))});
+  ASSERT_EQ(causes.size(), 2U);
+  EXPECT_EQ(causes[0].sentence, "values are no number");
+  EXPECT_EQ(causes[1].sentence, "samples are missing");
+}
+
+// Kills: two faults of one part taken for one, though each needs what the other does without.
+TEST(CausesOf, EachNeedsSomethingOfItsOwn) {
+  const records::Explanation tie = explained({kCoverage}, {"tie"}, {"near plane"});
+  const records::Explanation near = explained({kCoverage}, {"near plane"}, {"tie"});
+  const std::vector<Counterexample> all{
+      one("a", FragmentClass::missing, tie), one("b", FragmentClass::missing, near),
+      one("c", FragmentClass::missing, tie), one("d", FragmentClass::missing, near)};
+  EXPECT_THAT(places_of(all),
+              UnorderedElementsAre(UnorderedElementsAre(0, 2), UnorderedElementsAre(1, 3)));
+  std::set<std::string> sentences;
+  for (const records::Cause& cause : causes_of(all)) sentences.insert(cause.sentence);
+  EXPECT_THAT(sentences,
+              UnorderedElementsAre("samples are missing where a sample lies exactly on an edge",
+                                   "samples are missing where the near plane cuts the triangle"));
+}
+
+// A single one may hold by chance once something is taken away.
+TEST(CausesOf, OneLawAloneIsNotEnoughForThat) {
+  const records::Explanation tie = explained({kCoverage}, {"tie"}, {"near plane"});
+  const records::Explanation near = explained({kCoverage}, {"near plane"}, {"tie"});
+  EXPECT_EQ(causes_of({one("a", FragmentClass::missing, tie), one("b", FragmentClass::missing, tie),
+                       one("c", FragmentClass::missing, near)})
+                .size(),
+            1U);
+}
+
+TEST(CausesOf, WhatNeedsAScissorIsApartFromWhatDoesWithout) {
+  const records::Explanation scissor = explained({kCoverage}, {"scissor"});
+  const records::Explanation without = explained({kCoverage}, {}, {"tie"});
+  EXPECT_THAT(
+      places_of({one("a", FragmentClass::extra, scissor), one("b", FragmentClass::extra, scissor),
+                 one("c", FragmentClass::extra, without)}),
+      ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
+}
+
+// Kills: a condition that was kept on purpose, taken for a need.
+TEST(CausesOf, WhatIsKeptOfEachConditionSaysNothingOfNeeds) {
+  std::vector<Counterexample> all;
+  for (const char* law : {"a", "b"}) {
+    all.push_back(one(law, FragmentClass::missing, explained({kCoverage}, {"samples"}, {"tie"})));
+    all.back().source.found->condition = "several samples";
+    all.push_back(one(law, FragmentClass::missing, explained({kCoverage}, {"tie"}, {"samples"})));
+    all.back().source.found->condition = "tie";
+  }
+  EXPECT_EQ(causes_of(all).size(), 1U);
+}
+
+// Kills: a law about pictures taken for a cause of its own where its fragments are wrong.
+TEST(CausesOf, WhatIsMadeOfWrongFragmentsIsOfTheirCause) {
+  records::Explanation picture = explained({}, {});
+  picture.wrong = {kCoverage};
+  EXPECT_THAT(places_of({one("a", FragmentClass::missing, explained({kCoverage}, {})),
+                         one("b", FragmentClass::beyond_bound, picture)}),
+              ElementsAre(UnorderedElementsAre(0, 1)));
+}
+
+// Where fragments are right, laws that are violated by each other's cases are of one stage.
+TEST(CausesOf, LawsThatAreViolatedTogetherAreOfOneCause) {
+  records::Explanation roll = explained({}, {});
+  roll.also_violates = {"camera"};
+  records::Explanation camera = explained({}, {});
+  camera.also_violates = {"roll"};
+  EXPECT_THAT(places_of({one("roll", FragmentClass::beyond_bound, roll),
+                         one("camera", FragmentClass::beyond_bound, camera),
+                         one("normals", FragmentClass::beyond_bound, explained({}, {}))}),
+              ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
+}
+
+// Kills: a wrong sign of zero that is shown before a sample that is missing.
+TEST(CausesOf, ZerosComeLast) {
+  std::vector<Counterexample> all{one("z", FragmentClass::missing, explained({kCoverage}, {}))};
+  for (const char* law : {"a", "b", "c"}) {
+    all.push_back(one(law, FragmentClass::wrong_sign_of_zero, explained({kValues}, {})));
+  }
+  const std::vector<records::Cause> causes = causes_of(all);
+  ASSERT_EQ(causes.size(), 2U);
+  EXPECT_EQ(causes[0].sentence, "samples are missing");
+  EXPECT_EQ(causes[1].sentence, "zeros have the wrong sign");
+}
+
+TEST(CausesOf, DrawingsThatFailAreToldApartByWhatIsSaid) {
+  const auto failing = [](const char* note) {
+    Counterexample failed = one("a", FragmentClass::failed);
+    failed.violations[0].note = note;
+    return failed;
+  };
+  const std::vector<Counterexample> all{failing("wrote 7 of 9"), failing("wrote 8 of 9"),
+                                        failing("no memory")};
+  EXPECT_THAT(places_of(all), ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
+  EXPECT_EQ(causes_of(all)[1].sentence, "it does not draw: no memory");
+}
+
+TEST(CausesOf, BackendsHaveCausesOfTheirOwn) {
+  std::vector<Counterexample> all{one("a", FragmentClass::missing, explained({kCoverage}, {})),
+                                  one("a", FragmentClass::missing, explained({kCoverage}, {}))};
+  all[1].source.found->backend = "gl:llvmpipe";
+  EXPECT_EQ(causes_of(all).size(), 2U);
+}
+
+TEST(CausesOf, SaysWhatWasTriedOfTheFirst) {
+  const std::vector<records::Cause> causes = causes_of(
+      {one("a", FragmentClass::missing, explained({kCoverage}, {"scissor"}, {"tie", "samples"}))});
+  EXPECT_THAT(
+      causes.at(0).tried,
+      ElementsAre("holds once coverage is put right", "holds as soon as: there is no scissor",
+                  "fails all the same if: no sample lies on an edge; a pixel has one sample"));
+}
+
+// Where cases are left as they were found, nothing is tried of them.
+TEST(CausesOf, WithoutAnExplanationVerdictsAreCauses) {
+  const std::vector<Counterexample> all{one("a", FragmentClass::missing),
+                                        one("b", FragmentClass::missing),
+                                        one("b", FragmentClass::extra)};
+  EXPECT_THAT(places_of(all), ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
+  EXPECT_EQ(causes_of(all)[0].sentence, "missing");
+}
+
+// Files of other versions may have tried what this one does not know.
+TEST(CausesOf, UnknownNeedsAreTakenAsTheyAre) {
+  const auto causes = causes_of({one("a", FragmentClass::missing, explained({kCoverage}, {"?"}))});
+  EXPECT_EQ(causes.at(0).sentence, "samples are missing");
+  EXPECT_THAT(causes.at(0).tried,
+              ElementsAre("holds once coverage is put right", "holds as soon as: ?"));
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::causes_test

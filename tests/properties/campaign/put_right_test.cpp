@@ -1,0 +1,111 @@
+#include "properties/campaign/internal/put_right.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+#include "backends/factory.h"
+#include "properties/campaign/sabotage.h"
+
+namespace rastercheck::properties::put_right_test {
+namespace {
+
+using records::DrawnPart;
+
+/// A triangle of 6 samples in a target of 4 × 4 pixels, whose attribute is its window's x.
+cases::ClipCase small_case() {
+  cases::Case c;
+  c.framebuffer = {4, 4, 1};
+  c.viewport = {0, 0, 4, 4, 0, 1};
+  c.positions = {{-1, -1, 0, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0, 1}};
+  c.attributes = {{"x"}};
+  c.attribute_values = {0, 4, 0};
+  c.triangles = {{0, 1, 2}};
+  return cases::ClipCase(c);
+}
+
+class PutRight : public testing::Test {
+ protected:
+  PutRight()
+      : backend_(*backends::make_backend("cpu")),
+        right_(backend_->draw(case_).value()),
+        drawn_(right_.fragments) {}
+
+  bool is_wrong(const JudgeRequest& request = {}) const {
+    return has_wrong(case_, right_.contract, drawn_, request);
+  }
+  void put(const DrawnParts& parts) { put_right(case_, right_.contract, parts, drawn_); }
+  void erase_first() {
+    drawn_.triangle.erase(drawn_.triangle.begin());
+    drawn_.x.erase(drawn_.x.begin());
+    drawn_.y.erase(drawn_.y.begin());
+    drawn_.sample.erase(drawn_.sample.begin());
+    drawn_.depth.erase(drawn_.depth.begin());
+    drawn_.attributes.erase(drawn_.attributes.begin());
+    drawn_.derivatives.clear();
+  }
+
+  cases::ClipCase case_ = small_case();
+  std::unique_ptr<backends::Backend> backend_;
+  backends::Drawn right_;
+  cases::Fragments drawn_;
+};
+
+TEST_F(PutRight, LeavesARightDrawingAsItIs) {
+  put({DrawnPart::coverage, DrawnPart::depth, DrawnPart::values});
+  EXPECT_EQ(drawn_.triangle, right_.fragments.triangle);
+  EXPECT_EQ(drawn_.attributes, right_.fragments.attributes);
+  EXPECT_EQ(drawn_.derivatives, right_.fragments.derivatives);
+}
+
+TEST_F(PutRight, PutsInWhatIsMissing) {
+  erase_first();
+  ASSERT_TRUE(is_wrong());
+  put({DrawnPart::depth, DrawnPart::values});
+  EXPECT_TRUE(is_wrong());
+  put({DrawnPart::coverage});
+  EXPECT_FALSE(is_wrong());
+  EXPECT_EQ(drawn_.x, right_.fragments.x);
+  EXPECT_EQ(drawn_.y, right_.fragments.y);
+}
+
+TEST_F(PutRight, TakesOutWhatIsTooMuch) {
+  drawn_.x.back() = 3;
+  drawn_.y.back() = 3;
+  put({DrawnPart::coverage});
+  EXPECT_FALSE(is_wrong());
+  EXPECT_EQ(drawn_.size(), right_.fragments.size());
+  EXPECT_EQ(drawn_.x, right_.fragments.x);
+}
+
+// Kills: of a sample that is drawn twice, both taken out.
+TEST_F(PutRight, LeavesOneOfTwo) {
+  drawn_.x[1] = drawn_.x[0];
+  drawn_.y[1] = drawn_.y[0];
+  put({DrawnPart::coverage});
+  EXPECT_EQ(drawn_.x, right_.fragments.x);
+  EXPECT_EQ(drawn_.y, right_.fragments.y);
+}
+
+TEST_F(PutRight, MendsOnlyThePartsThatItIsTold) {
+  drawn_.depth[2] = 0.75F;
+  drawn_.attributes[1] = std::numeric_limits<float>::quiet_NaN();
+  put({DrawnPart::depth});
+  EXPECT_EQ(drawn_.depth[2], right_.fragments.depth[2]);
+  EXPECT_TRUE(std::isnan(drawn_.attributes[1]));
+  put({DrawnPart::values});
+  EXPECT_EQ(drawn_.attributes[1], right_.fragments.attributes[1]);
+}
+
+TEST_F(PutRight, OfNoPartChangesNothing) {
+  erase_first();
+  const std::size_t size = drawn_.size();
+  put({});
+  EXPECT_EQ(drawn_.size(), size);
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::put_right_test

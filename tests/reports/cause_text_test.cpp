@@ -1,0 +1,56 @@
+#include "reports/cause_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/reports/sample_run.h"
+
+namespace rastercheck::reports::cause_text_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string command_of(const records::Counterexample& one) {
+  return "replay " + std::to_string(one.source.found->index);
+}
+
+TEST(CauseText, SaysHowManyThereAre) {
+  const records::Run run = sample_run();
+  EXPECT_EQ(cause_counts(run), "2 counterexamples, 1 cause");
+}
+
+TEST(CauseText, NamesTheBackendWhereThereAreSeveral) {
+  records::Run run = sample_run();
+  run.plan.backends = {"cpu", "method:clip-space"};
+  EXPECT_THAT(cause_line(run, run.causes.at(0)), testing::EndsWith("property, on cpu"));
+  run.plan.backends = {"cpu"};
+  EXPECT_EQ(cause_line(run, run.causes.at(0)),
+            "values are wrong where a pixel has several samples: 2 counterexamples of 1 property");
+}
+
+TEST(CauseText, HasWhatWasTriedAndTheFirstCounterexample) {
+  const std::string text = causes_text(sample_run(), &command_of);
+  EXPECT_THAT(text, StartsWith("\nCause 1: values are wrong"));
+  EXPECT_THAT(text, HasSubstr("\n  It holds once values are put right.\n"));
+  EXPECT_THAT(text, HasSubstr("replay 3\n"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("replay 41\n")));
+}
+
+TEST(CauseText, EndsWithALineAndACommandOfEach) {
+  EXPECT_THAT(causes_list(sample_run(), &command_of),
+              testing::EndsWith("2 counterexamples of 1 property, on cpu\n     replay 3\n"));
+}
+
+TEST(CauseText, RunsOfBeforeHaveCounterexamplesWithoutACause) {
+  records::Run run = sample_run();
+  EXPECT_THAT(without_cause(run), ElementsAre());
+  run.causes[0].counterexamples = {1};
+  EXPECT_THAT(without_cause(run), ElementsAre(0U));
+}
+
+}  // namespace
+}  // namespace rastercheck::reports::cause_text_test
