@@ -418,6 +418,7 @@ std::vector<std::string> tried_of(const Counterexample& one) {
   std::vector<std::string> tried;
   const records::Explanation& explanation = *one.explanation;
   std::vector<std::string_view> parts;
+  parts.reserve(explanation.parts.size());
   for (const DrawnPart part : explanation.parts) parts.push_back(cases::name_of(part));
   if (!parts.empty()) {
     tried.push_back(fmt::format("holds once {} {} put right", fmt::join(parts, " and "),

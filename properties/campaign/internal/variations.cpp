@@ -153,9 +153,9 @@ bool take_sides(Case& c, const SamplePlace& /*at*/) {
   if (!has_window_points(c) || !cases::needs(c, Feature::side_clipping)) return false;
   const Box box = box_of(c);
   constexpr double kFar = 4096;  // where viewports of all drivers still reach
-  if (!(std::abs(box.low.u) < kFar && std::abs(box.low.v) < kFar && box.size() < kFar)) {
-    return false;
-  }
+  const bool is_near =
+      std::abs(box.low.u) < kFar && std::abs(box.low.v) < kFar && box.size() < kFar;
+  if (!is_near) return false;
   cases::Viewport wide = c.viewport;
   wide.x = static_cast<float>(std::floor(box.low.u));
   wide.y = static_cast<float>(std::floor(box.low.v));
