@@ -85,8 +85,8 @@ bool leaves_geometry(std::string_view id) {
   return std::find(kIds.begin(), kIds.end(), id) != kIds.end();
 }
 
-/// What a fault may be told by: not how the viewport lies, nor which rules there are, which mostly
-/// decide where samples fall.
+/// Whether a fault may be told by it: not how the viewport lies, nor which rules there are, which
+/// mostly decide where samples fall.
 bool tells_faults_apart(std::string_view id) {
   constexpr std::array<std::string_view, 12> kIds{
       "near plane", "far plane", "tie",  "samples",     "w <= 0",   "small",
@@ -198,7 +198,7 @@ bool is_of_zeros(const Member& member) {
   return member.verdict() == to_string(FragmentClass::wrong_sign_of_zero);
 }
 
-/// What has to be the same of counterexamples of one cause.
+/// Says what has to be the same of counterexamples of one cause.
 struct Kind {
   std::string_view backend;
   bool is_of_zeros = false;
@@ -265,7 +265,8 @@ struct CauseGroup {
   Members members;
 };
 
-/// What half of the members need at least, inherent needs included, and most that may do without.
+/// Gives what at least half of the members need, inherent needs included, if at most two thirds as
+/// many do without it.
 Ids common_needs(const Members& members) {
   std::map<std::string_view, std::size_t> counts;
   for (const Member& member : members) {
@@ -359,7 +360,7 @@ std::vector<CauseGroup> cause_groups_of(const Members& members) {
 
 // --- In words ------------------------------------------------------------------------------------
 
-/// What is wrong, as a clause.
+/// Says what is wrong, in a clause.
 std::string what_is_wrong(const CauseGroup& group) {
   if (group.kind.is_of_zeros) return "zeros have the wrong sign";
   std::set<std::string> verdicts;

@@ -139,8 +139,8 @@ class Coincidence {
     }
   }
 
-  /// Those that were in three of four cases. Not in all: a law that draws other cases than the one
-  /// that it is asked about may fail for these.
+  /// Gives those that were in three of four cases. Not in all: a law that draws other cases than
+  /// the one that it is asked about may fail for these.
   DrawnParts parts() const {
     DrawnParts parts;
     for (const auto& [part, count] : counts_) {
@@ -165,7 +165,7 @@ struct Base {
   cases::SamplePlace at;
 };
 
-/// What is found out of one thing that is taken away from all bases.
+/// Holds what is found out of one thing that is taken away from all bases.
 struct Finding {
   bool is_there = false;
   bool holds = false;

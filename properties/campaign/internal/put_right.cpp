@@ -27,7 +27,7 @@ float permitted(const std::optional<oracle::ValueRange>& range) {
   return range->is_open ? lo + (range->hi.nearest_float() - lo) / 2 : lo;
 }
 
-/// What has to become of the fragments.
+/// Lists what has to become of fragments.
 struct Repairs {
   std::map<SamplePlace, std::size_t> too_many;  ///< how often a place is drawn and must not be
   std::map<SamplePlace, std::vector<float>> missing;  ///< depth, then attributes
