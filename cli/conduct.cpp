@@ -19,7 +19,7 @@ properties::Conduct conduct_of(const records::Plan& plan, const std::string& dir
   properties::Conduct conduct;
   conduct.directory = directory;
   conduct.corpus = corpus_folder_of(plan);
-  conduct.known = known_folder_of(plan);
+  conduct.known = known_sources_of(plan);
   conduct.backends = properties::factory_for(plan, worker_program());
   conduct.jobs = jobs;
   conduct.task_worker = {kOwnProgram, "task-worker"};

@@ -1,5 +1,6 @@
 #include "cli/corpus_folder.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -34,9 +35,18 @@ std::string corpus_folder_of(const records::Plan& plan) {
   return plan.corpus.empty() ? corpus_folder() : plan.corpus;
 }
 
-std::string known_folder_of(const records::Plan& plan) {
-  if (plan.ignores_known) return "";
-  return plan.known.empty() ? known_folder() : plan.known;
+properties::KnownSources known_sources_of(const properties::KnownSources& given) {
+  properties::KnownSources sources = given;
+  const bool has_folder = std::any_of(given.begin(), given.end(), [](const std::string& source) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(source, ignored);
+  });
+  if (!has_folder) sources.insert(sources.begin(), known_folder());
+  return sources;
+}
+
+properties::KnownSources known_sources_of(const records::Plan& plan) {
+  return plan.ignores_known ? properties::KnownSources() : known_sources_of(plan.known);
 }
 
 }  // namespace rastercheck::cli

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "properties/campaign/known_defects.h"
 #include "records/plan.h"
 
 namespace rastercheck::cli {
@@ -14,8 +15,12 @@ std::string corpus_folder();
 /// likewise.
 std::string known_folder();
 
-/// The folders that a plan means. The second is empty if the plan ignores known defects.
+/// The folder that a plan means.
 std::string corpus_folder_of(const records::Plan& plan);
-std::string known_folder_of(const records::Plan& plan);
+
+/// The sources that were given, and known_folder() where no other folder is among them.
+properties::KnownSources known_sources_of(const properties::KnownSources& given);
+/// The sources that a plan means; none if it ignores known defects.
+properties::KnownSources known_sources_of(const records::Plan& plan);
 
 }  // namespace rastercheck::cli

@@ -4,29 +4,29 @@
 
 namespace rastercheck::cli {
 
-std::string KnownOption::folder() const {
-  if (is_none) return "";
-  return directory.empty() ? known_folder() : directory;
+properties::KnownSources KnownOption::sources() const {
+  return is_none ? properties::KnownSources() : known_sources_of(given);
 }
 
 namespace {
 
-void add_known(CLI::App& app, std::string& directory, bool& is_none) {
+void add_known(CLI::App& app, properties::KnownSources& given, bool& is_none) {
   CLI::Option* known =
-      app.add_option("--known", directory,
-                     "Folder of lists of known defects of drivers, DRIVER/known.json; without it "
-                     "those that come with the program")
-          ->check(CLI::ExistingDirectory)
-          ->type_name(kFolder);
-  app.add_flag("--no-known", is_none, "Defects that are known of a driver count as any other")
+      app.add_option("--known", given,
+                     "List of known defects (rastercheck known add) or expectation list "
+                     "(NAME-fails.txt, -flakes.txt, -skips.txt), or a folder of lists of drivers, "
+                     "DRIVER/known.json, in place of those that come with the program; may be "
+                     "given several times")
+          ->check(CLI::ExistingPath)
+          ->allow_extra_args(false)
+          ->type_name(kFile);
+  app.add_flag("--no-known", is_none, "Defects that are known of a backend count as any other")
       ->excludes(known);
 }
 
 }  // namespace
 
-void add_known(CLI::App& app, KnownOption& option) {
-  add_known(app, option.directory, option.is_none);
-}
+void add_known(CLI::App& app, KnownOption& option) { add_known(app, option.given, option.is_none); }
 
 void add_known(CLI::App& app, records::Plan& plan) {
   add_known(app, plan.known, plan.ignores_known);

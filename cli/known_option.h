@@ -3,17 +3,18 @@
 #include <string>
 
 #include "cli/command.h"
+#include "properties/campaign/known_defects.h"
 #include "records/plan.h"
 
 namespace rastercheck::cli {
 
 /// Which lists of known defects violations are held against.
 struct KnownOption {
-  std::string directory;  ///< empty: those that come with the program
+  properties::KnownSources given;  ///< besides those that come with the program
   bool is_none = false;
 
-  /// The folder; empty where there is to be none.
-  std::string folder() const;
+  /// All of them; none where there are to be none.
+  properties::KnownSources sources() const;
 };
 
 /// Adds --known and --no-known to a command.

@@ -44,11 +44,11 @@ Result<void> inspect_merged(MergedRun& merged) {
   if (!corpus) return tl::unexpected(corpus.error());
   if (properties::digest_of(*corpus) != merged.common.corpus_digest) return is_other(folder);
 
-  properties::TaskRunner runner(plan, {}, known_folder_of(plan), backends);
+  properties::TaskRunner runner(plan, {}, known_sources_of(plan), backends);
   const Result<properties::KnownByBackend> known = runner.known();
   if (!known) return tl::unexpected(known.error());
   if (properties::digest_of_known(*known) != merged.common.known_digest) {
-    return is_other("what is known of drivers");
+    return is_other("what is known of the backends");
   }
   if (runner.promises() != merged.common.promises) return is_other("what backends promise");
 

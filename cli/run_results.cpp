@@ -23,8 +23,9 @@ auto has_verdict(LawVerdict verdict) {
   return [verdict](const LawSummary& row) { return row.verdict == verdict; };
 }
 
-/// Whether the row's law is about what its backend promises.
+/// Whether the row's law is about what its backend promises, and was not to be skipped.
 bool has_to_hold(const LawSummary& row, const std::vector<records::BackendPromises>& promises) {
+  if (!row.skipped_by.empty()) return false;
   return std::none_of(promises.begin(), promises.end(), [&row](const auto& backend) {
     const auto& unpromised = backend.unpromised;
     return backend.backend == row.backend &&

@@ -54,10 +54,15 @@ Result<JudgedScene> judge_scene_of(const records::Plan& plan, const cases::Case&
   for (const std::string& specification : plan.backends) {
     auto backend = backends.make(specification);
     if (!backend) return tl::unexpected(backend.error());
-    const auto defects = known.find(specification);
+    const auto found_known = known.find(specification);
+    const properties::KnownDefects* const defects =
+        found_known == known.end() ? nullptr : &found_known->second;
+    std::vector<std::string> laws = plan.laws;
+    if (defects != nullptr) {
+      std::erase_if(laws, [&](const std::string& law) { return defects->is_skipped(law); });
+    }
     Result<properties::SceneFindings> found =
-        properties::judge_scene(scene, specification, **backend, plan.seed, plan.laws, jobs,
-                                defects == known.end() ? nullptr : &defects->second);
+        properties::judge_scene(scene, specification, **backend, plan.seed, laws, jobs, defects);
     if (!found) return tl::unexpected(found.error());
     properties::merge(all.findings, std::move(found->findings));
     all.results.push_back(found->result);

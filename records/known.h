@@ -1,7 +1,8 @@
 #pragma once
 
-// What is known to be wrong with a driver, as plain data: backends/DRIVER/known.json, and what a
-// run found of it. docs/known-defects.md says how such a list is kept.
+// What is known to be wrong with a backend, as plain data: backends/DRIVER/known.json of a driver,
+// known.json beside a plugin, or a file of any name; and what a run found of it.
+// docs/known-defects.md says how such a list is kept.
 //
 // An entry has conditions, as narrow as the defect is: what does not meet them is a new defect and
 // stands out as before.
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,9 +26,16 @@ enum class KnownFact {
   nonpositive_w,         ///< some vertex has w <= 0
   clipped,               ///< some vertex is outside the clip volume or the clip distances
   depth_clipped,         ///< some vertex is beyond the near or far plane; none with depth clamp
+  before_near,           ///< some vertex with w > 0 is before the near plane, depth clamp or not
+  beyond_far,            ///< the same of the far plane
+  perspective,           ///< w differs between vertices
+  tie,                   ///< of coverage: the sample lies exactly on the boundary that decided
+  degenerate,            ///< of coverage: the triangle has no area, or is seen edge-on
   clip_distances,        ///< the case has some
   depth_clamp,           ///< the case asks for it
   depth_test,            ///< the case has one
+  depth_clear,           ///< the case says what the depth buffer begins with
+  snapped,               ///< the case asks for positions on a grid
   scissor,               ///< the case has one
   culling,               ///< the case culls front or back faces
   reversed_depth_range,  ///< the viewport's min_depth is above its max_depth
@@ -35,7 +44,8 @@ enum class KnownFact {
 };
 constexpr auto names_of(KnownFact /*type*/) {
   return std::to_array<std::string_view>(
-      {"nonpositive_w", "clipped", "depth_clipped", "clip_distances", "depth_clamp", "depth_test",
+      {"nonpositive_w", "clipped", "depth_clipped", "before_near", "beyond_far", "perspective",
+       "tie", "degenerate", "clip_distances", "depth_clamp", "depth_test", "depth_clear", "snapped",
        "scissor", "culling", "reversed_depth_range", "negative_height", "fractional_viewport"});
 }
 
@@ -72,41 +82,81 @@ struct KnownConditions {
   bool operator==(const KnownConditions&) const = default;
 };
 
+/// How a law that an expectation list names is to come out (expectations.h).
+enum class Expected {
+  fail,   ///< it is violated
+  flake,  ///< it is violated at times
+  skip,   ///< it is not to be checked at all
+};
+constexpr auto names_of(Expected /*type*/) {
+  return std::to_array<std::string_view>({"fail", "flake", "skip"});
+}
+
 struct KnownEntry {
-  std::string id;                       ///< "llvmpipe-3"
-  std::string reason;                   ///< one sentence
-  std::string rule;                     ///< the section of the specification that it breaks
-  std::string finding;                  ///< anchor in docs/findings.md
-  std::vector<std::string> laws;        ///< ids, or patterns as of the shell
-  std::vector<FragmentClass> verdicts;  ///< classes that its violations have
-  KnownConditions when;
-  std::string case_file;  ///< that shows it, relative to the list's folder
+  std::string id;            ///< "llvmpipe-3"
+  std::string reason;        ///< one sentence
+  std::string rule = {};     ///< the section of the specification that it breaks; may be empty
+  std::string finding = {};  ///< anchor in docs/findings.md; may be empty
+  /// Backends that it is of: specifications, of a plugin with the file's name in place of its path,
+  /// or patterns as of the shell. None: all that the list is read for.
+  std::vector<std::string> backends = {};
+  /// Ids of laws, or patterns as of the shell. None: it is of what is drawn, whatever law notices.
+  std::vector<std::string> laws = {};
+  std::vector<FragmentClass> verdicts = {};  ///< classes that its violations have
+  KnownConditions when = {};
+  std::string case_file = {};  ///< that shows it, relative to the list's folder
+  std::string until = {};      ///< its last day, "2027-01-31", UTC; empty: it has none
+  /// Set for a line of an expectation list: all violations of its laws are of it, and it has no
+  /// verdicts, conditions or case.
+  std::optional<Expected> expected = std::nullopt;
   bool operator==(const KnownEntry&) const = default;
 };
 
+/// A driver that a list is of.
+struct KnownDriver {
+  std::string name;     ///< "llvmpipe"
+  std::string version;  ///< that the list was made for
+  bool operator==(const KnownDriver&) const = default;
+};
+
 struct KnownList {
-  std::string driver;   ///< its name
-  std::string version;  ///< of the driver, that the list was made for
+  std::optional<KnownDriver> driver;  ///< nothing: it is of whatever backend it is read for
   std::vector<KnownEntry> entries;
   bool operator==(const KnownList&) const = default;
 };
 
-/// The list that a run held a backend's violations against.
+/// A list that a run held a backend's violations against.
 struct KnownOfBackend {
   std::string backend;  ///< specification
-  std::string version;  ///< of its driver, which need not be the list's
-  KnownList list;
+  std::string file;     ///< of the list
+  std::string version;  ///< of the backend's driver, which need not be the list's; empty: of none
+  KnownList list;       ///< with those entries that are of the backend
+  std::vector<std::string> run_out = {};  ///< ids of entries whose last day was over
   bool operator==(const KnownOfBackend&) const = default;
 };
 
-/// An entry whose own case did not violate its law.
+/// Tells what it means that an entry no longer shows.
+enum class Staleness {
+  wrong_list,     ///< the driver is of the list's version: counts as a violation
+  other_version,  ///< the driver may have been mended
+  waiver,         ///< of no driver: whoever wrote it may drop it
+};
+constexpr auto names_of(Staleness /*type*/) {
+  return std::to_array<std::string_view>({"wrong list", "other version", "waiver"});
+}
+
+/// An entry whose own case did not violate its law, or whose laws all held.
 struct UnexpectedPass {
   std::string backend;
   std::string id;
-  std::string law;
-  /// Whether the driver is of the list's version: the list is stale then. Else it is a warning.
-  bool is_same_version = true;
+  std::string law;  ///< a pattern, of an expectation list that has one
+  Staleness staleness = Staleness::wrong_list;
   auto operator<=>(const UnexpectedPass&) const = default;
 };
+
+/// Whether an entry is of a law: one of its patterns is the law's id, or it has none.
+bool is_of_law(const KnownEntry& entry, std::string_view law);
+/// Whether it is of a backend that is called by one of these names.
+bool is_of_backend(const KnownEntry& entry, const std::vector<std::string>& names);
 
 }  // namespace rastercheck::records

@@ -10,7 +10,10 @@
 //                 "when": {"nonpositive_w": true, "samples": [2, 4], "error_at_most": 1000},
 //                 "case": "known/llvmpipe-1.json"}]}
 //
-// and of run.json: what was known of a run's backends, and which entries no longer show.
+// A list of no driver lacks "driver", and its entries may lack "rule", "finding" and "laws", and
+// have "backends": ["plugin:libmine.so"] and "until": "2027-01-31".
+//
+// Of run.json: what was known of a run's backends, and which entries no longer show.
 // cases/schema/known.schema.json says the same; known.h says what conditions mean.
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,8 +24,9 @@
 
 namespace rastercheck::records {
 
-/// Refuses unknown and missing keys, two entries of one id, entries without a law, a verdict or a
-/// condition, and case files outside the list's folder.
+/// Refuses unknown and missing keys, two entries of one id, entries without a verdict or a
+/// condition, days that there are not, case files outside the list's folder, and in a driver's list
+/// entries without a rule, a finding or a law.
 void read_value(const cases::JsonNode& node, KnownList& list);
 void write_value(nlohmann::json& to, const KnownList& list);
 Result<KnownList> parse_known(std::string_view text, const std::string& file);

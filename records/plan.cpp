@@ -35,7 +35,7 @@ void add_draw_by(Words& words, const Plan& plan) {
 
 void add_known(Words& words, const Plan& plan) {
   words.flag(plan.ignores_known, "--no-known");
-  words.value(!plan.known.empty(), "--known", plan.known);
+  for (const std::string& source : plan.known) words.value(true, "--known", source);
 }
 
 void add_timeout(Words& words, const Plan& plan) {

@@ -52,9 +52,9 @@ struct Plan {
   /// How drivers that have several ways draw; `frame` is the scene's, drawn with a depth test.
   /// Nothing: each case in the way that takes least.
   std::optional<cases::DrawBy> draw_by = std::nullopt;
-  std::string corpus = {};     ///< folder of case files; empty: that which comes with the program
-  std::string known = {};      ///< folder of lists of known defects; empty: likewise
-  bool ignores_known = false;  ///< what is known of drivers counts as any other violation
+  std::string corpus = {};  ///< folder of case files; empty: that which comes with the program
+  std::vector<std::string> known = {};  ///< folders and files of lists of known defects
+  bool ignores_known = false;           ///< what is known of backends counts as any other violation
   ShrinkBudget shrinking = {};
   /// The drawing of one in so many random cases of two laws is made wrong, to see what is noticed
   /// (properties/campaign/power.h); 0: of none.

@@ -1,12 +1,16 @@
 #include "records/run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rastercheck::records {
 namespace {
@@ -39,12 +43,46 @@ std::string unreached_sentence(const UnreachedLabel& label) {
                      label.least);
 }
 
+namespace {
+
+const char* meaning_of(Staleness staleness) {
+  switch (staleness) {
+    case Staleness::wrong_list:
+      return "the list of known defects is wrong, which counts as a violation.";
+    case Staleness::other_version:
+      return "a warning, as the list was made for another version of the driver.";
+    case Staleness::waiver:
+      break;
+  }
+  return "it can be dropped.";
+}
+
+}  // namespace
+
 std::string unexpected_sentence(const UnexpectedPass& pass) {
+  if (pass.id == pass.law || pass.id == pass.backend + "/" + pass.law) {
+    return fmt::format(
+        "Unexpected pass: {} was expected to fail on {}, and nothing violates it; "
+        "its line can be dropped.",
+        pass.law, pass.backend);
+  }
   return fmt::format("Unexpected pass: the case of {} no longer violates {} on {}; {}", pass.id,
-                     pass.law, pass.backend,
-                     pass.is_same_version
-                         ? "the list of known defects is wrong, which counts as a violation."
-                         : "a warning, as the list was made for another version of the driver.");
+                     pass.law, pass.backend, meaning_of(pass.staleness));
+}
+
+std::vector<SkippedLaw> skipped_laws(const Run& run) {
+  std::vector<SkippedLaw> all;
+  for (const KnownOfBackend& known : run.known) {
+    for (const KnownEntry& entry : known.list.entries) {
+      if (entry.expected != Expected::skip) continue;
+      for (const std::string& law : run.plan.laws) {
+        if (is_of_law(entry, law)) all.push_back({known.backend, law, known.file});
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
 }
 
 namespace {
@@ -59,6 +97,32 @@ const char* words_of(cases::DriverPromise promise) {
       break;
   }
   return "float32 arithmetic, which no API promises: what is violated is worse than that";
+}
+
+/// Says which lists are of another version of the driver, which entries have run out, and which
+/// laws were skipped.
+void add_known_caveats(const Run& run, std::vector<std::string>& all) {
+  for (const KnownOfBackend& known : run.known) {
+    if (known.list.driver && known.version != known.list.driver->version) {
+      all.push_back(fmt::format("What is known of {} was found with {}, and this is {}.",
+                                known.backend, known.list.driver->version, known.version));
+    }
+    for (const KnownEntry& entry : known.list.entries) {
+      const bool has_run_out =
+          std::find(known.run_out.begin(), known.run_out.end(), entry.id) != known.run_out.end();
+      if (!has_run_out) continue;
+      all.push_back(fmt::format("{} of {} was known until {}, and counts again ({}).", entry.id,
+                                known.backend, entry.until, known.file));
+    }
+  }
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> skipped;
+  for (const SkippedLaw& one : skipped_laws(run)) {
+    skipped[{one.backend, one.file}].push_back(one.law);
+  }
+  for (const auto& [key, laws] : skipped) {
+    all.push_back(fmt::format("Skipped on {} by {}: {} {}, {}.", key.first, key.second, laws.size(),
+                              laws.size() == 1 ? "property" : "properties", fmt::join(laws, ", ")));
+  }
 }
 
 }  // namespace
@@ -85,11 +149,7 @@ std::vector<std::string> caveats(const Run& run) {
                     "depends on the machine.",
                     *run.plan.shrinking.seconds));
   }
-  for (const KnownOfBackend& known : run.known) {
-    if (known.version == known.list.version) continue;
-    all.push_back(fmt::format("What is known of {} was found with {}, and this is {}.",
-                              known.backend, known.list.version, known.version));
-  }
+  add_known_caveats(run, all);
   std::map<std::string, std::uint64_t> given_up;
   for (const auto& [key, record] : run.records) {
     const auto label = record.labels.find(std::string(kGivenUp));

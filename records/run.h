@@ -76,7 +76,7 @@ struct Run {
   std::vector<UnreachedLabel> unreached;
   /// Which promise of their API drivers were held to, by backend.
   std::map<std::string, cases::DriverPromise> held_to = {};
-  /// What was known of the backends' drivers, where there are lists.
+  /// Lists of what was known of the backends.
   std::vector<KnownOfBackend> known;
   /// Known defects that no longer show; in order.
   std::vector<UnexpectedPass> unexpected;
@@ -98,12 +98,23 @@ std::string unreached_sentence(const UnreachedLabel& label);
 /// means.
 std::string unexpected_sentence(const UnexpectedPass& pass);
 
+/// A law that an expectation list had a run leave out on a backend.
+struct SkippedLaw {
+  std::string backend;
+  std::string law;
+  std::string file;  ///< the list
+  auto operator<=>(const SkippedLaw&) const = default;
+};
+/// Gives those of a run, in order.
+std::vector<SkippedLaw> skipped_laws(const Run& run);
+
 /// The label of cases that were not drawn any more, as their backend was given up: they count as
 /// violations.
 inline constexpr std::string_view kGivenUp = "not drawn, as the backend was given up";
 
 /// What else a reader has to know of a run: that it is a shard, that it was interrupted, that
-/// shrinking was cut short, that a list of known defects is of another version of the driver.
+/// shrinking was cut short, that a list of known defects is of another version of the driver, which
+/// entries have run out, which laws were skipped.
 std::vector<std::string> caveats(const Run& run);
 
 /// A text as part of a file's name: what is neither letter nor digit made '-'.

@@ -131,6 +131,9 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
   std::copy_if(
       run.unreached.begin(), run.unreached.end(), std::back_inserter(row.unreached),
       [&](const UnreachedLabel& label) { return label.law == law && label.backend == backend; });
+  for (const SkippedLaw& skipped : skipped_laws(run)) {
+    if (skipped.backend == backend && skipped.law == law) row.skipped_by = skipped.file;
+  }
   row.judged.asked = row.cases.checked + row.cases.not_applicable;
   row.judged.applicable = row.cases.checked;
   row.least_cases = run.plan.require_cases.value_or(usual_least_cases(row.judged.asked));
@@ -184,6 +187,7 @@ std::vector<KnownSummary> known_defects(const Run& run) {
   std::vector<KnownSummary> all;
   for (const KnownOfBackend& known : run.known) {
     for (const KnownEntry& entry : known.list.entries) {
+      if (entry.expected == Expected::skip) continue;
       const bool is_passed = std::any_of(
           run.unexpected.begin(), run.unexpected.end(), [&](const UnexpectedPass& pass) {
             return pass.backend == known.backend && pass.id == entry.id;
@@ -242,6 +246,7 @@ std::vector<std::pair<std::uint64_t, std::string>> reasons_of(const LawSummary& 
 
 std::string why_not_checked(const LawSummary& row) {
   if (row.cases.checked > 0) return "";
+  if (!row.skipped_by.empty()) return "skipped by " + row.skipped_by;
   const auto all = reasons_of(row);
   return all.empty() ? "" : all.front().second;
 }

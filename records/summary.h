@@ -95,6 +95,7 @@ struct LawSummary {
   std::map<std::string, std::uint64_t> labels;
   std::map<std::string, std::uint64_t> known;                   ///< id → cases violated so
   std::map<std::string, std::uint64_t> not_applicable_because;  ///< as of Record
+  std::string skipped_by = {};  ///< the expectation list that had it left out; mostly empty
   std::vector<UnreachedLabel> unreached;
   LawVerdict verdict = LawVerdict::not_checked;
 };

@@ -76,8 +76,8 @@ std::string github_annotations(const records::Run& run, const std::string& direc
     text += command("error", "label not reached", records::unreached_sentence(label));
   }
   for (const records::UnexpectedPass& pass : run.unexpected) {
-    text += command(pass.is_same_version ? "error" : "warning", "unexpected pass",
-                    records::unexpected_sentence(pass));
+    text += command(pass.staleness == records::Staleness::wrong_list ? "error" : "warning",
+                    "unexpected pass", records::unexpected_sentence(pass));
   }
   return text;
 }

@@ -44,7 +44,8 @@ Result<void> settle_files(Options& options) {
     return std::filesystem::absolute(file).string();
   };
   plan.corpus = absolute(corpus_folder_of(plan));
-  if (!plan.ignores_known) plan.known = absolute(known_folder_of(plan));
+  plan.known = known_sources_of(plan);
+  for (std::string& source : plan.known) source = absolute(source);
   if (!options.bisection.folder.empty()) {
     options.bisection.folder = absolute(options.bisection.folder);
   }

@@ -137,8 +137,8 @@ std::vector<ordered_json> known_rows(const Asked& asked) {
   for (const records::KnownList& list : asked.known) {
     for (const records::KnownEntry& entry : list.entries) {
       rows.push_back({{"name", entry.id},
-                      {"driver", list.driver},
-                      {"version", list.version},
+                      {"driver", list.driver ? list.driver->name : ""},
+                      {"version", list.driver ? list.driver->version : ""},
                       {"reason", entry.reason},
                       {"rule", entry.rule},
                       {"finding", entry.finding},
@@ -197,7 +197,7 @@ ExitCode run(const Options& options) {
   Asked asked{options.backends, {}, backend_factory(kDefaultTimeout)};
   if (chosen.empty() || chosen == "known") {
     Result<std::vector<records::KnownList>> known =
-        properties::read_known_lists(options.known.folder());
+        properties::read_known_lists(options.known.sources());
     if (!known) return fail(known.error());
     asked.known = *std::move(known);
   }

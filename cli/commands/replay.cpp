@@ -143,10 +143,11 @@ struct Drawer {
 };
 
 Result<Drawer> make_drawer(const backends::BackendFactory& factory,
-                           const std::string& specification, const std::string& known_folder) {
+                           const std::string& specification,
+                           const properties::KnownSources& known_sources) {
   auto backend = factory.make(specification);
   if (!backend) return tl::unexpected(backend.error());
-  auto known = properties::read_known_defects(known_folder, **backend);
+  auto known = properties::read_known_defects(known_sources, specification, **backend);
   if (!known) return tl::unexpected(known.error());
   return Drawer{*std::move(backend), *std::move(known)};
 }
@@ -172,11 +173,12 @@ Outcome check_law(const properties::Law& law, const Input& input, const Drawer& 
 using Drawers = std::map<std::string, Drawer>;
 
 Result<Drawers> make_drawers(const backends::BackendFactory& factory,
-                             const std::vector<Input>& inputs, const std::string& known_folder) {
+                             const std::vector<Input>& inputs,
+                             const properties::KnownSources& known) {
   Drawers made;
   for (const Input& input : inputs) {
     if (made.contains(input.backend)) continue;
-    Result<Drawer> drawer = make_drawer(factory, input.backend, known_folder);
+    Result<Drawer> drawer = make_drawer(factory, input.backend, known);
     if (!drawer) return tl::unexpected(drawer.error());
     made[input.backend] = *std::move(drawer);
   }
@@ -221,7 +223,7 @@ ExitCode run(const Options& options) {
   for (const Input& input : *inputs) specifications.push_back(input.backend);
   if (const ExitCode code = check_backends(factory, specifications); code != ExitCode::ok)
     return code;
-  const Result<Drawers> drawers = make_drawers(factory, *inputs, options.known.folder());
+  const Result<Drawers> drawers = make_drawers(factory, *inputs, options.known.sources());
   if (!drawers) return fail(drawers.error());
   const Result<std::vector<Outcome>> checked = check_inputs(*inputs, *drawers, options);
   if (!checked) return fail_internally(checked.error());
@@ -252,7 +254,7 @@ Action set_up(CLI::App& app) {
   app.add_flag("-q,--quiet", options->quiet, "Prints verdicts only");
   app.footer(
       "A counterexample is checked by the property that it violated, any other case by all.\n\n"
-      "Exit code 0 if they held or failed as is known of the driver, 1 if one was violated, 4 if "
+      "Exit code 0 if they held or failed in known ways, 1 if one was violated, 4 if "
       "the backend cannot run here, 5 if none says anything of the case.\n\n"
       "Example:\n"
       "  rastercheck replay rastercheck-out/counterexamples/*.json");

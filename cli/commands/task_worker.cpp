@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::string plan;  ///< records/plan_json.h
   std::string corpus;
-  std::string known;
+  properties::KnownSources known;
 };
 
 ExitCode run(const Options& options) {

@@ -97,10 +97,21 @@ Result<void> BisectFolder::copy(std::string& folder, const std::string& name,
 
 Result<records::Plan> BisectFolder::with_copies(records::Plan plan,
                                                 const std::string& work_tree) const {
-  const Result<void> copied = copy(plan.corpus, "corpus", work_tree).and_then([&] {
-    return copy(plan.known, "known", work_tree);
-  });
+  const Result<void> copied = copy(plan.corpus, "corpus", work_tree);
   if (!copied) return tl::unexpected(copied.error());
+  for (std::size_t i = 0; i < plan.known.size(); ++i) {
+    std::string& source = plan.known[i];
+    const fs::path folder = "known-" + std::to_string(i);
+    // Entries name their cases from where the list is; a list's own name says what it is.
+    std::string shown = (fs::path(source).parent_path() / "known").string();
+    const fs::path name = folder / fs::path(source).filename();
+    const bool is_file = !fs::is_directory(source);
+    Result<void> made = copy(source, (is_file ? name : folder).string(), work_tree);
+    if (made && is_file && fs::is_directory(shown)) {
+      made = copy(shown, (folder / "known").string(), work_tree);
+    }
+    if (!made) return tl::unexpected(made.error());
+  }
   if (!plan.contract) return plan;
   const fs::path file = path_ / "given" / "contract.json";
   std::error_code why;

@@ -73,6 +73,11 @@ std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
   return {checked, std::move(labels)};
 }
 
+bool is_skipped(const KnownByBackend& known, const std::string& backend, const std::string& law) {
+  const auto of_backend = known.find(backend);
+  return of_backend != known.end() && of_backend->second.is_skipped(law);
+}
+
 }  // namespace
 
 std::vector<Task> tasks_of(const records::Plan& plan, std::size_t corpus_size,
@@ -82,6 +87,7 @@ std::vector<Task> tasks_of(const records::Plan& plan, std::size_t corpus_size,
   const auto add = [&](TaskKind kind, std::uint64_t count) {
     for (const std::string& backend : plan.backends) {
       for (const std::string& law : plan.laws) {
+        if (is_skipped(known, backend, law)) continue;
         std::uint64_t dealt = 0;
         for (std::uint64_t first = 0, last = 0; first < count; first = last, ++dealt) {
           last = first + std::min(deal.task_size(first, count), count - first);
@@ -96,13 +102,14 @@ std::vector<Task> tasks_of(const records::Plan& plan, std::size_t corpus_size,
     Counterexample subject;
     subject.source = c;
     subject.origin = records::Origin::saved;
+    if (is_skipped(known, c.found->backend, c.found->law)) continue;
     tasks.push_back({c.found->backend, c.found->law, TaskKind::saved, 0, 1, subject});
   }
   for (const auto& [backend, defects] : known) {
     for (const std::size_t entry : entries_to_check(defects, plan.laws)) {
       if (!deal.is_next_ours()) continue;
       tasks.push_back(
-          {backend, defects.cases[entry].found->law, TaskKind::known, entry, entry + 1});
+          {backend, defects.defects[entry].shown->found->law, TaskKind::known, entry, entry + 1});
     }
   }
   add(TaskKind::random, plan.cases_per_law);
@@ -183,7 +190,7 @@ backends::BackendFactory factory_for(const records::Plan& plan,
   return factory;
 }
 
-TaskRunner::TaskRunner(records::Plan plan, std::vector<cases::Case> corpus, std::string known,
+TaskRunner::TaskRunner(records::Plan plan, std::vector<cases::Case> corpus, KnownSources known,
                        backends::BackendFactory backends)
     : plan_(std::move(plan)),
       corpus_(std::move(corpus)),
@@ -195,7 +202,8 @@ Result<const TaskRunner::Made*> TaskRunner::made(const std::string& specificatio
   if (!made.backend) {
     Result<std::unique_ptr<backends::Backend>> backend = backends_.make(specification);
     if (!backend) return tl::unexpected(backend.error());
-    Result<std::optional<KnownDefects>> known = read_known_defects(known_, **backend);
+    Result<std::optional<KnownDefects>> known =
+        read_known_defects(known_, specification, **backend);
     if (!known) return tl::unexpected(known.error());
     made = {*std::move(backend), *std::move(known)};
   }
@@ -232,7 +240,8 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   if (!drawing) return tl::unexpected(drawing.error());
   backends::Backend& backend = *(*drawing)->backend;
   const KnownDefects* known = (*drawing)->known_defects();
-  const bool has_entry = known != nullptr && task.first < known->cases.size();
+  const bool has_entry =
+      known != nullptr && task.first < known->defects.size() && known->defects[task.first].shown;
   if (task.kind == TaskKind::known && !has_entry) {
     return tl::unexpected(Error{task.backend, "", "has no such known defect as a task asks for"});
   }

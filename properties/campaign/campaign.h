@@ -62,8 +62,8 @@ ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
                            const IsToEnd& is_to_end = {});
 
 /// The campaign's work but for shrinking: the corpus, saved counterexamples of its laws and
-/// backends, the cases of what is known of these, random cases. Short tasks, so that processes end
-/// together.
+/// backends, the cases of what is known of these, random cases; but for laws that are to be
+/// skipped. Short tasks, so that processes end together.
 ///
 /// Of a shard those that fall to it: each is in one of all `count` shards, but for saved
 /// counterexamples, which only those have that were given any. A law's cases are dealt out like
@@ -95,8 +95,7 @@ backends::BackendFactory factory_for(const records::Plan& plan,
 /// Runs a plan's tasks, one after the other; keeps the backends it has made.
 class TaskRunner {
  public:
-  /// `known`: the folder of what is known of drivers (read_known_defects); empty: nothing is.
-  TaskRunner(records::Plan plan, std::vector<cases::Case> corpus, std::string known = "",
+  TaskRunner(records::Plan plan, std::vector<cases::Case> corpus, KnownSources known = {},
              backends::BackendFactory backends = {});
 
   const std::vector<cases::Case>& corpus() const { return corpus_; }
@@ -133,7 +132,7 @@ class TaskRunner {
 
   records::Plan plan_;
   std::vector<cases::Case> corpus_;
-  std::string known_;
+  KnownSources known_;
   backends::BackendFactory backends_;
   std::map<std::string, Made> made_;
 };

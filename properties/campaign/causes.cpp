@@ -384,8 +384,11 @@ std::string what_is_wrong(const CauseGroup& group) {
                        law == nullptr ? group.members.front().law() : std::string(law->sentence));
   }
   if (*group.kind.part == DrawnPart::coverage) {
-    if (has(FragmentClass::wrong_triangle)) return "another triangle than the nearest is seen";
-    if (!has(FragmentClass::extra)) return "samples are missing";
+    // Where a triangle covers too much, it may be seen in front of the nearest, too.
+    if (!has(FragmentClass::extra)) {
+      return has(FragmentClass::wrong_triangle) ? "another triangle than the nearest is seen"
+                                                : "samples are missing";
+    }
     return has(FragmentClass::missing) ? "samples are missing, and others drawn that must not be"
                                        : "samples are drawn that must not be";
   }

@@ -108,7 +108,7 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
     return not_applicable("clip positions are beyond float32");
   }
   Check check = checked ? *std::move(checked) : failed_check(checked.error());
-  if (known != nullptr) tell_known(*known, law, c, check);
+  if (known != nullptr) tell_known(*known, law, c, backend, index, check);
   return check;
 }
 
@@ -339,8 +339,9 @@ std::optional<NumberedCase> check_random_case(const Law& law, const std::string&
 void check_known_case(const Law& law, const std::string& specification, backends::Backend& backend,
                       std::uint64_t seed, const KnownDefects& known, std::size_t entry,
                       Findings& findings) {
-  const cases::Case& source = known.cases[entry];
-  const std::string& id = known.list.entries[entry].id;
+  const KnownDefect& defect = known.defects[entry];
+  const cases::Case& source = *defect.shown;
+  const std::string& id = defect.entry.id;
   const NumberedCase numbered{source, std::string(records::kKnownStratum), source.found->index,
                               records::Origin::saved};
   if (backend.is_lost()) {
@@ -358,9 +359,8 @@ void check_known_case(const Law& law, const std::string& specification, backends
   }
   if (!check.is_applicable || is_expected) return;
   if (backend.terms()) return;  // Entries are of what it is held to usually.
-  const bool is_same_version = known.is_same_version();
-  keep(findings, records::UnexpectedPass{specification, id, std::string(law.id), is_same_version});
-  if (!is_same_version) return;  // else the list is stale
+  keep(findings, records::UnexpectedPass{specification, id, std::string(law.id), defect.staleness});
+  if (defect.staleness != records::Staleness::wrong_list) return;
   ++findings
         .records[{std::string(law.id), specification, records::AttributeKind::coverage,
                   numbered.stratum}]

@@ -22,8 +22,11 @@ bool matches(const std::string& name, const std::string& pattern) {
 
 std::vector<std::string> task_worker_of(const Conduct& conduct, const records::Plan& plan) {
   std::vector<std::string> command = conduct.task_worker;
-  command.insert(command.end(), {"--plan", cases::json_line(cases::json_of(plan)), "--corpus",
-                                 conduct.corpus, "--known", conduct.known});
+  command.insert(command.end(),
+                 {"--plan", cases::json_line(cases::json_of(plan)), "--corpus", conduct.corpus});
+  for (const std::string& source : conduct.known) {
+    command.insert(command.end(), {"--known", source});
+  }
   return command;
 }
 
@@ -35,7 +38,7 @@ records::Run planned(const records::Plan& plan, const KnownByBackend& known) {
     if (const Law* law = find_law(id)) run.sentences[id] = law->sentence;
   }
   for (const auto& [backend, defects] : known) {
-    run.known.push_back({backend, defects.driver.version, defects.list});
+    run.known.insert(run.known.end(), defects.lists.begin(), defects.lists.end());
   }
   return run;
 }
@@ -108,9 +111,10 @@ Result<records::Run> PlanRun::carry_out() {
     if (of_backend.promise) run.held_to[of_backend.backend] = *of_backend.promise;
   }
   run.cases_left = campaign_.cases_left();
-  // Whether a shard reaches a label says nothing of all shards.
-  if (!start_.plan.shard)
-    run.unreached = unreached_labels(start_.plan.laws, promises_, run.records);
+  // A shard cannot say what all shards reach, or hold.
+  if (start_.plan.shard) return run;
+  run.unreached = unreached_labels(start_.plan.laws, promises_, run.records);
+  if (run.cases_left == 0) add_unexpected_passes(run);
   return run;
 }
 

@@ -27,7 +27,7 @@ Result<std::vector<std::string>> laws_matching(const std::vector<std::string>& p
 struct Conduct {
   std::string directory;  ///< of the run, which is there: the checkpoint is kept in it
   std::string corpus;     ///< folder of the cases that come first
-  std::string known;      ///< folder of what is known of drivers; empty: nothing is
+  KnownSources known;     ///< lists of what is known of backends
   backends::BackendFactory backends = {};
   int jobs = 1;  ///< processes that work side by side
   /// Starts one of several such processes: a program that calls serve_tasks(), and its first

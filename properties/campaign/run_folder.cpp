@@ -1,5 +1,8 @@
 #include "properties/campaign/run_folder.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -88,7 +91,9 @@ Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::C
                         const KnownByBackend& known) {
   const records::Plan& plan = checkpoint.plan;
   if (digest_of_known(known) != checkpoint.known_digest) {
-    return tl::unexpected(Error{plan.known.empty() ? "what is known of drivers" : plan.known, "",
+    return tl::unexpected(Error{plan.known.empty() ? "what is known of the backends"
+                                                   : fmt::format("{}", fmt::join(plan.known, ", ")),
+                                "",
                                 "is not as it was when the run was begun, or a driver is another"});
   }
   const std::size_t tasks = tasks_of(checkpoint, corpus.size(), known).size();

@@ -103,7 +103,8 @@ class SceneReader {
     if (few.ways.contains(way)) return;
     records::Violation violation = to_violation(sample, value, truth, *part_);
     if (known_ != nullptr) {
-      const auto ids = entries_of(*known_, few.law, part_->source(), violation);
+      auto ids = entries_of(*known_, few.law, part_->source(), violation);
+      if (ids.empty()) ids = entries_of_drawing(*known_, part_->source(), violation);
       few.known.insert(ids.begin(), ids.end());
       if (!ids.empty()) return;
     }
@@ -380,9 +381,10 @@ Result<SceneFindings> judge_scene_in(const PartLimits& limits, const cases::Case
       check.violations = few.violations;
       check.violation_count = few.violations.size() + few.known.size();
       if (few.violations.empty()) check.known.assign(few.known.begin(), few.known.end());
-      if (!few.violations.empty()) result.result.is_known = false;
     }
     if (judge.failed) take_failure(*judge.failed, judge.drawn > 0, check);
+    if (known != nullptr) tell_expected(*known, law->id, check);
+    if (!few.violations.empty() && check.known.empty()) result.result.is_known = false;
     account(*law, specification, backend, numbered, check, result.findings);
     if (judge.failed && judge.failed->error.failure != Failure::unsupported) {
       NumberedCase part{judge.failed->source, numbered.stratum, judge.failed->part.first,
@@ -391,6 +393,7 @@ Result<SceneFindings> judge_scene_in(const PartLimits& limits, const cases::Case
       keep_counterexample(*law, specification, backend, seed, part,
                           failed_check(judge.failed->error), result.findings, known);
     }
+    if (!check.known.empty()) continue;
     keep_violations(*law, specification, backend, seed, numbered, few.violations, result.findings,
                     known);
   }

@@ -277,6 +277,7 @@ Result<MergedRun> ShardMerge::finish() && {
   run.scenes = std::move(scenes_);
   run.pictures = std::move(pictures_);
   run.unreached = unreached_labels(run.plan.laws, merged.common.promises, run.records);
+  add_unexpected_passes(run);
   run.environment = merged_environment(environments);
   return merged;
 }

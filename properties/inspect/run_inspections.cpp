@@ -128,7 +128,7 @@ std::optional<cases::Case> case_of(const Candidate& candidate, const records::Pl
   if (stratum == records::kKnownStratum) {
     const auto known = sources.known.find(backend);
     if (known == sources.known.end()) return std::nullopt;
-    return copy_of(find_saved(known->second.cases, law_name, index));
+    return copy_of(find_saved(known->second.cases(), law_name, index));
   }
   const records::Origin origin =
       stratum == records::kCorpusStratum ? records::Origin::corpus : records::Origin::random;

@@ -11,6 +11,8 @@ NOT_RUN = {
     r"build/(rasterizer|examples)\b": "test consumer.installed builds and runs that",
     r"\bcpack -G DEB\b": "writes to the build; test packaging.contents looks at what it makes",
     r"^scripts/(kill-matrix|fuzz)\b": "builds all mutants, or runs for hours",
+    r"^rastercheck known (add|expect)\b": "writes lists; tests of cli add to them, and read them",
+    r"--known softpipe-fails\.txt": "the list is the reader's own",
     r"\bscene\.json$": "takes six minutes",
     r"--corpus large\b": "judges 110 million fragments",
     r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",

@@ -24,8 +24,7 @@ constexpr const char* kList = R"({
 
 TEST(KnownJson, ReadsAllThereIs) {
   const KnownList list = parse_known(kList, "f").value();
-  EXPECT_EQ(list.driver, "llvmpipe");
-  EXPECT_EQ(list.version, "Mesa 22.3.6");
+  EXPECT_EQ(list.driver, (KnownDriver{"llvmpipe", "Mesa 22.3.6"}));
   ASSERT_EQ(list.entries.size(), 1U);
   const KnownEntry& entry = list.entries[0];
   EXPECT_EQ(entry.id, "llvmpipe-1");
@@ -60,6 +59,46 @@ TEST(KnownJson, TakesEveryFactAndLimitByItsName) {
   const KnownConditions read = parse_known(document.dump(), "f").value().entries[0].when;
   EXPECT_EQ(read.facts.size(), names_of(KnownFact{}).size());
   EXPECT_EQ(read.limits.size(), names_of(KnownLimit{}).size());
+}
+
+constexpr const char* kWaivers = R"({
+  "format": "rastercheck-known", "version": 1,
+  "entries": [{"id": "mine-1", "reason": "Why.", "backends": ["plugin:libmine.so"],
+    "verdicts": ["extra"], "when": {"tie": true}, "case": "known/mine-1.json",
+    "until": "2027-02-28"}]
+})";
+
+TEST(KnownJson, OfNoDriverMayLackRulesAndLaws) {
+  const KnownList list = parse_known(kWaivers, "f").value();
+  EXPECT_EQ(list.driver, std::nullopt);
+  const KnownEntry& entry = list.entries.at(0);
+  EXPECT_THAT(entry.backends, ElementsAre("plugin:libmine.so"));
+  EXPECT_TRUE(entry.laws.empty());
+  EXPECT_EQ(entry.until, "2027-02-28");
+  EXPECT_EQ(parse_known(cases::json_of(list).dump(), "f").value(), list);
+}
+
+// Kills: a waiver that never ends, as its day is no day.
+TEST(KnownJson, IsRefusedWithADayThatThereIsNot) {
+  for (const char* const day : {"2027-02-29", "2027-13-01", "27-01-01", "2027-1-1", "2027-01-0x"}) {
+    json document = json::parse(kWaivers);
+    document["entries"][0]["until"] = day;
+    const Result<KnownList> read = parse_known(document.dump(), "f");
+    ASSERT_FALSE(read) << day;
+    EXPECT_EQ(to_string(read.error()), "f: /entries/0/until: must be a day, as \"2027-01-31\"");
+  }
+}
+
+// Kills: an expectation that hides more than its law.
+TEST(KnownJson, ExpectationsNameLawsAndNothingElse) {
+  json document = json::parse(kWaivers);
+  document["entries"][0] = {{"id", "a"}, {"reason", "b"}, {"laws", {"a"}}, {"expected", "fail"}};
+  EXPECT_TRUE(parse_known(document.dump(), "f"));
+  document["entries"][0].erase("laws");
+  EXPECT_FALSE(parse_known(document.dump(), "f"));
+  document["entries"][0]["laws"] = {"a"};
+  document["entries"][0]["verdicts"] = {"extra"};
+  EXPECT_FALSE(parse_known(document.dump(), "f"));
 }
 
 /// What is said of the list where the value at a pointer is another; none: where it is gone.
@@ -109,11 +148,12 @@ TEST(KnownJson, IsRefusedWithAnythingMissingOrUnknown) {
 }
 
 TEST(KnownJson, OfARunComesBackAsItWas) {
-  const KnownOfBackend known{"gl:llvmpipe", "Mesa 23", parse_known(kList, "f").value()};
+  const KnownOfBackend known{
+      "gl:llvmpipe", "known.json", "Mesa 23", parse_known(kList, "f").value(), {"llvmpipe-1"}};
   EXPECT_EQ(
       cases::read_json(cases::json_of(known).dump(), "f", &cases::read_as<KnownOfBackend>).value(),
       known);
-  const UnexpectedPass pass{"gl:llvmpipe", "llvmpipe-1", "a law", false};
+  const UnexpectedPass pass{"gl:llvmpipe", "llvmpipe-1", "a law", Staleness::other_version};
   EXPECT_EQ(
       cases::read_json(cases::json_of(pass).dump(), "f", &cases::read_as<UnexpectedPass>).value(),
       pass);

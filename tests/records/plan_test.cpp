@@ -13,11 +13,12 @@ using testing::IsEmpty;
 
 TEST(OptionWords, AreOfWhatIsNotAsUsual) {
   EXPECT_THAT(option_words({}), IsEmpty());
-  EXPECT_THAT(option_words(sample_plan()),
-              ElementsAre("--property", "*edge*", "--property", "--known", "--scene-size", "640",
-                          "--contract", "lax.json", "--corpus", "a folder", "--no-known", "--known",
-                          "lists", "--shrink-tries", "5", "--shrink-seconds", "2.5", "--power", "5",
-                          "--keep-cases", "--timeout", "0.5"));
+  EXPECT_THAT(
+      option_words(sample_plan()),
+      ElementsAre("--property", "*edge*", "--property", "--known", "--scene-size", "640",
+                  "--contract", "lax.json", "--corpus", "a folder", "--no-known", "--known",
+                  "lists", "--known", "mine.json", "--shrink-tries", "5", "--shrink-seconds", "2.5",
+                  "--power", "5", "--keep-cases", "--timeout", "0.5"));
 }
 
 // Kills: a size without a scene, which `run` takes for nothing.
@@ -29,8 +30,9 @@ TEST(OptionWords, HaveNoSizeOfNoScene) {
 
 TEST(ReplayWords, AreThoseOfDrawingAndKnowing) {
   EXPECT_THAT(replay_words({}), IsEmpty());
-  EXPECT_THAT(replay_words(sample_plan()), ElementsAre("--contract", "lax.json", "--no-known",
-                                                       "--known", "lists", "--timeout", "0.5"));
+  EXPECT_THAT(replay_words(sample_plan()),
+              ElementsAre("--contract", "lax.json", "--no-known", "--known", "lists", "--known",
+                          "mine.json", "--timeout", "0.5"));
 }
 
 // Kills: what is recorded, and decides nothing, held against a baseline.
@@ -42,7 +44,7 @@ TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
   expected.properties = {"*edge*", "--known"};
   expected.contract = sample_plan().contract;
   expected.corpus = "a folder";
-  expected.known = "lists";
+  expected.known = {"lists", "mine.json"};
   expected.ignores_known = true;
   expected.power = 5;
   expected.capabilities = sample_plan().capabilities;

@@ -10,7 +10,7 @@ inline Plan sample_plan() {
   plan.contract.emplace().file = "lax.json";
   plan.contract->terms.keeps_constants = false;
   plan.corpus = "a folder";
-  plan.known = "lists";
+  plan.known = {"lists", "mine.json"};
   plan.ignores_known = true;
   plan.shrinking = {5, 2.5};
   plan.power = 5;

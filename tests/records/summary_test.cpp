@@ -339,10 +339,10 @@ TEST(WhyNotChecked, IsWhatHoldsOfMostCases) {
 
 TEST(KnownDefects, CountTheCasesOfAllLaws) {
   records::Run run;
-  KnownOfBackend known{"gl", "1", {"driver", "1", {{}, {}, {}}}};
+  KnownOfBackend known{"gl", "known.json", "1", {KnownDriver{"driver", "1"}, {{}, {}, {}}}};
   for (std::size_t i = 0; i < 3; ++i) known.list.entries[i].id = "driver-" + std::to_string(i);
   run.known = {known};
-  run.unexpected = {{"gl", "driver-2", "law", true}};
+  run.unexpected = {{"gl", "driver-2", "law", Staleness::wrong_list}};
   for (const char* law : {"law", "another"}) {
     run.records[{law, "gl", AttributeKind::coverage, ""}].known = {{"driver-1", 2}};
     run.records[{law, "cpu", AttributeKind::coverage, ""}].known = {{"driver-0", 7}};

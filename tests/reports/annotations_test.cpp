@@ -40,7 +40,8 @@ TEST(GithubAnnotations, AreNoneWhereAllHeld) { EXPECT_EQ(github_annotations({}, 
 // Kills: an error for what only the driver's version explains.
 TEST(GithubAnnotations, WarnOfPassesUnderAnotherVersion) {
   records::Run run;
-  run.unexpected = {{"gl", "driver-1", "a law", false}, {"gl", "driver-2", "a law", true}};
+  run.unexpected = {{"gl", "driver-1", "a law", records::Staleness::other_version},
+                    {"gl", "driver-2", "a law", records::Staleness::wrong_list}};
   const std::string text = github_annotations(run, "out");
   EXPECT_THAT(text, StartsWith("::warning title=unexpected pass::"));
   EXPECT_THAT(text, HasSubstr("\n::error title=unexpected pass::"));

@@ -47,7 +47,7 @@ BASELINE = {
             "backend": "cpu", "architecture": "x86_64", "instruction_set": "avx2",
             "compiler": "GNU 12.2.0", "records_version": 3, "rules_version": 1,
             "plan": {
-                "seed": 1, "cases_per_law": 100, "properties": ["*"], "corpus": "c", "known": "k",
+                "seed": 1, "cases_per_law": 100, "properties": ["*"], "corpus": "c", "known": ["k"],
                 "ignores_known": True, "power": 5,
             },
             "taken": {

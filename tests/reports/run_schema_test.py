@@ -107,7 +107,7 @@ def complete(document):
         "capabilities": {"cpu": {
             "rules": ["opengl"], "sample_counts": [1, 4], "lacks": ["flat"], "max_size": 64, "max_viewport": 64,
             "max_attributes": 2, "max_clip_distances": 1, "numbers": {"least": "0x1p-4", "greatest": "0x1p+4"}}},
-        "promise": "spec", "draw_by": "append", "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
+        "promise": "spec", "draw_by": "append", "corpus": "a folder", "known": ["another"], "ignores_known": True, "scene_size": 640,
         "shrink_tries": 5, "shrink_seconds": 2.5, "power": 5, "require_cases": 20,
         "keeps_cases": True,
         "shard": {"index": 2, "count": 7}}
@@ -124,8 +124,8 @@ def complete(document):
                       "unpromised": ["a"]}]}
     document["held_to"] = {"cpu": "ieee"}
     document["unexpected_passes"] = [
-        {"backend": "cpu", "id": "driver-2", "law": "a", "is_same_version": False}]
-    document["known"] = [{"backend": "cpu", "driver_version": "Mesa 23", "list": {
+        {"backend": "cpu", "id": "driver-2", "law": "a", "staleness": "other version"}]
+    document["known"] = [{"backend": "cpu", "file": "f", "driver_version": "Mesa 23", "run_out": ["driver-1"], "list": {
         "format": "rastercheck-known", "version": 1,
         "driver": {"name": "driver", "version": "Mesa 22"}, "entries": []}}]
     return document

@@ -120,7 +120,7 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
 /// The run, of a driver with known defects: one that was seen, one that is gone; and with a law
 /// that says nothing.
 inline void add_known_defects(records::Run& run) {
-  records::KnownList list{"driver", "Mesa 22", {{}, {}}};
+  records::KnownList list{records::KnownDriver{"driver", "Mesa 22"}, {{}, {}}};
   for (records::KnownEntry& entry : list.entries) {
     entry.id = &entry == &list.entries[0] ? "driver-1" : "driver-2";
     entry.reason = "Depth <is> wrong.";
@@ -131,8 +131,8 @@ inline void add_known_defects(records::Run& run) {
     entry.when.facts[records::KnownFact::clipped] = true;
     entry.case_file = "known/" + entry.id + ".json";
   }
-  run.known = {{"cpu", "Mesa 23", list}};
-  run.unexpected = {{"cpu", "driver-2", run.plan.laws[0], false}};
+  run.known = {{"cpu", "driver/known.json", "Mesa 23", list}};
+  run.unexpected = {{"cpu", "driver-2", run.plan.laws[0], records::Staleness::other_version}};
   using records::AttributeKind;
   records::Record& seen = run.records[{run.plan.laws[0], "cpu", AttributeKind::coverage, "grid"}];
   seen.cases.known = 3;

@@ -9,6 +9,7 @@
 
 #include "oracle/transform.h"
 #include "properties/campaign/check_case.h"
+#include "properties/campaign/internal/amendment.h"
 #include "properties/campaign/internal/put_right.h"
 #include "properties/campaign/internal/variations.h"
 #include "properties/drawing.h"
@@ -18,22 +19,6 @@ namespace rastercheck::properties {
 namespace {
 
 using records::DrawnPart;
-
-/// Has the backend's drawings put right while it lives.
-class PuttingRight {
- public:
-  PuttingRight(backends::Backend& backend, const DrawnParts& parts) : backend_(&backend) {
-    backend.amend_by([&backend, parts](const cases::Case& c, cases::Fragments& drawn) {
-      put_right(c, backend.contract(c), parts, drawn);
-    });
-  }
-  PuttingRight(const PuttingRight&) = delete;
-  PuttingRight& operator=(const PuttingRight&) = delete;
-  ~PuttingRight() { backend_->amend_by({}); }
-
- private:
-  backends::Backend* backend_;
-};
 
 enum class Outcome {
   fails,
@@ -50,7 +35,10 @@ class Experiment {
 
   /// With these parts of what is drawn put right.
   Outcome outcome(const cases::Case& c, const DrawnParts& parts) const {
-    const PuttingRight putting_right(*backend_, parts);
+    const MoreAmended put_right_too(
+        *backend_, [&](const cases::Case& drawn_case, cases::Fragments& drawn) {
+          put_right(drawn_case, backend_->contract(drawn_case), parts, drawn);
+        });
     const Check check = check_or_note(*law_, c, *backend_, index_, known_);
     if (!check.is_applicable || check.fault) return Outcome::says_nothing;
     if (check.violation_count == 0 || !check.known.empty()) return Outcome::holds;
@@ -72,9 +60,7 @@ class Experiment {
       const bool is_right =
           std::all_of(counts.begin() + 1, counts.end(), [](std::uint64_t n) { return n == 0; });
       if (is_right) continue;
-      wrong.insert(kind == records::AttributeKind::coverage ? DrawnPart::coverage
-                   : kind == records::AttributeKind::depth  ? DrawnPart::depth
-                                                            : DrawnPart::values);
+      wrong.insert(part_of(kind));
     }
     return wrong;
   }

@@ -35,10 +35,13 @@ struct ConditionQuestion {
   }
 };
 
+/// The clip z of the near plane where a vertex has this w.
+float least_depth(const Case& c, const ClipVertex& v) {
+  return c.rules == cases::Rules::opengl ? -v.w : 0;
+}
+
 bool is_beyond_depth(const Case& c, const ClipVertex& v) {
-  if (c.depth_clamp) return false;
-  const float least = c.rules == cases::Rules::opengl ? -v.w : 0;
-  return v.z < least || v.z > v.w;
+  return !c.depth_clamp && (v.z < least_depth(c, v) || v.z > v.w);
 }
 
 bool is_clipped(const ConditionQuestion& of) {
@@ -68,12 +71,33 @@ bool is_so(KnownFact fact, const ConditionQuestion& of) {
       return is_clipped(of);
     case KnownFact::depth_clipped:
       return of.some_vertex([&c](const ClipVertex& v) { return is_beyond_depth(c, v); });
+    case KnownFact::before_near:
+      return of.some_vertex(
+          [&c](const ClipVertex& v) { return v.w > 0 && v.z < least_depth(c, v); });
+    case KnownFact::beyond_far:
+      return of.some_vertex([](const ClipVertex& v) { return v.w > 0 && v.z > v.w; });
+    case KnownFact::perspective: {
+      const float w = of.vertices()[0].w;
+      return of.some_vertex([w](const ClipVertex& v) { return v.w != w; });
+    }
+    case KnownFact::tie: {
+      const auto& distance = of.violation->distance;
+      return distance && distance->lo == 0 && distance->hi == 0;
+    }
+    case KnownFact::degenerate:
+      // Without an inside there is no distance to it.
+      return of.violation->has_place() && of.violation->kind == records::AttributeKind::coverage &&
+             !of.violation->distance;
     case KnownFact::clip_distances:
       return c.clip_distance_count > 0;
     case KnownFact::depth_clamp:
       return c.depth_clamp;
     case KnownFact::depth_test:
       return c.depth_test != cases::DepthTest::none;
+    case KnownFact::depth_clear:
+      return c.depth_clear.has_value();
+    case KnownFact::snapped:
+      return c.coverage.has_value();
     case KnownFact::scissor:
       return c.scissor.has_value();
     case KnownFact::culling:

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -50,31 +51,69 @@ std::vector<float> permitted_values(const oracle::TriangleTruth& truth, std::siz
   return values;
 }
 
-Repairs repairs_of(const cases::Case& c, const cases::Contract& contract, const DrawnParts& parts,
-                   const Fragments& drawn) {
+records::Violation coverage_violation(const oracle::JudgedSample& sample,
+                                      const oracle::TriangleTruth* truth) {
+  records::Violation violation;
+  violation.fragment_class = sample.fragment_class;
+  violation.place = sample.place;
+  if (truth == nullptr) return violation;
+  violation.distance =
+      truth->distance(static_cast<int>(sample.place.x), static_cast<int>(sample.place.y),
+                      static_cast<int>(sample.place.sample));
+  return violation;
+}
+
+records::Violation value_violation(const oracle::JudgedSample& sample,
+                                   const oracle::JudgedValue& value) {
+  records::Violation violation;
+  violation.fragment_class = value.fragment_class;
+  violation.kind = value.kind;
+  violation.place = sample.place;
+  violation.attribute = value.attribute;
+  violation.error = value.excess;
+  return violation;
+}
+
+Repairs repairs_of(const cases::Case& c, const cases::Contract& contract, const IsMeant& is_meant,
+                   bool judges_values, const Fragments& drawn) {
   Repairs repairs;
   const oracle::SceneTruth scene(c, contract);
   oracle::JudgeOptions options;
-  const bool has_coverage = parts.contains(DrawnPart::coverage);
-  options.judges_values = parts.contains(DrawnPart::depth) || parts.contains(DrawnPart::values);
+  options.judges_values = judges_values;
   options.self_check_one_in = 0;
   options.shows_ordinary = false;
+  // With a depth test what must not be drawn may hide what has to be. Samples come pixel by pixel.
+  std::map<SamplePlace, std::vector<float>> hidden;
+  std::set<SamplePlace> freed;
+  const auto sample_of = [](SamplePlace place) {
+    place.triangle = 0;
+    return place;
+  };
   const auto take = [&](const oracle::JudgedSample& sample, const oracle::TriangleTruth* truth) {
-    const bool is_too_much = sample.fragment_class == FragmentClass::extra ||
-                             sample.fragment_class == FragmentClass::wrong_triangle;
-    if (has_coverage && is_too_much) ++repairs.too_many[sample.place];
+    const bool is_wrong = sample.fragment_class != FragmentClass::correct;
+    const bool is_missing = sample.fragment_class == FragmentClass::missing;
+    const bool is_to_change = is_wrong && is_meant(coverage_violation(sample, truth));
+    if (is_to_change && !is_missing) {
+      ++repairs.too_many[sample.place];
+      freed.insert(sample_of(sample.place));
+    }
     if (truth == nullptr) return;
-    if (has_coverage && sample.fragment_class == FragmentClass::missing) {
-      repairs.missing[sample.place] = permitted_values(*truth, drawn.attribute_count, sample.place);
+    const bool may_be_hidden = c.depth_test != cases::DepthTest::none;
+    if (is_missing && (is_to_change || may_be_hidden)) {
+      auto& into = is_to_change ? repairs.missing : hidden;
+      into[sample.place] = permitted_values(*truth, drawn.attribute_count, sample.place);
     }
     for (const oracle::JudgedValue& value : sample.values) {
-      const bool is_meant = parts.contains(value.attribute ? DrawnPart::values : DrawnPart::depth);
-      if (!is_meant || value.fragment_class == FragmentClass::correct) continue;
+      if (value.fragment_class == FragmentClass::correct) continue;
+      if (!is_meant(value_violation(sample, value))) continue;
       repairs.wrong[sample.place][value.attribute] =
           permitted_value(*truth, value.attribute, sample.place);
     }
   };
   oracle::judge(scene, drawn, options, take);
+  for (auto& [place, values] : hidden) {
+    if (freed.contains(sample_of(place))) repairs.missing[place] = std::move(values);
+  }
   return repairs;
 }
 
@@ -113,13 +152,7 @@ void sort_by_place(Fragments& drawn) {
   drawn = std::move(sorted);
 }
 
-}  // namespace
-
-void put_right(const cases::Case& c, const cases::Contract& contract, const DrawnParts& parts,
-               Fragments& drawn) {
-  if (parts.empty()) return;
-  sort_by_place(drawn);
-  Repairs repairs = repairs_of(c, contract, parts, drawn);
+void repair(Repairs repairs, Fragments& drawn) {
   if (repairs.too_many.empty() && repairs.missing.empty() && repairs.wrong.empty()) return;
   // Fragments are ordered by place, and stay so. Of one that is drawn twice any may go.
   Fragments right;
@@ -155,6 +188,39 @@ void put_right(const cases::Case& c, const cases::Contract& contract, const Draw
   }
   add_missing_before(std::nullopt);
   drawn = std::move(right);
+}
+
+}  // namespace
+
+DrawnPart part_of(records::AttributeKind kind) {
+  switch (kind) {
+    case records::AttributeKind::coverage:
+      return DrawnPart::coverage;
+    case records::AttributeKind::depth:
+      return DrawnPart::depth;
+    case records::AttributeKind::smooth:
+    case records::AttributeKind::noperspective:
+    case records::AttributeKind::flat:
+      break;
+  }
+  return DrawnPart::values;
+}
+
+void put_right(const cases::Case& c, const cases::Contract& contract, const IsMeant& is_meant,
+               Fragments& drawn) {
+  sort_by_place(drawn);
+  repair(repairs_of(c, contract, is_meant, true, drawn), drawn);
+}
+
+void put_right(const cases::Case& c, const cases::Contract& contract, const DrawnParts& parts,
+               Fragments& drawn) {
+  if (parts.empty()) return;
+  sort_by_place(drawn);
+  const bool judges_values = parts.contains(DrawnPart::depth) || parts.contains(DrawnPart::values);
+  const auto is_meant = [&parts](const records::Violation& violation) {
+    return parts.contains(part_of(violation.kind));
+  };
+  repair(repairs_of(c, contract, is_meant, judges_values, drawn), drawn);
 }
 
 }  // namespace rastercheck::properties

@@ -73,14 +73,21 @@ TEST(BisectFolder, CopiesWhatThePlanNamesOfTheWorkTree) {
   ASSERT_TRUE(folder);
   records::Plan plan;
   plan.corpus = temporary.path("tree/corpus");
-  plan.known = temporary.path("treeless/known");
+  temporary.put("tree/lists/known.json", "{}");
+  temporary.put("tree/lists/known/mine-1.json", "{}");
+  plan.known = {temporary.path("treeless/known"), temporary.path("tree/lists/known.json")};
   plan.contract.emplace().file = temporary.path("tree/contract.json");
   plan.contract->terms.keeps_constants = false;
   const auto copied = folder->with_copies(plan, temporary.path("tree"));
   ASSERT_TRUE(copied);
   fs::remove_all(temporary.path("tree"));
   EXPECT_TRUE(fs::exists(fs::path(copied->corpus) / "deep/case.json"));
-  EXPECT_EQ(copied->known, plan.known);
+  ASSERT_EQ(copied->known.size(), 2U);
+  EXPECT_EQ(copied->known[0], plan.known[0]);
+  const fs::path list = copied->known[1];
+  EXPECT_EQ(list.filename(), "known.json");
+  EXPECT_TRUE(fs::exists(list));
+  EXPECT_TRUE(fs::exists(list.parent_path() / "known/mine-1.json"));
   EXPECT_EQ(cases::read_contract(copied->contract->file), plan.contract->terms);
 }
 

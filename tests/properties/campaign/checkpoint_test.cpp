@@ -29,7 +29,7 @@ Checkpoint sample() {
   plan.shrinking = {77, 0.25};
   plan.shard = {2, 7};
   plan.corpus = "/some/folder";
-  plan.known = "/another/folder";
+  plan.known = {"/another/folder"};
   plan.ignores_known = true;
   plan.scene = "bunny.obj";
   plan.scene_size = 640;
@@ -46,7 +46,8 @@ Checkpoint sample() {
   checkpoint.is_done = {true, false, true, true, false, false, true};
   DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 1, 1); });
   check_case(*find_law(kCoverage), "cpu", backend, 1, {square(), "here", 4}, checkpoint.findings);
-  keep(checkpoint.findings, records::UnexpectedPass{"cpu", "driver-1", kCoverage, false});
+  keep(checkpoint.findings,
+       records::UnexpectedPass{"cpu", "driver-1", kCoverage, records::Staleness::other_version});
   return checkpoint;
 }
 

@@ -39,7 +39,8 @@ Error error_of(const std::string& line) {
 TEST(FindingsLine, ComesBackAsItWas) {
   Findings findings = some_findings();
   ASSERT_FALSE(findings.counterexamples.empty());
-  keep(findings, records::UnexpectedPass{kOdd, "driver-1", kCoverage, true});
+  keep(findings,
+       records::UnexpectedPass{kOdd, "driver-1", kCoverage, records::Staleness::wrong_list});
   const std::string line = findings_to_line(findings);
   EXPECT_THAT(line, Not(HasSubstr("\n")));
   EXPECT_EQ(findings_from_line(line).value(), findings);

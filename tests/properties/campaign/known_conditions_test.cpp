@@ -178,5 +178,44 @@ TEST(KnownConditions, AskOfSomeTriangleWhereNothingWasDrawn) {
       when, [](auto& c) { c.positions[3].w = 0; }, violation));
 }
 
+TEST(KnownConditions, KnowDepthPlanesWithDepthClampToo) {
+  const auto clamped = [](float z) {
+    return [z](cases::Case& c) {
+      c.positions[0].z = z;
+      c.depth_clamp = true;
+    };
+  };
+  EXPECT_FALSE(has(KnownFact::before_near));
+  EXPECT_TRUE(has(KnownFact::before_near, clamped(-0.5F)));
+  EXPECT_FALSE(has(KnownFact::before_near, clamped(1.5F)));
+  EXPECT_FALSE(has(KnownFact::beyond_far));
+  EXPECT_TRUE(has(KnownFact::beyond_far, clamped(1.5F)));
+}
+
+TEST(KnownConditions, KnowPerspectiveAndState) {
+  EXPECT_FALSE(has(KnownFact::perspective));
+  EXPECT_TRUE(has(KnownFact::perspective, [](auto& c) { c.positions[2].w = 2; }));
+  EXPECT_FALSE(has(KnownFact::snapped));
+  EXPECT_TRUE(has(KnownFact::snapped, [](auto& c) { c.coverage = cases::Snapping{}; }));
+  EXPECT_FALSE(has(KnownFact::depth_clear));
+  EXPECT_TRUE(has(KnownFact::depth_clear, [](auto& c) { c.depth_clear = 0.5F; }));
+}
+
+TEST(KnownConditions, KnowTiesAndDegenerateTriangles) {
+  const auto is = [](KnownFact fact, std::optional<records::Enclosure> distance) {
+    KnownConditions when;
+    when.facts[fact] = true;
+    Violation violation;
+    violation.fragment_class = records::FragmentClass::extra;
+    violation.distance = distance;
+    return is_met(when, {}, violation);
+  };
+  EXPECT_TRUE(is(KnownFact::tie, records::Enclosure{0, 0}));
+  EXPECT_FALSE(is(KnownFact::tie, records::Enclosure{0, 0x1p-60}));
+  EXPECT_FALSE(is(KnownFact::tie, std::nullopt));
+  EXPECT_TRUE(is(KnownFact::degenerate, std::nullopt));
+  EXPECT_FALSE(is(KnownFact::degenerate, records::Enclosure{0, 0}));
+}
+
 }  // namespace
 }  // namespace rastercheck::properties::known_conditions_test

@@ -12,6 +12,7 @@
 namespace rastercheck::properties::known_defects_test {
 namespace {
 
+using records::Staleness;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -26,30 +27,31 @@ std::unique_ptr<backends::Backend> driver(const std::string& name = "driver") {
 KnownDefects known_defects(backends::Backend& backend) {
   const TemporaryFolder folder;
   put_known(folder);
-  return read_known_defects(folder.path(), backend).value().value();
+  return read_known_defects({folder.path()}, "damaged", backend).value().value();
 }
 
 std::string refusal(const TemporaryFolder& folder) {
-  const auto read = read_known_defects(folder.path(), *driver());
+  const auto read = read_known_defects({folder.path()}, "damaged", *driver());
   return read ? "was read" : read.error().place + ": " + read.error().reason;
 }
 
 TEST(KnownDefects, AreReadWithTheirCases) {
   const KnownDefects known = known_defects(*driver());
-  EXPECT_THAT(known.list.entries, SizeIs(1));
-  EXPECT_THAT(known.cases, ElementsAre(scissored_square()));
-  EXPECT_TRUE(known.is_same_version());
-  EXPECT_FALSE(known_defects(*driver("newer")).is_same_version());
+  EXPECT_THAT(known.defects, SizeIs(1));
+  EXPECT_THAT(known.cases(), ElementsAre(scissored_square()));
+  EXPECT_EQ(known.defects[0].staleness, Staleness::wrong_list);
+  EXPECT_EQ(known_defects(*driver("newer")).defects[0].staleness, Staleness::other_version);
 }
 
 TEST(KnownDefects, AreNoneWhereThereIsNoListOrNoDriver) {
   const TemporaryFolder folder;
-  EXPECT_EQ(read_known_defects(folder.path(), *driver()).value().has_value(), false);
+  EXPECT_EQ(read_known_defects({folder.path()}, "damaged", *driver()).value().has_value(), false);
   put_known(folder);
-  EXPECT_EQ(read_known_defects("", *driver()).value().has_value(), false);
-  EXPECT_EQ(
-      read_known_defects(folder.path(), *backends::make_backend("cpu").value()).value().has_value(),
-      false);
+  EXPECT_EQ(read_known_defects({}, "damaged", *driver()).value().has_value(), false);
+  EXPECT_EQ(read_known_defects({folder.path()}, "cpu", *backends::make_backend("cpu").value())
+                .value()
+                .has_value(),
+            false);
 }
 
 TEST(KnownDefects, AreRefusedWhereTheyDoNotFit) {
@@ -86,7 +88,8 @@ TEST(KnownDefects, AreNotReadFromElsewhere) {
   put_known(folder);
   folder.put("inner/file", "");
   Elsewhere elsewhere;
-  EXPECT_EQ(read_known_defects(folder.path("inner"), elsewhere).value().has_value(), false);
+  EXPECT_EQ(read_known_defects({folder.path("inner")}, "damaged", elsewhere).value().has_value(),
+            false);
 }
 
 /// What checking the scissored square finds; `damage` is the backend's.
@@ -125,7 +128,7 @@ TEST(KnownDefects, DoNotExplainWhatElseIsWrongWithACase) {
 // Kills: shrinking a new failure into a known one, which is smaller here, as it has no scissor.
 TEST(KnownDefects, AreNotWhatANewFailureIsShrunkTo) {
   KnownDefects known = known_defects(*driver());
-  known.list.entries[0].when.facts = {{records::KnownFact::scissor, false}};
+  known.defects[0].entry.when.facts = {{records::KnownFact::scissor, false}};
   DamagedBackend backend([](const auto&, auto& d) {
     if (d.size() > 0) drop(d, d.triangle.back(), d.x.back(), d.y.back());
   });
@@ -159,12 +162,14 @@ TEST(KnownDefects, ThatAreGoneAreViolationsUnderTheirVersionOnly) {
   const Findings same = checked_entry("mended");
   EXPECT_EQ(same.records.begin()->second.cases, (records::CaseCounts{1, 0, 1, 0}));
   EXPECT_THAT(same.unexpected,
-              ElementsAre(records::UnexpectedPass{"damaged:mended", "damaged-1", kCoverage, true}));
+              ElementsAre(records::UnexpectedPass{"damaged:mended", "damaged-1", kCoverage,
+                                                  Staleness::wrong_list}));
   EXPECT_THAT(same.counterexamples, IsEmpty());
   const Findings other = checked_entry("newer");
   EXPECT_EQ(other.records.begin()->second.cases, (records::CaseCounts{1, 0, 0, 0}));
   EXPECT_THAT(other.unexpected,
-              ElementsAre(records::UnexpectedPass{"damaged:newer", "damaged-1", kCoverage, false}));
+              ElementsAre(records::UnexpectedPass{"damaged:newer", "damaged-1", kCoverage,
+                                                  Staleness::other_version}));
 }
 
 TEST(KnownDefects, AreTasksOfTheLawsThatAreRun) {
@@ -178,7 +183,7 @@ TEST(KnownDefects, AreTasksOfTheLawsThatAreRun) {
 TEST(KnownDefects, AreReadByWhoRunsTheTasks) {
   const TemporaryFolder folder;
   put_known(folder);
-  TaskRunner runner({.seed = 1, .backends = {"damaged:driver", "cpu"}}, {}, folder.path());
+  TaskRunner runner({.seed = 1, .backends = {"damaged:driver", "cpu"}}, {}, {folder.path()});
   EXPECT_THAT(runner.known().value(), SizeIs(1));
   const Findings findings =
       runner.run({"damaged:driver", kCoverage, TaskKind::known, 0, 1}).value();
@@ -193,7 +198,7 @@ TEST(KnownDefects, AreToldApartByADigest) {
   const std::string digest = digest_of_known({{"damaged:driver", known}});
   EXPECT_EQ(digest, digest_of_known({{"damaged:driver", known}}));
   KnownDefects other = known;
-  other.cases[0].positions[0].x = 0;
+  other.defects[0].shown->positions[0].x = 0;
   EXPECT_NE(digest, digest_of_known({{"damaged:driver", other}}));
   EXPECT_NE(digest, digest_of_known({{"damaged:newer", known_defects(*driver("newer"))}}));
 }

@@ -107,5 +107,19 @@ TEST_F(PutRight, OfNoPartChangesNothing) {
   EXPECT_EQ(drawn_.size(), size);
 }
 
+// Kills: a fault that is known and hides another, which is put right with it.
+TEST_F(PutRight, LeavesWhatIsNotMeant) {
+  erase_first();
+  drawn_.depth.back() = 7;
+  put_right(
+      case_, right_.contract,
+      [](const records::Violation& violation) {
+        return violation.fragment_class == records::FragmentClass::missing;
+      },
+      drawn_);
+  EXPECT_EQ(drawn_.triangle, right_.fragments.triangle);
+  EXPECT_EQ(drawn_.depth.back(), 7);
+}
+
 }  // namespace
 }  // namespace rastercheck::properties::put_right_test

@@ -47,7 +47,8 @@ records::Run shard(std::uint64_t index) {
   record.labels["tie"] = index;
   run.cases.emplace()[{kLaw, "cpu", records::Origin::random, index}].found_digest = index;
   run.counterexamples = {found_at(10 - index)};
-  run.unexpected = {{"cpu", "driver-" + std::to_string(index), kLaw, true}};
+  run.unexpected = {
+      {"cpu", "driver-" + std::to_string(index), kLaw, records::Staleness::wrong_list}};
   run.environment = {{"version", "1.2.3"},
                      {"machine", index == 2 ? "another" : "this"},
                      {"seconds", "1.5"},
@@ -209,7 +210,7 @@ TEST(ShardMerge, NamesTheDifferenceOfAnotherCampaign) {
   EXPECT_EQ(error([](records::Run& run) { run.shard->corpus_digest = "x\n"; }),
             start + "its corpus' digest is x\\n, and 0123456789abcdef there");
   EXPECT_EQ(error([](records::Run& run) {
-              run.known.push_back({"cpu", "22.3.6", {}});
+              run.known.push_back({"cpu", "known.json", "22.3.6", {}, {}});
             }),
             start + "its known drivers have 'cpu 22.3.6', which is not among those there");
   EXPECT_EQ(error([](records::Run& run) { run.shard->known_digest = "1"; }),

@@ -1,0 +1,289 @@
+// `rastercheck known add` and `known expect`: what is wrong with a backend and is to stay so.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "cases/files.h"
+#include "cases/json.h"
+#include "cli/backend_failure.h"
+#include "cli/command.h"
+#include "cli/contract_option.h"
+#include "cli/corpus_folder.h"
+#include "cli/isolation.h"
+#include "properties/campaign/known_defects.h"
+#include "properties/campaign/waiver.h"
+#include "records/expectations.h"
+#include "records/known_json.h"
+#include "reports/run_reader.h"
+
+namespace rastercheck::cli::known_command {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AddOptions {
+  std::vector<std::string> files;
+  std::string reason;
+  std::string until;
+  std::string list;
+  std::string id;
+  std::string backend;
+  std::string contract;
+  std::optional<cases::DriverPromise> promise;
+  double timeout = kDefaultTimeout;
+  bool quiet = false;
+};
+
+struct ExpectOptions {
+  std::vector<std::string> runs;
+  std::string output;
+  bool quiet = false;
+};
+
+/// Counterexamples, and the one backend that draws them.
+struct Given {
+  std::vector<cases::Case> cases;
+  std::string backend;
+};
+
+Result<Given> read_given(const AddOptions& options) {
+  Given given{{}, options.backend};
+  for (const std::string& file : options.files) {
+    Result<cases::Case> c = cases::read_case(file);
+    if (!c) return tl::unexpected(c.error());
+    const std::string of = c->found ? c->found->backend : "";
+    if (given.backend.empty()) given.backend = of;
+    if (given.backend.empty()) {
+      return tl::unexpected(Error{file, "/found", "is missing: no counterexample of a run"});
+    }
+    if (options.backend.empty() && of != given.backend) {
+      return tl::unexpected(Error{file, "/found/backend",
+                                  fmt::format("is {}, and that of {} is {}", cases::printable(of),
+                                              options.files[0], cases::printable(given.backend))});
+    }
+    given.cases.push_back(*std::move(c));
+  }
+  return given;
+}
+
+/// The list so far; an empty one of a file that is not there.
+Result<records::KnownList> read_list(const std::string& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return records::KnownList();
+  Result<records::KnownList> list = cases::read_text(file).and_then(
+      [&file](const std::string& text) { return records::parse_known(text, file); });
+  if (list && list->driver) {
+    return tl::unexpected(
+        Error{file, "/driver",
+              "is a driver's list, whose entries name a rule and a finding: write those"});
+  }
+  return list;
+}
+
+/// "little" of "plugin:build/liblittle.so", "cpu" of "cpu:precision=float32".
+std::string stem_of(const std::string& backend) {
+  const std::string name = properties::known_name_of(backend);
+  const std::size_t colon = name.find(':');
+  const bool is_plugin = name != backend || backend.starts_with("plugin:");
+  std::string stem =
+      is_plugin ? fs::path(name.substr(colon + 1)).stem().string() : name.substr(0, colon);
+  if (is_plugin && stem.starts_with("lib")) stem.erase(0, 3);
+  std::replace_if(
+      stem.begin(), stem.end(),
+      [](char c) { return c == '/' || c == ' ' || !(c > ' ' && c < '\x7f'); }, '-');
+  return stem.empty() ? "known" : stem;
+}
+
+/// The first of "little-1", "little-2", … that no entry has.
+std::string free_id(const std::string& stem, const records::KnownList& list) {
+  std::set<std::string> ids;
+  for (const records::KnownEntry& entry : list.entries) ids.insert(entry.id);
+  std::size_t number = 1;
+  while (ids.contains(fmt::format("{}-{}", stem, number))) ++number;
+  return fmt::format("{}-{}", stem, number);
+}
+
+bool is_plain_word(const std::string& word) {
+  return !word.empty() && word.front() != '.' && std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.' || c == '+';
+  });
+}
+
+/// Writes the entry and its case; the list last, so that none names a case that is not there.
+Result<void> write_entry(const std::string& file, records::KnownList list,
+                         const records::KnownEntry& entry, cases::Case shown) {
+  const fs::path folder = fs::path(file).parent_path();
+  const fs::path of_case = folder / entry.case_file;
+  std::error_code why;
+  fs::create_directories(of_case.parent_path(), why);
+  if (why) {
+    return tl::unexpected(
+        Error{of_case.parent_path().string(), "", "cannot be made: " + why.message()});
+  }
+  if (fs::exists(of_case, why)) {
+    return tl::unexpected(
+        Error{of_case.string(), "", "is there already (--id gives another name)"});
+  }
+  list.entries.push_back(entry);
+  // Nothing is written that could not be read again.
+  const std::string text = cases::json_of(list).dump(2) + "\n";
+  if (const auto read = records::parse_known(text, file); !read) {
+    return tl::unexpected(read.error());
+  }
+  return cases::write_file(of_case.string(), cases::to_json(shown)).and_then([&] {
+    return cases::write_file(file, text);
+  });
+}
+
+ExitCode add(const AddOptions& options) {
+  const Result<Given> given = read_given(options);
+  if (!given) return fail(given.error());
+  const std::string file =
+      options.list.empty() ? properties::list_beside(given->backend) : options.list;
+  if (file.empty()) {
+    return fail({"--known", "",
+                 fmt::format("is needed: no list lies beside {}, which is no plugin",
+                             cases::printable(given->backend))});
+  }
+  const Result<records::KnownList> list = read_list(file);
+  if (!list) return fail(list.error());
+  const auto terms = read_terms(options.contract, options.promise);
+  if (!terms) return fail(terms.error());
+  const backends::BackendFactory factory = backend_factory(options.timeout, *terms);
+  if (const ExitCode code = check_backends(factory, {given->backend}); code != ExitCode::ok) {
+    return code;
+  }
+  const auto backend = factory.make(given->backend);
+  if (!backend) return fail(backend.error());
+  // Faults that are known already are put right before this one is looked for.
+  properties::KnownSources sources = known_sources_of(properties::KnownSources());
+  std::error_code ignored;
+  if (fs::exists(file, ignored)) sources.push_back(file);
+  const auto known = properties::read_known_defects(sources, given->backend, **backend);
+  if (!known) return fail(known.error());
+  Result<properties::Waiver> waiver = properties::make_waiver(
+      given->cases, options.files, **backend, known->value_or(properties::KnownDefects()));
+  if (!waiver) return fail(waiver.error());
+
+  records::KnownEntry& entry = waiver->entry;
+  entry.id = options.id.empty() ? free_id(stem_of(given->backend), *list) : options.id;
+  if (!is_plain_word(entry.id)) {
+    return fail({"--id", "", "a name of letters, digits, '-', '_', '+' and '.' is needed"});
+  }
+  entry.reason = options.reason;
+  entry.until = options.until;
+  entry.backends = {properties::known_name_of(given->backend)};
+  entry.case_file = "known/" + entry.id + ".json";
+  cases::Case shown = given->cases.front();
+  shown.found->backend = entry.backends.front();
+  const Result<void> written = write_entry(file, *list, entry, std::move(shown));
+  if (!written) return fail(written.error());
+  if (options.quiet) return ExitCode::ok;
+  const nlohmann::json in_list = cases::json_of(records::KnownList{std::nullopt, {entry}});
+  fmt::print("{} in {}: {}\n  {}, when {}\n", entry.id, file, cases::printable(waiver->sentence),
+             cases::json_line(in_list.at("entries").at(0).at("verdicts")),
+             cases::json_line(in_list.at("entries").at(0).at("when")));
+  return ExitCode::ok;
+}
+
+ExitCode expect(const ExpectOptions& options) {
+  std::vector<records::Run> runs;
+  for (const std::string& folder : options.runs) {
+    Result<records::Run> run = reports::read_run(folder + "/run.json");
+    if (!run) return fail(run.error());
+    runs.push_back(*std::move(run));
+  }
+  const records::ExpectationTexts texts = records::expectations_of(runs);
+  const std::pair<const char*, const std::string*> files[] = {
+      {"-fails.txt", &texts.fails}, {"-flakes.txt", &texts.flakes}, {"-skips.txt", &texts.skips}};
+  for (const auto& [ending, text] : files) {
+    const std::string file = options.output + ending;
+    const Result<void> written = cases::write_file(file, *text);
+    if (!written) return fail(written.error());
+    if (options.quiet) continue;
+    fmt::print("{}: {}\n", file, std::count(text->begin(), text->end(), '\n'));
+  }
+  return ExitCode::ok;
+}
+
+void set_up_add(CLI::App& app, AddOptions& options) {
+  app.add_option("COUNTEREXAMPLE", options.files,
+                 "Counterexamples of one cause and backend, as a run saves them")
+      ->type_name(kFile)
+      ->required();
+  app.add_option("--reason", options.reason, "Why it is to stay, in one sentence")
+      ->type_name("TEXT")
+      ->required();
+  app.add_option("--until", options.until,
+                 "The last day on which it is known, 2027-01-31; it counts again after that")
+      ->type_name("DATE");
+  app.add_option("--known", options.list,
+                 "List that it is added to, made where it is missing; without it known.json beside "
+                 "the plugin")
+      ->type_name(kFile);
+  app.add_option("--id", options.id, "Its name; without it that of the backend and a number")
+      ->type_name("NAME");
+  app.add_option("--backend", options.backend,
+                 "What draws; without it the one that the counterexamples are of")
+      ->type_name(kBackend);
+  add_contract(app, options.contract);
+  add_promise(app, options.promise);
+  add_timeout(app, options.timeout);
+  app.add_flag("-q,--quiet", options.quiet, "Prints nothing");
+}
+
+Action set_up(CLI::App& app) {
+  const auto adding = std::make_shared<AddOptions>();
+  const auto expecting = std::make_shared<ExpectOptions>();
+  app.require_subcommand(1);
+  CLI::App* const add_command =
+      app.add_subcommand("add", "Has runs know the fault that counterexamples are of");
+  set_up_add(*add_command, *adding);
+  add_command->footer(
+      "It is tried what the counterexamples need to fail, and the list gets an entry that asks for "
+      "just that. Runs hold violations against known.json beside a plugin, and against what "
+      "--known names; they end with exit code 0 if all are known.\n\n"
+      "Exit code 0 if the entry was written, 2 if the law holds here, 4 if the backend cannot run "
+      "here.\n\n"
+      "Example:\n"
+      "  rastercheck known add rastercheck-out/counterexamples/NAME.json \\\n"
+      "    --reason \"Edges are inclusive.\" --until 2027-06-30");
+  CLI::App* const expect_command =
+      app.add_subcommand("expect", "Writes expectation lists that say what runs found");
+  expect_command
+      ->add_option("DIR", expecting->runs,
+                   "Output folders of runs; laws that some violated and others did not are flakes")
+      ->type_name(kFolder)
+      ->required();
+  expect_command
+      ->add_option("--output", expecting->output,
+                   "What the names of the three lists begin with: NAME-fails.txt, NAME-flakes.txt, "
+                   "NAME-skips.txt")
+      ->type_name("NAME")
+      ->required();
+  expect_command->add_flag("-q,--quiet", expecting->quiet, "Prints nothing");
+  expect_command->footer(
+      "Prints how many names each list has.\n\n"
+      "Example:\n"
+      "  rastercheck known expect rastercheck-out --output llvmpipe\n"
+      "  rastercheck run --backend gl:llvmpipe --known llvmpipe-fails.txt");
+  app.footer("docs/known-defects.md says what lists are and how they are kept.");
+  return [&app, adding, expecting] {
+    return app.got_subcommand("add") ? add(*adding) : expect(*expecting);
+  };
+}
+
+const Registration kRegistration("known", "Says what is wrong with a backend and is to stay so",
+                                 &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli::known_command

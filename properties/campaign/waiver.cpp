@@ -1,0 +1,321 @@
+#include "properties/campaign/waiver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "oracle/transform.h"
+#include "properties/campaign/causes.h"
+#include "properties/campaign/check_case.h"
+#include "properties/campaign/internal/amendment.h"
+#include "properties/campaign/internal/explanation.h"
+#include "properties/campaign/internal/failure.h"
+#include "properties/campaign/internal/put_right.h"
+#include "properties/campaign/known_defects.h"
+#include "properties/drawing.h"
+#include "properties/judged_law.h"
+#include "records/counterexample.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+using records::KnownFact;
+
+/// Which kind of entry a failure asks for.
+enum class Scope {
+  drawing,  ///< what is drawn is wrong
+  laws,     ///< it is right, and laws fail all the same
+  none,     ///< nothing is drawn
+};
+
+/// A counterexample that was tried again.
+struct Subject {
+  const cases::Case* source;
+  const Law* law;
+  records::Counterexample one;  ///< with its explanation
+  Scope scope = Scope::drawing;
+};
+
+/// Gathers what an entry of several failures has to say.
+struct Conditions {
+  std::set<FragmentClass> verdicts;
+  std::set<AttributeKind> kinds;
+  std::set<std::string> laws;
+  std::optional<std::set<std::string>> needs;  ///< of all
+  std::set<std::string> notes;
+  double reach = 0;            ///< how far off an edge may be, in pixels
+  bool are_degenerate = true;  ///< no triangle has an area
+};
+
+/// The facts that say what is needed, where trying tells more than chance: what a change of sizes
+/// meets by accident has none.
+constexpr std::array<std::pair<std::string_view, KnownFact>, 12> kFacts{
+    {{"w <= 0", KnownFact::nonpositive_w},
+     {"near plane", KnownFact::before_near},
+     {"far plane", KnownFact::beyond_far},
+     {"clip distances", KnownFact::clip_distances},
+     {"perspective", KnownFact::perspective},
+     {"snapping", KnownFact::snapped},
+     {"tie", KnownFact::tie},
+     {"depth clamp", KnownFact::depth_clamp},
+     {"depth test", KnownFact::depth_test},
+     {"depth clear", KnownFact::depth_clear},
+     {"scissor", KnownFact::scissor},
+     {"culling", KnownFact::culling}}};
+
+Result<Subject> tried(const cases::Case& source, const std::string& name,
+                      backends::Backend& backend, const KnownDefects& known) {
+  const auto refuse = [&name](const std::string& place, const std::string& why) {
+    return tl::unexpected(Error{name, place, why});
+  };
+  if (!source.found) return refuse("/found", "is missing: only a counterexample can be known");
+  const Law* const law = find_law(source.found->law);
+  if (law == nullptr) {
+    return refuse("/found/law", "there is no law '" + cases::printable(source.found->law) + "'");
+  }
+  const std::uint64_t index = source.found->index;
+  Check check = check_or_note(*law, source, backend, index, &known);
+  if (check.fault) return refuse("", *check.fault);
+  if (check.violation_count == 0) {
+    return refuse("", "the law " + source.found->law + " holds here: there is nothing to waive");
+  }
+  if (!check.known.empty()) return refuse("", "is known already: " + check.known.front());
+  put_alike_first(check, source, *source.found);
+  Subject subject{&source, law, {source, check.violation_count, check.violations}, Scope::drawing};
+  const bool is_drawn = check.violations.empty() || check.violations.front().has_place();
+  if (!is_drawn) subject.scope = Scope::none;
+  // A backend that hangs takes the whole time-out each time that it is asked.
+  if (verdict_of(check) == to_string(FragmentClass::hang)) return subject;
+  subject.one.explanation = explain(*law, backend, subject.one, source, &known, {});
+  if (!subject.one.explanation) return refuse("", "failed once, and not again when it was tried");
+  if (is_drawn && subject.one.explanation->parts.empty()) subject.scope = Scope::laws;
+  return subject;
+}
+
+/// How far a sample on an edge as it is drawn may be from the exact edge, in pixels: vertices move
+/// along both axes by up to a grid step, or half of one, and what positions are off besides.
+double reach_of(const cases::Contract& contract) {
+  if (!contract.coverage) return 0;
+  const cases::Snapping& snapping = *contract.coverage;
+  const bool is_nearest = snapping.rounding != cases::Rounding::unspecified;
+  const double steps = (is_nearest ? 0.5 : 1.0) + double{snapping.position_error};
+  return std::nextafter(std::sqrt(2.0), 2.0) * std::ldexp(steps, -snapping.subpixel_bits);
+}
+
+/// Adds what the judge finds wrong with the plain drawing of a case, in the parts that have to be
+/// put right.
+void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDefects& known,
+               Conditions& conditions) {
+  const Result<cases::ClipCase> c = oracle::to_clip_case(*subject.source, "");
+  if (!c) return;
+  const MoreAmended amended(backend, known_amendment(known, backend));
+  const Result<backends::Drawn> drawn = draw(*c, backend);
+  if (!drawn) return;
+  conditions.reach = std::max(conditions.reach, reach_of(drawn->contract));
+  const auto& parts = subject.one.explanation->parts;
+  const Check check =
+      judge_drawn(*c, drawn->contract, drawn->fragments, {}, subject.source->found->index);
+  for (const records::Violation& violation : check.violations) {
+    if (violation.distance || violation.kind != AttributeKind::coverage) {
+      conditions.are_degenerate = false;
+    }
+  }
+  for (const auto& [kind, errors] : check.judgement.errors) {
+    if (std::find(parts.begin(), parts.end(), part_of(kind)) == parts.end()) continue;
+    const auto& counts = errors.classes.counts;
+    for (std::size_t i = 1; i < counts.size(); ++i) {
+      if (counts[i] == 0) continue;
+      conditions.kinds.insert(kind);
+      conditions.verdicts.insert(static_cast<FragmentClass>(i));
+      // With a depth test what is drawn too much may be in front of the nearest.
+      if (static_cast<FragmentClass>(i) == FragmentClass::extra) {
+        conditions.verdicts.insert(FragmentClass::wrong_triangle);
+      }
+    }
+  }
+}
+
+/// The longest part of a message without numbers, which may be others in each case.
+std::string steady_part(const std::string& note) {
+  const std::string text = without_numbers(note);
+  std::string longest;
+  for (std::size_t first = 0; first < text.size();) {
+    const std::size_t end = std::min(text.find('#', first), text.size());
+    std::string_view part(text.data() + first, end - first);
+    while (part.starts_with(' ')) part.remove_prefix(1);
+    while (part.ends_with(' ')) part.remove_suffix(1);
+    if (part.size() > longest.size()) longest = part;
+    first = end + 1;
+  }
+  return longest;
+}
+
+void add(const Subject& subject, backends::Backend& backend, const KnownDefects& known,
+         Conditions& conditions) {
+  if (subject.scope == Scope::drawing) {
+    add_drawn(subject, backend, known, conditions);
+  } else {
+    for (const records::Violation& violation : subject.one.violations) {
+      conditions.verdicts.insert(violation.fragment_class);
+      conditions.kinds.insert(violation.kind);
+      if (!violation.has_place()) conditions.notes.insert(steady_part(violation.note));
+    }
+    conditions.laws.insert(std::string(subject.law->id));
+    if (subject.one.explanation) {
+      const auto& also = subject.one.explanation->also_violates;
+      conditions.laws.insert(also.begin(), also.end());
+    }
+  }
+  std::set<std::string> needs;
+  if (subject.one.explanation) {
+    needs.insert(subject.one.explanation->needs.begin(), subject.one.explanation->needs.end());
+  }
+  if (!conditions.needs) {
+    conditions.needs = std::move(needs);
+  } else {
+    std::erase_if(*conditions.needs,
+                  [&needs](const std::string& need) { return !needs.contains(need); });
+  }
+}
+
+records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
+  records::KnownEntry entry;
+  if (scope == Scope::laws) entry.laws.assign(conditions.laws.begin(), conditions.laws.end());
+  // Whatever is asked of what draws nothing fails.
+  if (scope == Scope::none) entry.laws = {"*"};
+  entry.verdicts.assign(conditions.verdicts.begin(), conditions.verdicts.end());
+  entry.when.attribute_kinds.assign(conditions.kinds.begin(), conditions.kinds.end());
+  if (conditions.notes.size() == 1) entry.when.note = *conditions.notes.begin();
+  const bool are_degenerate = scope == Scope::drawing && conditions.are_degenerate;
+  if (are_degenerate) entry.when.facts[KnownFact::degenerate] = true;
+  for (const auto& [need, fact] : kFacts) {
+    const bool is_needed = conditions.needs->contains(std::string(need));
+    const bool is_of_coverage = conditions.kinds == std::set{AttributeKind::coverage};
+    if (!is_needed || (fact == KnownFact::tie && !is_of_coverage)) continue;
+    // A sample of such a triangle lies on its edges, or far from it.
+    if (fact == KnownFact::tie && are_degenerate) continue;
+    if (fact == KnownFact::tie && conditions.reach > 0) {
+      entry.when.limits[records::KnownLimit::distance_at_most] = conditions.reach;
+    } else {
+      entry.when.facts[fact] = true;
+    }
+  }
+  if (conditions.needs->contains("samples")) entry.when.samples = {2, 4, 8, 16};
+  return entry;
+}
+
+/// Asks whether all subjects are known by what is known and an entry, and nothing of them is new.
+class Explains {
+ public:
+  Explains(const std::vector<Subject>& subjects, backends::Backend& backend,
+           const KnownDefects& known)
+      : subjects_(&subjects), backend_(&backend), known_(&known) {}
+
+  bool operator()(const records::KnownEntry& entry) const {
+    KnownDefects known = *known_;
+    known.defects.push_back({entry, std::nullopt, records::Staleness::waiver});
+    known.defects.back().entry.id = "this one";
+    return std::all_of(subjects_->begin(), subjects_->end(), [&](const Subject& subject) {
+      const Check check = check_or_note(*subject.law, *subject.source, *backend_,
+                                        subject.source->found->index, &known);
+      return check.violation_count > 0 && !check.known.empty();
+    });
+  }
+
+ private:
+  const std::vector<Subject>* subjects_;
+  backends::Backend* backend_;
+  const KnownDefects* known_;
+};
+
+/// The conditions as far as the subjects leave them: something may be needed, and not be so of the
+/// very triangle or sample where it shows. Nothing where no condition helps.
+std::optional<records::KnownEntry> widened(const records::KnownEntry& entry,
+                                           const Explains& explains) {
+  records::KnownEntry least = entry;
+  least.when.facts.clear();
+  least.when.limits.clear();
+  least.when.samples.clear();
+  if (!explains(least)) return std::nullopt;
+  const auto keep_if_explained = [&](const auto& add_condition) {
+    records::KnownEntry narrower = least;
+    add_condition(narrower.when);
+    if (explains(narrower)) least = std::move(narrower);
+  };
+  for (const auto& fact : entry.when.facts) {
+    keep_if_explained([&](records::KnownConditions& when) { when.facts.insert(fact); });
+  }
+  for (const auto& limit : entry.when.limits) {
+    keep_if_explained([&](records::KnownConditions& when) { when.limits.insert(limit); });
+  }
+  keep_if_explained([&](records::KnownConditions& when) { when.samples = entry.when.samples; });
+  return least;
+}
+
+/// Makes an entry of the failures' laws alone.
+records::KnownEntry of_laws(records::KnownEntry entry, const std::vector<Subject>& subjects) {
+  std::set<std::string> laws;
+  std::set<FragmentClass> verdicts;
+  std::set<AttributeKind> kinds;
+  for (const Subject& subject : subjects) {
+    laws.emplace(subject.law->id);
+    for (const records::Violation& violation : subject.one.violations) {
+      verdicts.insert(violation.fragment_class);
+      kinds.insert(violation.kind);
+    }
+  }
+  entry.laws.assign(laws.begin(), laws.end());
+  entry.verdicts.assign(verdicts.begin(), verdicts.end());
+  entry.when.attribute_kinds.assign(kinds.begin(), kinds.end());
+  return entry;
+}
+
+/// The narrowest entry that explains all subjects. One of drawings has all the conditions that were
+/// found, or it would be of much else that is wrong: then of their laws alone.
+std::optional<records::KnownEntry> narrowest(const records::KnownEntry& entry,
+                                             const std::vector<Subject>& subjects,
+                                             const Explains& explains) {
+  if (explains(entry)) return entry;
+  return widened(entry.laws.empty() ? of_laws(entry, subjects) : entry, explains);
+}
+
+}  // namespace
+
+Result<Waiver> make_waiver(std::span<const cases::Case> counterexamples,
+                           std::span<const std::string> names, backends::Backend& backend,
+                           const KnownDefects& known) {
+  std::vector<Subject> subjects;
+  std::vector<records::Counterexample> all;
+  Conditions conditions;
+  for (std::size_t i = 0; i < counterexamples.size(); ++i) {
+    Result<Subject> subject = tried(counterexamples[i], names[i], backend, known);
+    if (!subject) return tl::unexpected(subject.error());
+    if (!subjects.empty() && subjects.front().scope != subject->scope) {
+      return tl::unexpected(
+          Error{names[i], "", "is of another cause than " + names[0] + ": add them one by one"});
+    }
+    add(*subject, backend, known, conditions);
+    all.push_back(subject->one);
+    subjects.push_back(*std::move(subject));
+  }
+  const std::optional<records::KnownEntry> entry = narrowest(
+      entry_of(conditions, subjects.front().scope), subjects, Explains(subjects, backend, known));
+  if (!entry) {
+    return tl::unexpected(
+        Error{names[0], "",
+              "no conditions were found that it can be known by; " +
+                  std::string("docs/known-defects.md says how to write an entry")});
+  }
+  return Waiver{*entry, causes_of(all).front().sentence};
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,129 @@
+#include "properties/campaign/waiver.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "properties/campaign/check_case.h"
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties::waiver_test {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+using records::KnownFact;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+
+/// A case that a law's check of a backend found, with a scissor that takes nothing away.
+cases::Case found_case(const std::string& law = kCoverage) {
+  cases::Case c = square();
+  c.scissor = cases::Scissor{0, 0, 8, 8};
+  c.found = cases::Found{law, "damaged", "missing", 1, 0};
+  return c;
+}
+
+/// Loses a fragment where there is a scissor, of those that the contract does not leave open.
+void lose_with_scissor(const cases::Case& c, cases::Fragments& drawn) {
+  if (c.scissor) drop(drawn, 0, 1, 1);
+}
+
+Result<Waiver> waiver_of(const std::vector<cases::Case>& all, backends::Backend& backend,
+                         const KnownDefects& known = {}) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < all.size(); ++i) names.push_back("case " + std::to_string(i));
+  return make_waiver(all, names, backend, known);
+}
+
+KnownDefects known_by(const Waiver& waiver) {
+  KnownDefects known;
+  known.defects.push_back({waiver.entry, std::nullopt, records::Staleness::waiver});
+  known.defects.front().entry.id = "mine-1";
+  return known;
+}
+
+TEST(Waiver, AsksForWhatTheCounterexampleNeeds) {
+  DamagedBackend backend(&lose_with_scissor);
+  const Waiver waiver = waiver_of({found_case()}, backend).value();
+  EXPECT_THAT(waiver.entry.laws, IsEmpty());
+  EXPECT_THAT(waiver.entry.verdicts, ElementsAre(FragmentClass::missing));
+  EXPECT_THAT(waiver.entry.when.attribute_kinds, ElementsAre(AttributeKind::coverage));
+  EXPECT_TRUE(waiver.entry.when.facts.at(KnownFact::scissor));
+  EXPECT_THAT(waiver.sentence, HasSubstr("there is a scissor"));
+}
+
+// Kills: a waiver of one law, where one fault breaks a dozen.
+TEST(Waiver, KnowsTheFaultInOtherLaws) {
+  DamagedBackend backend(&lose_with_scissor);
+  const KnownDefects known = known_by(waiver_of({found_case()}, backend).value());
+  int violated = 0;
+  for (const Law& law : laws()) {
+    const Check check = check_or_note(law, found_case(), backend, 0, &known);
+    if (check.violation_count == 0) continue;
+    ++violated;
+    EXPECT_THAT(check.known, ElementsAre("mine-1")) << law.id;
+  }
+  EXPECT_GT(violated, 1);
+}
+
+// Kills: a waiver that hides another fault of the same part, or of another part of the same case.
+TEST(Waiver, DoesNotHideAnotherFault) {
+  DamagedBackend damaged(&lose_with_scissor);
+  const KnownDefects known = known_by(waiver_of({found_case()}, damaged).value());
+  DamagedBackend worse([](const cases::Case& c, cases::Fragments& drawn) {
+    lose_with_scissor(c, drawn);
+    add(drawn, 1, 2, 2);
+  });
+  const Check both = check_or_note(*find_law(kCoverage), found_case(), worse, 0, &known);
+  EXPECT_THAT(both.known, IsEmpty());
+  ASSERT_EQ(both.violation_count, 1U);
+  EXPECT_EQ(both.violations.at(0).fragment_class, FragmentClass::extra);
+  cases::Case without = found_case();
+  without.scissor.reset();
+  DamagedBackend always(
+      [](const cases::Case& /*c*/, cases::Fragments& drawn) { drop(drawn, 0, 1, 1); });
+  EXPECT_THAT(check_or_note(*find_law(kCoverage), without, always, 0, &known).known, IsEmpty());
+}
+
+TEST(Waiver, IsRefusedWhereTheLawHolds) {
+  DamagedBackend backend;
+  const Result<Waiver> waiver = waiver_of({found_case()}, backend);
+  ASSERT_FALSE(waiver);
+  EXPECT_EQ(to_string(waiver.error()),
+            "case 0: the law coverage-obeys-the-contract holds here: there is nothing to waive");
+}
+
+TEST(Waiver, IsRefusedOfWhatIsNoCounterexampleOrIsKnown) {
+  DamagedBackend backend(&lose_with_scissor);
+  cases::Case no_counterexample = found_case();
+  no_counterexample.found.reset();
+  EXPECT_EQ(to_string(waiver_of({no_counterexample}, backend).error()),
+            "case 0: /found: is missing: only a counterexample can be known");
+  const KnownDefects known = known_by(waiver_of({found_case()}, backend).value());
+  EXPECT_EQ(to_string(waiver_of({found_case()}, backend, known).error()),
+            "case 0: is known already: mine-1");
+}
+
+TEST(Waiver, OfWhatDrawsNothingIsOfItsMessage) {
+  class Failing : public DamagedBackend {
+   protected:
+    Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+      return tl::unexpected(
+          Error{"", "", "out of tiles after " + std::to_string(c.triangles.size()) + " triangles"});
+    }
+  };
+  Failing backend;
+  const Waiver waiver = waiver_of({found_case()}, backend).value();
+  EXPECT_THAT(waiver.entry.laws, ElementsAre("*"));
+  EXPECT_THAT(waiver.entry.verdicts, ElementsAre(FragmentClass::failed));
+  EXPECT_EQ(waiver.entry.when.note, "out of tiles after");
+  const KnownDefects known = known_by(waiver);
+  EXPECT_THAT(check_or_note(*find_law(kCoverage), found_case(), backend, 0, &known).known,
+              ElementsAre("mine-1"));
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::waiver_test
