@@ -36,10 +36,11 @@ std::string_view own_part(std::string_view version) {
 }  // namespace
 
 Driver driver_of(std::string_view renderer, std::string_view version) {
-  const std::string_view own = own_part(version);
+  std::string_view own = own_part(version);
   std::string name;
   if (own.starts_with("NVIDIA ")) {
     name = "nvidia";
+    skip(own, "NVIDIA ");  // Vulkan's has the number alone, and one list serves both.
   } else if (renderer.find("(radeonsi") != std::string_view::npos) {
     name = "radeonsi";
   } else {

@@ -16,9 +16,9 @@ TEST(DriverName, OfMesasSoftwareDrivers) {
 
 TEST(DriverName, OfGpus) {
   EXPECT_EQ(driver_of("NVIDIA H200/PCIe/SSE2", "4.6.0 NVIDIA 550.54.15"),
-            (Driver{"nvidia", "NVIDIA 550.54.15"}));
+            (Driver{"nvidia", "550.54.15"}));
   EXPECT_EQ(driver_of("GeForce GTX 1080/PCIe/SSE2", "4.6.0 NVIDIA 460.39"),
-            (Driver{"nvidia", "NVIDIA 460.39"}));
+            (Driver{"nvidia", "460.39"}));
   EXPECT_EQ(
       driver_of("AMD Radeon RX 6800 XT (radeonsi, navi21, LLVM 15.0.6, DRM 3.49, 6.1.0-13-amd64)",
                 "4.6 (Core Profile) Mesa 22.3.6"),
