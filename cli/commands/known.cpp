@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include "cases/case_reader.h"
@@ -88,6 +89,13 @@ Result<records::KnownList> read_list(const std::string& file) {
   return list;
 }
 
+/// Whether a name of an entry, and of its case's file, may have this.
+bool is_of_word(char c) {
+  constexpr std::string_view kOthers = "-_.+";
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         kOthers.find(c) != std::string_view::npos;
+}
+
 /// "little" of "plugin:build/liblittle.so", "cpu" of "cpu:precision=float32".
 std::string stem_of(const std::string& backend) {
   const std::string name = properties::known_name_of(backend);
@@ -97,8 +105,7 @@ std::string stem_of(const std::string& backend) {
       is_plugin ? fs::path(name.substr(colon + 1)).stem().string() : name.substr(0, colon);
   if (is_plugin && stem.starts_with("lib")) stem.erase(0, 3);
   std::replace_if(
-      stem.begin(), stem.end(),
-      [](char c) { return c == '/' || c == ' ' || !(c > ' ' && c < '\x7f'); }, '-');
+      stem.begin(), stem.end(), [](char c) { return !is_of_word(c); }, '-');
   return stem.empty() ? "known" : stem;
 }
 
@@ -112,15 +119,12 @@ std::string free_id(const std::string& stem, const records::KnownList& list) {
 }
 
 bool is_plain_word(const std::string& word) {
-  return !word.empty() && word.front() != '.' && std::all_of(word.begin(), word.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.' || c == '+';
-  });
+  return !word.empty() && word.front() != '.' && std::all_of(word.begin(), word.end(), &is_of_word);
 }
 
 /// Writes the entry and its case; the list last, so that none names a case that is not there.
 Result<void> write_entry(const std::string& file, records::KnownList list,
-                         const records::KnownEntry& entry, cases::Case shown) {
+                         const records::KnownEntry& entry, const cases::Case& shown) {
   const fs::path folder = fs::path(file).parent_path();
   const fs::path of_case = folder / entry.case_file;
   std::error_code why;
@@ -185,7 +189,7 @@ ExitCode add(const AddOptions& options) {
   entry.case_file = "known/" + entry.id + ".json";
   cases::Case shown = given->cases.front();
   shown.found->backend = entry.backends.front();
-  const Result<void> written = write_entry(file, *list, entry, std::move(shown));
+  const Result<void> written = write_entry(file, *list, entry, shown);
   if (!written) return fail(written.error());
   if (options.quiet) return ExitCode::ok;
   const nlohmann::json in_list = cases::json_of(records::KnownList{std::nullopt, {entry}});

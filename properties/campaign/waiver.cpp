@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/json.h"
 #include "oracle/transform.h"
 #include "properties/campaign/causes.h"
 #include "properties/campaign/check_case.h"
