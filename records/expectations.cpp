@@ -37,17 +37,30 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kSpace) + 1);
 }
 
-/// A line's name, without comment and status; empty where it has none.
+/// A line's name, without comment and status; empty where it has none. A backend's own name may
+/// have commas and slashes, and a law's has neither.
 std::string_view name_in(std::string_view line) {
-  line = line.substr(0, line.find('#'));
-  return trimmed(line.substr(0, line.find(',')));
+  line = trimmed(line);
+  if (line.starts_with('#')) return "";
+  line = trimmed(line.substr(0, line.find(" #")));
+  const std::size_t slash = line.rfind('/');
+  return trimmed(line.substr(0, line.find(',', slash == std::string_view::npos ? 0 : slash)));
+}
+
+/// A name as a pattern that matches it alone.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '*' || c == '?' || c == '[' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text;
 }
 
 KnownEntry entry_of(std::string_view name, Expected expected) {
   KnownEntry entry;
   entry.id = name;
   entry.reason = reason_of(expected);
-  // A backend's own name may have slashes, a law's has none.
   const std::size_t slash = name.rfind('/');
   if (slash != std::string_view::npos) {
     entry.backends = {std::string(name.substr(0, slash))};
@@ -108,7 +121,7 @@ ExpectationTexts expectations_of(const std::vector<Run>& runs) {
     }
   }
   const auto line_of = [&backends](const std::string& backend, const std::string& law) {
-    return backends.size() > 1 ? fmt::format("{}/{}\n", backend, law) : law + "\n";
+    return backends.size() > 1 ? fmt::format("{}/{}\n", escaped(backend), law) : law + "\n";
   };
   ExpectationTexts texts;
   for (const auto& [key, outcome] : outcomes) {
@@ -116,12 +129,13 @@ ExpectationTexts expectations_of(const std::vector<Run>& runs) {
     std::string& text = outcome.violated == outcome.checked ? texts.fails : texts.flakes;
     text += line_of(key.first, key.second);
   }
+  std::set<std::string> skips;
   for (const Run& run : runs) {
     for (const SkippedLaw& skipped : skipped_laws(run)) {
-      const std::string line = line_of(skipped.backend, skipped.law);
-      if (texts.skips.find(line) == std::string::npos) texts.skips += line;
+      skips.insert(line_of(skipped.backend, skipped.law));
     }
   }
+  for (const std::string& line : skips) texts.skips += line;
   return texts;
 }
 

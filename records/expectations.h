@@ -7,8 +7,9 @@
 //   NAME-skips.txt    laws that are not checked at all
 //
 // A name is a law's id, a pattern of ids as of the shell, or either of one backend, BACKEND/LAW.
-// "#" begins a comment. A status after a comma, as lists of deqp-runner have it ("name,Fail"), is
-// read over: what it says of a test is said of all its violations here.
+// "#" at the beginning, or after a space, begins a comment. A status after a comma, as lists of
+// deqp-runner have it ("name,Fail"), is read over: what it says of a test is said of all its
+// violations here.
 
 #include <optional>
 #include <string>

@@ -15,6 +15,11 @@ bool matches_some(const std::vector<std::string>& patterns, const std::string& n
 
 }  // namespace
 
+bool is_skipped_by(const KnownOfBackend& known, const KnownEntry& entry) {
+  return entry.expected == Expected::skip &&
+         std::find(known.run_out.begin(), known.run_out.end(), entry.id) == known.run_out.end();
+}
+
 bool is_of_law(const KnownEntry& entry, std::string_view law) {
   return entry.laws.empty() || matches_some(entry.laws, std::string(law));
 }

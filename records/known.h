@@ -154,6 +154,8 @@ struct UnexpectedPass {
   auto operator<=>(const UnexpectedPass&) const = default;
 };
 
+/// Whether an entry of a list has its laws skipped.
+bool is_skipped_by(const KnownOfBackend& known, const KnownEntry& entry);
 /// Whether an entry is of a law: one of its patterns is the law's id, or it has none.
 bool is_of_law(const KnownEntry& entry, std::string_view law);
 /// Whether it is of a backend that is called by one of these names.

@@ -109,10 +109,12 @@ std::string stem_of(const std::string& backend) {
   return stem.empty() ? "known" : stem;
 }
 
-/// The first of "little-1", "little-2", … that no entry has.
-std::string free_id(const std::string& stem, const records::KnownList& list) {
+/// The first of "little-1", "little-2", … that no entry has, of the list or another one.
+std::string free_id(const std::string& stem, const records::KnownList& list,
+                    const properties::KnownDefects& known) {
   std::set<std::string> ids;
   for (const records::KnownEntry& entry : list.entries) ids.insert(entry.id);
+  for (const properties::KnownDefect& one : known.defects) ids.insert(one.entry.id);
   std::size_t number = 1;
   while (ids.contains(fmt::format("{}-{}", stem, number))) ++number;
   return fmt::format("{}-{}", stem, number);
@@ -172,14 +174,15 @@ ExitCode add(const AddOptions& options) {
   properties::KnownSources sources = known_sources_of(properties::KnownSources());
   std::error_code ignored;
   if (fs::exists(file, ignored)) sources.push_back(file);
-  const auto known = properties::read_known_defects(sources, given->backend, **backend);
-  if (!known) return fail(known.error());
-  Result<properties::Waiver> waiver = properties::make_waiver(
-      given->cases, options.files, **backend, known->value_or(properties::KnownDefects()));
+  const auto read = properties::read_known_defects(sources, given->backend, **backend);
+  if (!read) return fail(read.error());
+  const properties::KnownDefects known = read->value_or(properties::KnownDefects());
+  Result<properties::Waiver> waiver =
+      properties::make_waiver(given->cases, options.files, **backend, known);
   if (!waiver) return fail(waiver.error());
 
   records::KnownEntry& entry = waiver->entry;
-  entry.id = options.id.empty() ? free_id(stem_of(given->backend), *list) : options.id;
+  entry.id = options.id.empty() ? free_id(stem_of(given->backend), *list, known) : options.id;
   if (!is_plain_word(entry.id)) {
     return fail({"--id", "", "a name of letters, digits, '-', '_', '+' and '.' is needed"});
   }

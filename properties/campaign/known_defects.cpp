@@ -114,6 +114,12 @@ bool is_folder(const std::string& source) {
   return fs::is_directory(source, ignored);
 }
 
+/// A file as it is called however it was named.
+fs::path canonical(const std::string& file) {
+  std::error_code ignored;
+  return fs::weakly_canonical(file, ignored);
+}
+
 /// The lists that may be of a backend, of all sources.
 Result<std::vector<FoundList>> lists_for(const KnownSources& sources,
                                          const std::string& specification,
@@ -124,7 +130,7 @@ Result<std::vector<FoundList>> lists_for(const KnownSources& sources,
     all.push_back(*std::move(found));
     return {};
   };
-  std::set<std::string> files;
+  std::set<fs::path> files;
   for (const std::string& source : sources) {
     if (is_folder(source)) {
       const fs::path folder = fs::path(source) / (driver ? driver->name : "");
@@ -133,14 +139,14 @@ Result<std::vector<FoundList>> lists_for(const KnownSources& sources,
       if (Result<void> added = add(read_of_driver(folder)); !added) {
         return tl::unexpected(added.error());
       }
-    } else if (files.insert(source).second) {
+    } else if (files.insert(canonical(source)).second) {
       if (Result<void> added = add(read_file(source)); !added) {
         return tl::unexpected(added.error());
       }
     }
   }
   const std::string beside = sources.empty() ? "" : list_beside(specification);
-  if (!beside.empty() && is_there(beside) && !files.contains(beside)) {
+  if (!beside.empty() && is_there(beside) && !files.contains(canonical(beside))) {
     if (Result<void> added = add(read_file(beside)); !added) {
       return tl::unexpected(added.error());
     }
@@ -184,11 +190,9 @@ Result<void> add_list(FoundList found, const std::string& specification,
     }
     if (!records::is_of_backend(entry, names)) continue;
     of_backend.list.entries.push_back(entry);
+    const bool has_run_out = !entry.until.empty() && entry.until < today();
+    if (has_run_out) of_backend.run_out.push_back(entry.id);
     if (entry.expected == records::Expected::skip) continue;
-    if (!entry.until.empty() && entry.until < today()) {
-      of_backend.run_out.push_back(entry.id);
-      continue;
-    }
     const bool is_twice =
         std::any_of(known.defects.begin(), known.defects.end(),
                     [&entry](const KnownDefect& one) { return one.entry.id == entry.id; });
@@ -196,7 +200,7 @@ Result<void> add_list(FoundList found, const std::string& specification,
       return tl::unexpected(Error{found.file, cases::printable(entry.id),
                                   "is an entry of another list of the backend, too"});
     }
-    KnownDefect defect{entry, std::nullopt, staleness_of(found.list, driver)};
+    KnownDefect defect{entry, std::nullopt, staleness_of(found.list, driver), has_run_out};
     if (!entry.expected) {
       Result<cases::Case> c = read_entry_case(entry, folder);
       if (!c) return tl::unexpected(c.error());
@@ -237,8 +241,8 @@ std::vector<cases::Case> KnownDefects::cases() const {
 bool KnownDefects::is_skipped(std::string_view law) const {
   return std::any_of(lists.begin(), lists.end(), [law](const records::KnownOfBackend& known) {
     const auto& entries = known.list.entries;
-    return std::any_of(entries.begin(), entries.end(), [law](const KnownEntry& entry) {
-      return entry.expected == records::Expected::skip && records::is_of_law(entry, law);
+    return std::any_of(entries.begin(), entries.end(), [&](const KnownEntry& entry) {
+      return records::is_skipped_by(known, entry) && records::is_of_law(entry, law);
     });
   });
 }
@@ -295,6 +299,7 @@ std::vector<std::string> entries_of(const KnownDefects& known, std::string_view 
   std::vector<std::string> ids;
   for (const KnownDefect& defect : known.defects) {
     const KnownEntry& entry = defect.entry;
+    if (defect.has_run_out) continue;
     const bool is_of_laws = !entry.laws.empty() && records::is_of_law(entry, law);
     if (is_of_laws && meets_entry(entry, clip, violation)) ids.push_back(entry.id);
   }
@@ -306,7 +311,8 @@ std::vector<std::string> entries_of_drawing(const KnownDefects& known, const cas
   std::vector<std::string> ids;
   for (const KnownDefect& defect : known.defects) {
     const KnownEntry& entry = defect.entry;
-    if (entry.laws.empty() && meets_entry(entry, clip, violation)) ids.push_back(entry.id);
+    if (defect.has_run_out || !entry.laws.empty()) continue;
+    if (meets_entry(entry, clip, violation)) ids.push_back(entry.id);
   }
   return ids;
 }
@@ -330,30 +336,54 @@ void tell_expected(const KnownDefects& known, std::string_view law, Check& check
   if (check.violation_count == 0) return;
   for (const KnownDefect& defect : known.defects) {
     const KnownEntry& entry = defect.entry;
-    if (entry.expected && records::is_of_law(entry, law)) check.known.push_back(entry.id);
+    const bool is_of = entry.expected && records::is_of_law(entry, law);
+    if (is_of && !defect.has_run_out) check.known.push_back(entry.id);
   }
 }
 
 namespace {
 
-/// Asks the law of what is drawn with all known faults of drawings put right. If it holds, these
-/// are what the check is known by; else the check is about what is violated still.
-void put_known_right(const KnownDefects& known, const Law& law, const cases::Case& c,
-                     backends::Backend& backend, std::uint64_t index, Check& check) {
-  const bool is_some = std::any_of(known.defects.begin(), known.defects.end(),
-                                   [](const KnownDefect& one) { return one.entry.laws.empty(); });
+/// Puts violations that are of no entry of the law first. Returns whether all are of some, and adds
+/// these entries' ids if so.
+bool are_of_law_entries(const KnownDefects& known, const Law& law, const cases::Case& clip,
+                        std::vector<Violation>& violations, std::set<std::string>& ids) {
+  std::set<std::string> some;
+  const auto is_new = [&](const Violation& violation) {
+    const std::vector<std::string> of = entries_of(known, law.id, clip, violation);
+    some.insert(of.begin(), of.end());
+    return of.empty();
+  };
+  const auto first_known = std::stable_partition(violations.begin(), violations.end(), is_new);
+  const bool are_all = first_known == violations.begin() && !violations.empty();
+  if (are_all) ids.insert(some.begin(), some.end());
+  return are_all;
+}
+
+/// Asks the law of what is drawn with all known faults of drawings put right; nothing where these
+/// play no part. Adds the entries that do to `ids`.
+std::optional<Check> put_known_right(const KnownDefects& known, const Law& law,
+                                     const cases::Case& c, backends::Backend& backend,
+                                     std::uint64_t index, const Check& check,
+                                     std::set<std::string>& ids) {
+  const bool is_some = std::any_of(known.defects.begin(), known.defects.end(), [](const auto& one) {
+    return !one.has_run_out && one.entry.laws.empty();
+  });
   const bool is_drawn = check.violations.empty() || check.violations.front().has_place();
-  if (!is_some || !is_drawn) return;
+  if (!is_some || !is_drawn) return std::nullopt;
   std::set<std::string> seen;
-  const MoreAmended amended(backend, known_amendment(known, backend, &seen));
-  Result<Check> again = check_law(law, c, backend, index);
-  if (!again || again->fault || !again->is_applicable || seen.empty()) return;
-  if (again->violation_count == 0) {
-    check.known.assign(seen.begin(), seen.end());
-    return;
+  Result<Check> again;
+  {
+    const MoreAmended amended(backend, known_amendment(known, backend, &seen));
+    again = check_law(law, c, backend, index);
   }
-  check.violation_count = again->violation_count;
-  check.violations = std::move(again->violations);
+  if (!again || !again->is_applicable || seen.empty()) return std::nullopt;
+  if (again->violation_count == 0 && !again->fault) {
+    // What comes and goes is not known because it happens to be gone.
+    const Result<Check> as_before = check_law(law, c, backend, index);
+    if (!as_before || as_before->violation_count == 0) return std::nullopt;
+  }
+  ids.insert(seen.begin(), seen.end());
+  return *std::move(again);
 }
 
 }  // namespace
@@ -362,21 +392,26 @@ void tell_known(const KnownDefects& known, const Law& law, const cases::Case& c,
                 backends::Backend& backend, std::uint64_t index, Check& check) {
   const bool is_violated = check.is_applicable && !check.fault && check.violation_count > 0;
   if (!is_violated || known.defects.empty()) return;
-  tell_expected(known, law.id, check);
-  if (!check.known.empty()) return;
-  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
-  if (!clip) return;
-  put_known_right(known, law, c, backend, index, check);
-  if (!check.known.empty() || check.violations.empty()) return;
   std::set<std::string> ids;
-  const auto is_new = [&](const Violation& violation) {
-    const std::vector<std::string> of = entries_of(known, law.id, *clip, violation);
-    ids.insert(of.begin(), of.end());
-    return of.empty();
-  };
-  const auto first_known =
-      std::stable_partition(check.violations.begin(), check.violations.end(), is_new);
-  if (first_known == check.violations.begin()) check.known.assign(ids.begin(), ids.end());
+  bool is_known = false;
+  if (const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "")) {
+    is_known = are_of_law_entries(known, law, *clip, check.violations, ids);
+    std::optional<Check> again;
+    if (!is_known) again = put_known_right(known, law, c, backend, index, check, ids);
+    if (again && again->fault) {
+      check.fault = std::move(again->fault);
+      return;
+    }
+    if (again && again->violation_count == 0) {
+      is_known = true;
+    } else if (again) {
+      check.violation_count = again->violation_count;
+      check.violations = std::move(again->violations);
+      is_known = are_of_law_entries(known, law, *clip, check.violations, ids);
+    }
+  }
+  if (is_known) check.known.assign(ids.begin(), ids.end());
+  tell_expected(known, law.id, check);
 }
 
 std::vector<std::size_t> entries_to_check(const KnownDefects& known,
@@ -384,7 +419,7 @@ std::vector<std::size_t> entries_to_check(const KnownDefects& known,
   std::vector<std::size_t> entries;
   for (std::size_t i = 0; i < known.defects.size(); ++i) {
     const std::optional<cases::Case>& shown = known.defects[i].shown;
-    if (!shown) continue;
+    if (!shown || known.defects[i].has_run_out) continue;
     const bool is_run = std::find(laws.begin(), laws.end(), shown->found->law) != laws.end();
     if (is_run && !known.is_skipped(shown->found->law)) entries.push_back(i);
   }

@@ -34,12 +34,13 @@ struct KnownDefect {
   records::KnownEntry entry;
   std::optional<cases::Case> shown;  ///< `found` names a law that it violates; none where expected
   records::Staleness staleness = records::Staleness::waiver;  ///< where its case passes
+  bool has_run_out = false;  ///< its last day is over, and nothing is known by it
 };
 
 /// All lists that are of a backend.
 struct KnownDefects {
   std::vector<records::KnownOfBackend> lists;  ///< whole, as far as they are of the backend
-  std::vector<KnownDefect> defects;            ///< what has not run out, nor is to be skipped
+  std::vector<KnownDefect> defects;            ///< all entries but those that skip laws
 
   std::vector<cases::Case> cases() const;  ///< of all entries that have one
   /// Whether a law is not to be checked.
@@ -88,8 +89,8 @@ void tell_expected(const KnownDefects& known, std::string_view law, Check& check
 
 /// Names in `check.known` the entries that a violated check is of, if nothing else is wrong. Else
 /// leaves in it what is violated once known faults of drawings are put right, and puts violations
-/// that are of no entry first, so that these are what the check is about. `index` is the case's, as
-/// of check_law().
+/// that are of no entry first, so that these are what the check is about. Draws the case again
+/// where there are entries of drawings. `index` is the case's, as of check_law().
 void tell_known(const KnownDefects& known, const Law& law, const cases::Case& c,
                 backends::Backend& backend, std::uint64_t index, Check& check);
 

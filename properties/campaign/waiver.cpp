@@ -90,7 +90,8 @@ Result<Subject> tried(const cases::Case& source, const std::string& name,
     return refuse("", "the law " + source.found->law + " holds here: there is nothing to waive");
   }
   if (!check.known.empty()) return refuse("", "is known already: " + check.known.front());
-  put_alike_first(check, source, *source.found);
+  const bool is_alike = check.violations.empty() || put_alike_first(check, source, *source.found);
+  if (!is_alike) return refuse("", "fails in another way now, and is no such counterexample");
   Subject subject{&source, law, {source, check.violation_count, check.violations}, Scope::drawing};
   const bool is_drawn = check.violations.empty() || check.violations.front().has_place();
   if (!is_drawn) subject.scope = Scope::none;
@@ -146,7 +147,7 @@ void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDe
 }
 
 /// The longest part of a message without numbers, which may be others in each case.
-std::string steady_part(const std::string& note) {
+std::string steady_part(std::string_view note) {
   const std::string text = without_numbers(note);
   std::string longest;
   for (std::size_t first = 0; first < text.size();) {
@@ -168,10 +169,15 @@ void add(const Subject& subject, backends::Backend& backend, const KnownDefects&
     for (const records::Violation& violation : subject.one.violations) {
       conditions.verdicts.insert(violation.fragment_class);
       conditions.kinds.insert(violation.kind);
-      if (!violation.has_place()) conditions.notes.insert(steady_part(violation.note));
+      if (violation.has_place()) continue;
+      std::string_view note = violation.note;
+      // Where the plugin lies is no part of what is wrong with it.
+      const std::string name = subject.source->found->backend + ": ";
+      if (note.starts_with(name)) note.remove_prefix(name.size());
+      conditions.notes.insert(steady_part(note));
     }
     conditions.laws.insert(std::string(subject.law->id));
-    if (subject.one.explanation) {
+    if (subject.scope == Scope::laws) {
       const auto& also = subject.one.explanation->also_violates;
       conditions.laws.insert(also.begin(), also.end());
     }
@@ -190,9 +196,7 @@ void add(const Subject& subject, backends::Backend& backend, const KnownDefects&
 
 records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
   records::KnownEntry entry;
-  if (scope == Scope::laws) entry.laws.assign(conditions.laws.begin(), conditions.laws.end());
-  // Whatever is asked of what draws nothing fails.
-  if (scope == Scope::none) entry.laws = {"*"};
+  if (scope != Scope::drawing) entry.laws.assign(conditions.laws.begin(), conditions.laws.end());
   entry.verdicts.assign(conditions.verdicts.begin(), conditions.verdicts.end());
   entry.when.attribute_kinds.assign(conditions.kinds.begin(), conditions.kinds.end());
   if (conditions.notes.size() == 1) entry.when.note = *conditions.notes.begin();
@@ -211,11 +215,16 @@ records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
     }
   }
   if (conditions.needs->contains("samples")) entry.when.samples = {2, 4, 8, 16};
+  // Whatever is asked of a case that is not drawn fails; but a message alone may be of anything.
+  if (scope == Scope::none && !entry.when.facts.empty()) entry.laws = {"*"};
   return entry;
 }
 
-/// Asks whether all subjects are known by what is known and an entry, and nothing of them is new.
+/// Asks whether all subjects are known by an entry, with what is known already, and nothing of them
+/// is new.
 class Explains {
+  static constexpr const char* kThis = "this one";
+
  public:
   Explains(const std::vector<Subject>& subjects, backends::Backend& backend,
            const KnownDefects& known)
@@ -223,12 +232,13 @@ class Explains {
 
   bool operator()(const records::KnownEntry& entry) const {
     KnownDefects known = *known_;
-    known.defects.push_back({entry, std::nullopt, records::Staleness::waiver});
-    known.defects.back().entry.id = "this one";
+    known.defects.push_back({entry, std::nullopt});
+    known.defects.back().entry.id = kThis;
     return std::all_of(subjects_->begin(), subjects_->end(), [&](const Subject& subject) {
       const Check check = check_or_note(*subject.law, *subject.source, *backend_,
                                         subject.source->found->index, &known);
-      return check.violation_count > 0 && !check.known.empty();
+      const auto& by = check.known;
+      return std::find(by.begin(), by.end(), kThis) != by.end();
     });
   }
 

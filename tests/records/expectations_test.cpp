@@ -93,5 +93,16 @@ TEST(Expectations, NameTheBackendWhereThereAreSeveral) {
   EXPECT_THAT(read.entries.at(1).backends, ElementsAre("gl:softpipe"));
 }
 
+// Kills: a list that its own reader takes for something else.
+TEST(Expectations, AreReadBackWhateverABackendIsCalled) {
+  const std::string odd = "plugin:/a b/x[1],y=2/lib#.so";
+  const ExpectationTexts texts = expectations_of({run_of(odd, {"a"}), run_of("cpu", {"b"})});
+  const KnownList read = parse_expectations(texts.fails, Expected::fail, "f").value();
+  ASSERT_THAT(read.entries, SizeIs(2));
+  EXPECT_THAT(read.entries[1].laws, ElementsAre("a"));
+  EXPECT_TRUE(is_of_backend(read.entries[1], {odd}));
+  EXPECT_FALSE(is_of_backend(read.entries[1], {"plugin:/a b/x1,y=2/lib#.so"}));
+}
+
 }  // namespace
 }  // namespace rastercheck::records::expectations_test

@@ -33,6 +33,8 @@ struct Repairs {
   std::map<SamplePlace, std::size_t> too_many;  ///< how often a place is drawn and must not be
   std::map<SamplePlace, std::vector<float>> missing;  ///< depth, then attributes
   std::map<SamplePlace, std::map<std::optional<std::uint32_t>, float>> wrong;  ///< nothing: depth
+
+  bool is_none() const { return too_many.empty() && missing.empty() && wrong.empty(); }
 };
 
 float permitted_value(const oracle::TriangleTruth& truth, std::optional<std::uint32_t> attribute,
@@ -51,12 +53,16 @@ std::vector<float> permitted_values(const oracle::TriangleTruth& truth, std::siz
   return values;
 }
 
-records::Violation coverage_violation(const oracle::JudgedSample& sample,
+records::Violation coverage_violation(const cases::Case& c, const oracle::JudgedSample& sample,
                                       const oracle::TriangleTruth* truth) {
   records::Violation violation;
   violation.fragment_class = sample.fragment_class;
   violation.place = sample.place;
-  if (truth == nullptr) return violation;
+  const SamplePlace& at = sample.place;
+  const cases::FramebufferSize& size = c.framebuffer;
+  const bool is_there = truth != nullptr && std::cmp_less(at.x, size.width) &&
+                        std::cmp_less(at.y, size.height) && std::cmp_less(at.sample, size.samples);
+  if (!is_there) return violation;
   violation.distance =
       truth->distance(static_cast<int>(sample.place.x), static_cast<int>(sample.place.y),
                       static_cast<int>(sample.place.sample));
@@ -82,26 +88,14 @@ Repairs repairs_of(const cases::Case& c, const cases::Contract& contract, const 
   options.judges_values = judges_values;
   options.self_check_one_in = 0;
   options.shows_ordinary = false;
-  // With a depth test what must not be drawn may hide what has to be. Samples come pixel by pixel.
-  std::map<SamplePlace, std::vector<float>> hidden;
-  std::set<SamplePlace> freed;
-  const auto sample_of = [](SamplePlace place) {
-    place.triangle = 0;
-    return place;
-  };
   const auto take = [&](const oracle::JudgedSample& sample, const oracle::TriangleTruth* truth) {
     const bool is_wrong = sample.fragment_class != FragmentClass::correct;
     const bool is_missing = sample.fragment_class == FragmentClass::missing;
-    const bool is_to_change = is_wrong && is_meant(coverage_violation(sample, truth));
-    if (is_to_change && !is_missing) {
-      ++repairs.too_many[sample.place];
-      freed.insert(sample_of(sample.place));
-    }
+    const bool is_to_change = is_wrong && is_meant(coverage_violation(c, sample, truth));
+    if (is_to_change && !is_missing) ++repairs.too_many[sample.place];
     if (truth == nullptr) return;
-    const bool may_be_hidden = c.depth_test != cases::DepthTest::none;
-    if (is_missing && (is_to_change || may_be_hidden)) {
-      auto& into = is_to_change ? repairs.missing : hidden;
-      into[sample.place] = permitted_values(*truth, drawn.attribute_count, sample.place);
+    if (is_to_change && is_missing) {
+      repairs.missing[sample.place] = permitted_values(*truth, drawn.attribute_count, sample.place);
     }
     for (const oracle::JudgedValue& value : sample.values) {
       if (value.fragment_class == FragmentClass::correct) continue;
@@ -111,9 +105,6 @@ Repairs repairs_of(const cases::Case& c, const cases::Contract& contract, const 
     }
   };
   oracle::judge(scene, drawn, options, take);
-  for (auto& [place, values] : hidden) {
-    if (freed.contains(sample_of(place))) repairs.missing[place] = std::move(values);
-  }
   return repairs;
 }
 
@@ -153,7 +144,6 @@ void sort_by_place(Fragments& drawn) {
 }
 
 void repair(Repairs repairs, Fragments& drawn) {
-  if (repairs.too_many.empty() && repairs.missing.empty() && repairs.wrong.empty()) return;
   // Fragments are ordered by place, and stay so. Of one that is drawn twice any may go.
   Fragments right;
   right.attribute_count = drawn.attribute_count;
@@ -190,6 +180,31 @@ void repair(Repairs repairs, Fragments& drawn) {
   drawn = std::move(right);
 }
 
+/// A place without its triangle.
+SamplePlace sample_of(SamplePlace place) {
+  place.triangle = 0;
+  return place;
+}
+
+void put_right(const cases::Case& c, const cases::Contract& contract, const IsMeant& is_meant,
+               bool judges_values, Fragments& drawn) {
+  Fragments sorted = drawn;
+  sort_by_place(sorted);
+  const Repairs repairs = repairs_of(c, contract, is_meant, judges_values, sorted);
+  if (repairs.is_none()) return;
+  std::set<SamplePlace> freed;
+  for (const auto& [place, times] : repairs.too_many) freed.insert(sample_of(place));
+  repair(repairs, sorted);
+  drawn = std::move(sorted);
+  if (c.depth_test == cases::DepthTest::none || freed.empty()) return;
+  // What is taken away may have hidden what has to be drawn.
+  const auto is_hidden = [&freed](const records::Violation& violation) {
+    return violation.fragment_class == FragmentClass::missing &&
+           freed.contains(sample_of(violation.place));
+  };
+  repair(repairs_of(c, contract, is_hidden, false, drawn), drawn);
+}
+
 }  // namespace
 
 DrawnPart part_of(records::AttributeKind kind) {
@@ -208,19 +223,17 @@ DrawnPart part_of(records::AttributeKind kind) {
 
 void put_right(const cases::Case& c, const cases::Contract& contract, const IsMeant& is_meant,
                Fragments& drawn) {
-  sort_by_place(drawn);
-  repair(repairs_of(c, contract, is_meant, true, drawn), drawn);
+  put_right(c, contract, is_meant, true, drawn);
 }
 
 void put_right(const cases::Case& c, const cases::Contract& contract, const DrawnParts& parts,
                Fragments& drawn) {
   if (parts.empty()) return;
-  sort_by_place(drawn);
   const bool judges_values = parts.contains(DrawnPart::depth) || parts.contains(DrawnPart::values);
   const auto is_meant = [&parts](const records::Violation& violation) {
     return parts.contains(part_of(violation.kind));
   };
-  repair(repairs_of(c, contract, is_meant, judges_values, drawn), drawn);
+  put_right(c, contract, is_meant, judges_values, drawn);
 }
 
 }  // namespace rastercheck::properties

@@ -121,5 +121,35 @@ TEST_F(PutRight, LeavesWhatIsNotMeant) {
   EXPECT_EQ(drawn_.depth.back(), 7);
 }
 
+// Kills: a sample that is left empty, as what hid it is gone: another failure than the known one.
+TEST(PutRightWithDepthTest, PutsInWhatWasHidden) {
+  cases::Case c = small_case();
+  c.depth_test = cases::DepthTest::less;
+  c.positions.insert(c.positions.end(), {{-1, -1, 0.5F, 1}, {3, -1, 0.5F, 1}, {-1, 3, 0.5F, 1}});
+  c.positions[1].z = 0;
+  c.attribute_values = {0, 4, 0, 0, 8, 0};
+  c.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const cases::ClipCase clip(c);
+  const auto backend = *backends::make_backend("cpu");
+  const backends::Drawn right = backend->draw(clip).value();
+  cases::Fragments drawn = right.fragments;
+  std::size_t last = drawn.size();
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn.triangle[i] == 1) last = i;
+  }
+  ASSERT_LT(last, drawn.size());
+  // The nearer triangle is drawn where it is not, in place of the other.
+  drawn.triangle[last] = 0;
+  drawn.depth[last] = 0;
+  put_right(
+      clip, right.contract,
+      [](const records::Violation& violation) {
+        return violation.fragment_class == records::FragmentClass::extra ||
+               violation.fragment_class == records::FragmentClass::wrong_triangle;
+      },
+      drawn);
+  EXPECT_FALSE(has_wrong(clip, right.contract, drawn, {}));
+}
+
 }  // namespace
 }  // namespace rastercheck::properties::put_right_test

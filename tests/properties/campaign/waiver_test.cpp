@@ -28,7 +28,7 @@ cases::Case found_case(const std::string& law = kCoverage) {
 
 /// Loses a fragment where there is a scissor, of those that the contract does not leave open.
 void lose_with_scissor(const cases::Case& c, cases::Fragments& drawn) {
-  if (c.scissor) drop(drawn, 0, 1, 1);
+  if (c.scissor && find(drawn, 0, 1, 1) < drawn.size()) drop(drawn, 0, 1, 1);
 }
 
 Result<Waiver> waiver_of(const std::vector<cases::Case>& all, backends::Backend& backend,
@@ -88,6 +88,21 @@ TEST(Waiver, DoesNotHideAnotherFault) {
   EXPECT_THAT(check_or_note(*find_law(kCoverage), without, always, 0, &known).known, IsEmpty());
 }
 
+// Kills: a fault that comes and goes, taken for a known one as it is gone when it is asked again.
+TEST(Waiver, DoesNotHideWhatComesAndGoes) {
+  DamagedBackend damaged(&lose_with_scissor);
+  const KnownDefects known = known_by(waiver_of({found_case()}, damaged).value());
+  int drawings = 0;
+  DamagedBackend at_times([&drawings](const cases::Case& c, cases::Fragments& drawn) {
+    // The known fault is within what the law allows of this case; the other shows at first only.
+    if (++drawings == 1) add(drawn, 1, 2, 2);
+    if (drawings == 2) lose_with_scissor(c, drawn);
+  });
+  const Check check = check_or_note(*find_law(kCoverage), found_case(), at_times, 0, &known);
+  EXPECT_GT(check.violation_count, 0U);
+  EXPECT_THAT(check.known, IsEmpty());
+}
+
 TEST(Waiver, IsRefusedWhereTheLawHolds) {
   DamagedBackend backend;
   const Result<Waiver> waiver = waiver_of({found_case()}, backend);
@@ -116,8 +131,12 @@ TEST(Waiver, OfWhatDrawsNothingIsOfItsMessage) {
     }
   };
   Failing backend;
-  const Waiver waiver = waiver_of({found_case()}, backend).value();
-  EXPECT_THAT(waiver.entry.laws, ElementsAre("*"));
+  EXPECT_EQ(to_string(waiver_of({found_case()}, backend).error()),
+            "case 0: fails in another way now, and is no such counterexample");
+  cases::Case failed = found_case();
+  failed.found->verdict = "failed";
+  const Waiver waiver = waiver_of({failed}, backend).value();
+  EXPECT_THAT(waiver.entry.laws, ElementsAre(kCoverage));  // a message alone may be of anything
   EXPECT_THAT(waiver.entry.verdicts, ElementsAre(FragmentClass::failed));
   EXPECT_EQ(waiver.entry.when.note, "out of tiles after");
   const KnownDefects known = known_by(waiver);
