@@ -22,12 +22,6 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Verdict;
 
-bool is_sample_of(const cases::Case& c, const JudgedSample& sample) {
-  const cases::FramebufferSize& size = c.framebuffer;
-  return std::cmp_less(sample.place.x, size.width) && std::cmp_less(sample.place.y, size.height) &&
-         std::cmp_less(sample.place.sample, size.samples);
-}
-
 std::string decision_text(const records::SampleVerdict& decision) {
   return fmt::format("{}: {}", records::to_string(decision.verdict),
                      records::to_string(decision.reason));
@@ -38,7 +32,7 @@ void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
   violation.kind = AttributeKind::coverage;
   violation.fragment_class = sample.fragment_class;
   violation.actual = sample.fragment_class == FragmentClass::missing ? "not drawn" : "drawn";
-  if (truth == nullptr || !is_sample_of(scene.source(), sample)) {
+  if (truth == nullptr || !is_sample_of(scene.source(), sample.place)) {
     violation.exact = "forbidden: no such triangle, pixel or sample";
     return;
   }
@@ -177,6 +171,12 @@ void add_state_labels(const cases::Case& c, const std::set<std::uint32_t>& drawn
 std::string value_text(float value) {
   if (!std::isfinite(value)) return fmt::format("{}", std::isnan(value) ? std::abs(value) : value);
   return fmt::format("{:.9g} ({})", value, cases::to_hex(value));
+}
+
+bool is_sample_of(const cases::Case& c, const cases::SamplePlace& place) {
+  const cases::FramebufferSize& size = c.framebuffer;
+  return std::cmp_less(place.x, size.width) && std::cmp_less(place.y, size.height) &&
+         std::cmp_less(place.sample, size.samples);
 }
 
 records::Violation to_violation(const JudgedSample& sample, const JudgedValue* value,

@@ -39,6 +39,9 @@ Result<Check> check_drawn(
 /// from what the law is about (Check::why_not).
 Check not_applicable(std::string_view why = "");
 
+/// Whether a place is of a pixel and a sample that the case's target has.
+bool is_sample_of(const cases::Case& c, const cases::SamplePlace& place);
+
 /// The violation that a judged sample, or one value of it, is. `value` is nullptr where coverage is
 /// meant; `truth` is nullptr where the case has no such triangle.
 records::Violation to_violation(const oracle::JudgedSample& sample,

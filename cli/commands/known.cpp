@@ -1,6 +1,7 @@
 // `rastercheck known add` and `known expect`: what is wrong with a backend and is to stay so.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -127,8 +128,13 @@ bool is_plain_word(const std::string& word) {
 /// Writes the entry and its case; the list last, so that none names a case that is not there.
 Result<void> write_entry(const std::string& file, records::KnownList list,
                          const records::KnownEntry& entry, const cases::Case& shown) {
-  const fs::path folder = fs::path(file).parent_path();
-  const fs::path of_case = folder / entry.case_file;
+  list.entries.push_back(entry);
+  // Nothing is written that could not be read again.
+  const std::string text = cases::json_of(list).dump(2) + "\n";
+  if (const auto read = records::parse_known(text, file); !read) {
+    return tl::unexpected(read.error());
+  }
+  const fs::path of_case = fs::path(file).parent_path() / entry.case_file;
   std::error_code why;
   fs::create_directories(of_case.parent_path(), why);
   if (why) {
@@ -139,15 +145,20 @@ Result<void> write_entry(const std::string& file, records::KnownList list,
     return tl::unexpected(
         Error{of_case.string(), "", "is there already (--id gives another name)"});
   }
-  list.entries.push_back(entry);
-  // Nothing is written that could not be read again.
-  const std::string text = cases::json_of(list).dump(2) + "\n";
-  if (const auto read = records::parse_known(text, file); !read) {
-    return tl::unexpected(read.error());
-  }
   return cases::write_file(of_case.string(), cases::to_json(shown)).and_then([&] {
     return cases::write_file(file, text);
   });
+}
+
+/// Says what is waived, and of what: an entry of laws hides whatever else is wrong with these.
+void print_entry(const records::KnownEntry& entry, const std::string& file,
+                 const std::string& sentence) {
+  const nlohmann::json list = cases::json_of(records::KnownList{std::nullopt, {entry}});
+  const nlohmann::json& written = list.at("entries").at(0);
+  fmt::print("{} in {}: {}\n  {}: {}, when {}\n", entry.id, file, cases::printable(sentence),
+             entry.laws.empty() ? "of what is drawn, whatever property notices"
+                                : fmt::format("of {} alone", fmt::join(entry.laws, ", ")),
+             cases::json_line(written.at("verdicts")), cases::json_line(written.at("when")));
 }
 
 ExitCode add(const AddOptions& options) {
@@ -195,10 +206,7 @@ ExitCode add(const AddOptions& options) {
   const Result<void> written = write_entry(file, *list, entry, shown);
   if (!written) return fail(written.error());
   if (options.quiet) return ExitCode::ok;
-  const nlohmann::json in_list = cases::json_of(records::KnownList{std::nullopt, {entry}});
-  fmt::print("{} in {}: {}\n  {}, when {}\n", entry.id, file, cases::printable(waiver->sentence),
-             cases::json_line(in_list.at("entries").at(0).at("verdicts")),
-             cases::json_line(in_list.at("entries").at(0).at("when")));
+  print_entry(entry, file, waiver->sentence);
   return ExitCode::ok;
 }
 

@@ -193,10 +193,11 @@ Result<void> add_list(FoundList found, const std::string& specification,
     const bool has_run_out = !entry.until.empty() && entry.until < today();
     if (has_run_out) of_backend.run_out.push_back(entry.id);
     if (entry.expected == records::Expected::skip) continue;
-    const bool is_twice =
-        std::any_of(known.defects.begin(), known.defects.end(),
-                    [&entry](const KnownDefect& one) { return one.entry.id == entry.id; });
-    if (is_twice) {
+    const auto other =
+        std::find_if(known.defects.begin(), known.defects.end(),
+                     [&entry](const KnownDefect& one) { return one.entry.id == entry.id; });
+    if (other != known.defects.end()) {
+      if (other->entry == entry) continue;  // a copy of the list, as bisections make
       return tl::unexpected(Error{found.file, cases::printable(entry.id),
                                   "is an entry of another list of the backend, too"});
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is known to be wrong with a backend, and whether a violation is of it.
+// Reads what is known to be wrong with a backend, and tells whether a violation is of it.
 //
 // An entry is of some laws, or of what is drawn. A violating case is known by entries of its law
 // only if every violation that was kept of it (records::kMostViolations) is of some entry. By

@@ -54,7 +54,7 @@ struct Conditions {
   std::optional<std::set<std::string>> needs;  ///< of all
   std::set<std::string> notes;
   double reach = 0;            ///< how far off an edge may be, in pixels
-  bool are_degenerate = true;  ///< no triangle has an area
+  bool are_degenerate = true;  ///< no triangle that is drawn wrongly has an area
 };
 
 /// The facts that say what is needed, where trying tells more than chance: what a change of sizes
@@ -114,7 +114,7 @@ double reach_of(const cases::Contract& contract) {
 }
 
 /// Adds what the judge finds wrong with the plain drawing of a case, in the parts that have to be
-/// put right.
+/// put right. A law that draws other cases may find all that is wrong in these.
 void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDefects& known,
                Conditions& conditions) {
   const Result<cases::ClipCase> c = oracle::to_clip_case(*subject.source, "");
@@ -126,22 +126,26 @@ void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDe
   const auto& parts = subject.one.explanation->parts;
   const Check check =
       judge_drawn(*c, drawn->contract, drawn->fragments, {}, subject.source->found->index);
-  for (const records::Violation& violation : check.violations) {
-    if (violation.distance || violation.kind != AttributeKind::coverage) {
-      conditions.are_degenerate = false;
+  const auto& wrong = check.violations.empty() ? subject.one.violations : check.violations;
+  const auto add_class = [&](AttributeKind kind, FragmentClass fragment_class) {
+    if (std::find(parts.begin(), parts.end(), part_of(kind)) == parts.end()) return;
+    conditions.kinds.insert(kind);
+    conditions.verdicts.insert(fragment_class);
+    // With a depth test what is drawn too much may be in front of the nearest.
+    if (fragment_class == FragmentClass::extra) {
+      conditions.verdicts.insert(FragmentClass::wrong_triangle);
     }
+  };
+  for (const records::Violation& violation : wrong) {
+    add_class(violation.kind, violation.fragment_class);
+    const bool is_degenerate = violation.kind == AttributeKind::coverage && !violation.distance;
+    conditions.are_degenerate = conditions.are_degenerate && is_degenerate;
   }
+  // Not all violations are kept.
   for (const auto& [kind, errors] : check.judgement.errors) {
-    if (std::find(parts.begin(), parts.end(), part_of(kind)) == parts.end()) continue;
     const auto& counts = errors.classes.counts;
     for (std::size_t i = 1; i < counts.size(); ++i) {
-      if (counts[i] == 0) continue;
-      conditions.kinds.insert(kind);
-      conditions.verdicts.insert(static_cast<FragmentClass>(i));
-      // With a depth test what is drawn too much may be in front of the nearest.
-      if (static_cast<FragmentClass>(i) == FragmentClass::extra) {
-        conditions.verdicts.insert(FragmentClass::wrong_triangle);
-      }
+      if (counts[i] > 0) add_class(kind, static_cast<FragmentClass>(i));
     }
   }
 }

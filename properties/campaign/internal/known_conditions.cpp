@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "properties/judged_law.h"
 #include "records/histogram.h"
 
 namespace rastercheck::properties {
@@ -63,14 +63,6 @@ bool is_fractional(const cases::Viewport& viewport) {
   return std::any_of(edges.begin(), edges.end(), [](double e) { return e != std::floor(e); });
 }
 
-/// Whether the violation is at a sample that the case has, of a triangle that it has.
-bool is_sample_of(const Case& c, const records::Violation& violation) {
-  const cases::SamplePlace& at = violation.place;
-  return violation.has_place() && at.triangle < c.triangles.size() &&
-         std::cmp_less(at.x, c.framebuffer.width) && std::cmp_less(at.y, c.framebuffer.height) &&
-         std::cmp_less(at.sample, c.framebuffer.samples);
-}
-
 bool is_so(KnownFact fact, const ConditionQuestion& of) {
   const Case& c = *of.clip;
   switch (fact) {
@@ -96,7 +88,8 @@ bool is_so(KnownFact fact, const ConditionQuestion& of) {
     case KnownFact::degenerate:
       // Without an inside there is no distance to it.
       return of.violation->kind == records::AttributeKind::coverage && !of.violation->distance &&
-             is_sample_of(c, *of.violation);
+             of.violation->has_place() && of.violation->place.triangle < c.triangles.size() &&
+             is_sample_of(c, of.violation->place);
     case KnownFact::clip_distances:
       return c.clip_distance_count > 0;
     case KnownFact::depth_clamp:

@@ -12,6 +12,7 @@
 #include "cases/sample_place.h"
 #include "oracle/judge.h"
 #include "oracle/triangle_truth.h"
+#include "properties/judged_law.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -58,11 +59,7 @@ records::Violation coverage_violation(const cases::Case& c, const oracle::Judged
   records::Violation violation;
   violation.fragment_class = sample.fragment_class;
   violation.place = sample.place;
-  const SamplePlace& at = sample.place;
-  const cases::FramebufferSize& size = c.framebuffer;
-  const bool is_there = truth != nullptr && std::cmp_less(at.x, size.width) &&
-                        std::cmp_less(at.y, size.height) && std::cmp_less(at.sample, size.samples);
-  if (!is_there) return violation;
+  if (truth == nullptr || !is_sample_of(c, sample.place)) return violation;
   violation.distance =
       truth->distance(static_cast<int>(sample.place.x), static_cast<int>(sample.place.y),
                       static_cast<int>(sample.place.sample));
@@ -197,7 +194,7 @@ void put_right(const cases::Case& c, const cases::Contract& contract, const IsMe
   repair(repairs, sorted);
   drawn = std::move(sorted);
   if (c.depth_test == cases::DepthTest::none || freed.empty()) return;
-  // What is taken away may have hidden what has to be drawn.
+  // A fragment that is taken away may have hidden one that has to be there.
   const auto is_hidden = [&freed](const records::Violation& violation) {
     return violation.fragment_class == FragmentClass::missing &&
            freed.contains(sample_of(violation.place));
