@@ -1,70 +1,76 @@
-// The bounds of api_promise(), triangle by triangle. Throughout, δ is the error of one operation,
-// relative to its result. What is counted is of first order in δ; kRest makes up for the rest, but
-// for quotients of section 3, and for computing the bounds themselves in double.
+// The bounds of api_promise(), triangle by triangle. Throughout, δ is the relative error of one
+// operation. Error counts are of first order in δ. The factor kRest covers the higher orders
+// (except in the quotients of section 3) and the rounding errors of computing the bounds in double.
 //
-// What is taken for granted of an implementation: it clips only by planes that a given vertex is
-// beyond, computes positions and weights by the formulas below or better ones, and the products on
-// the way to them have room in its numbers. Pieces of clipped triangles are set up as if by the
-// planes of the whole: where an implementation sets up each piece by itself, this may be too
-// strict.
+// Assumptions about an implementation: it clips only by planes that some given vertex is beyond; it
+// computes positions and weights by the formulas below or better ones; and the intermediate
+// products fit into its numbers. Pieces of clipped triangles are assumed to be set up with the
+// planes of the whole triangle. If an implementation sets up each piece separately, these bounds
+// may be too strict.
 //
-// 1. Window positions. X = x · (1/w) · W/2 + (x0 + W/2) is five operations: three for the product,
-//    one for the centre, one for the sum, which is off by δ|X|. So |ΔX| <= 4δ |x/w W/2| +
-//    2δ |x0 + W/2|, and alike Y. Then the position is rounded to one of its neighbours on the grid.
+// 1. Window positions. X = x · (1/w) · W/2 + (x0 + W/2) takes five operations: three for the
+//    product, one for the centre, and one for the sum, which is off by δ|X|. So
+//    |ΔX| <= 4δ |x/w W/2| + 2δ |x0 + W/2|, and likewise for Y. Then the position is rounded to a
+//    neighbouring grid point.
 //
-// 2. New vertices. Both APIs clip to the view volume, |x| <= w, |y| <= w, z as the rules have it,
-//    and by clip distances. Where a plane parts a from b: the distances of both (δ each; they have
-//    opposite signs, so that their difference loses nothing), t = d_a/(d_a − d_b) (4δ with the
-//    difference and the quotient) and a + t (b − a) (the difference, the product and the sum: 3δ
-//    more, of numbers of at most 2 max|·|): off by kClipping δ m with m the greatest |·| of the
-//    triangle's vertices. What comes of a plane is a mean of what came before, so errors of the
-//    planes add up. Divided by w_c >= w_least of what is left, within the view volume, where
-//    |x_c/w_c| <= 1, a new vertex is off by
+// 2. New vertices. Both APIs clip to the view volume (|x| <= w, |y| <= w, z in the range that the
+//    rules give) and by clip distances. If a plane separates the vertices a and b, three steps make
+//    the new vertex. The distances d_a and d_b are off by δ each; they have opposite signs, so
+//    their difference loses nothing. With the difference and the quotient, t = d_a/(d_a − d_b) is
+//    off by 4δ. In a + t (b − a), the difference, the product and the sum add 3δ, of numbers of at
+//    most 2 max|·|. Together, the new vertex is off by kClipping δ m, where m is the largest
+//    magnitude at the triangle's vertices. The new vertices of each plane are means of earlier
+//    vertices, so the errors of several planes add up. Dividing by w_c >= w_least, the least w of
+//    the clipped polygon, gives the error of a new vertex in the view volume, where |x_c/w_c| <= 1:
 //
-//      planes · kClipping δ (max|x| + max|w|)/w_least · W/2 pixels,
+//      planes · kClipping δ (max|x| + max|w|)/w_least · W/2 pixels.
 //
-//    the distance from a plane that cuts it as well by planes · kClipping δ (max|z| + max|w|), or
-//    as much of its clip distances, and its w by ω = planes · kClipping δ max|w|/w_least of itself,
-//    alike z and attributes.
+//    The distance of a new vertex from another plane is off by
+//    planes · kClipping δ (max|z| + max|w|), or the same in terms of its clip distances. Its w has
+//    the relative error ω = planes · kClipping δ max|w|/w_least; z and attributes likewise.
 //
-// 3. Values. Where w > 0 at all vertices they are those of planes over the window's triangle, with
-//    the errors that internal/plane_error.cpp derives. Position errors, which move vertices, are
-//    made up for by coverage and basis, which leave values open between placements.
+// 3. Values. If w > 0 at all vertices, the values are those of planes over the triangle in the
+//    window, with the errors derived in internal/plane_error.cpp. Errors of positions move
+//    vertices. The bounds for coverage and basis, which allow for every placement of the vertices,
+//    cover them.
 //
-//    Where some w <= 0 there is no such triangle; evaluated by planes about the window's origin, in
-//    clip space, the weight of vertex i is a sum of terms each of which has seen at most 2 · 5
-//    operations on the way to two positions, the product, the difference, the product with u and
-//    two sums: 15δ. Multiplied by r_i and summed: 4δ more in the numerator, 3δ in the denominator;
-//    the quotient 2δ. All errors of both sums are of terms whose magnitudes sum to K times the
-//    denominator (cases::ValueBound), so
+//    If some w <= 0, no triangle in the window exists. The planes are then evaluated in clip space,
+//    about the window's origin, where the weight of vertex i is a sum of terms. Each term is off by
+//    15δ: at most 2 · 5 operations for two positions, the product, the difference, the product with
+//    u and two sums. Multiplying by r_i and adding takes 4δ more in the numerator, 3δ more in the
+//    denominator, and the quotient 2δ. The errors of both sums come from terms whose magnitudes add
+//    up to K times the denominator (cases::ValueBound), so
 //
 //      |Δr| <= (19 + 18) δ K / (1 − 18 δ K) max|r| + 2δ |r|,
 //
-//    and 37 / (1 − 18 δ K) <= 55 as long as 55 δ K <= 1; beyond that nothing is promised.
+//    and 37 / (1 − 18 δ K) <= 55 as long as 55 δ K <= 1. Beyond that, nothing is promised.
 //
-//    An ulp(max|r|) is at least 2^-24 max|r|. Of depth the same, with the K of affine weights, and
-//    three operations for the depth range. Weights of vertices whose w is off by ω are off by ω:
-//    r, a mean of the values there, by 2ω of their range, and by ω max|r| for these.
+//    An ulp(max|r|) is at least 2^-24 max|r|. Depth has the same bound, with the K of affine
+//    weights and three operations for the depth range. If the w of a vertex is off by ω, so is its
+//    weight. So r, which is a mean of the vertices' values, is off by 2ω of their range, plus
+//    ω max|r| for the errors of the values.
 //
-// 4. Viewports. A driver reads their numbers in parts of 2^-f pixel, f its viewports' subpixel
-//    bits, and no text says how it rounds: a side that is no such part may lie up to one away, the
-//    far one up to two where origin and size are rounded each for itself. Everything above is of
-//    the viewport that is drawn by, which is at most 1 + 2e/W times as large and shrinks triangles
-//    to 1 − 2e/W at most (cases::Contract::viewport_error, e). What planes are off by does not
-//    depend on the scale of an axis, only distances in pixels count for more. In K of section 3
-//    each |X| is at most 1 + 4e/W times as large, as |w| e <= 2e/W |X|.
+// 4. Viewports. A driver reads viewport numbers in units of 2^-f pixels, where f is the number of
+//    viewport subpixel bits, and no specification says how it rounds. A side that is no multiple of
+//    the unit may move by up to one unit, and the far side by up to two if origin and size are
+//    rounded separately. Everything above holds for the viewport that the driver uses. That
+//    viewport is at most 1 + 2e/W times as large, and shrinks triangles to no less than 1 − 2e/W of
+//    their size, where e is cases::Contract::viewport_error. Errors of planes do not depend on the
+//    scale of an axis; only distances in pixels grow. In K of section 3 each |X| is at most 1 +
+//    4e/W times as large, as |w| e <= 2e/W |X|.
 //
 // 5. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
-//    TriangleInterpolator) takes a colour for right that the weights anywhere in a square give,
-//    each weight for itself from its least to its greatest there: two subpixels wide around the
-//    centre, or with several samples the pixel. What it allows is rounded outwards to 8 bits, and
-//    the colour that it looks at was rounded to 8. So values may be off by 1.5/255 of the largest
-//    and by as much as weights differ over such a square. It looks at no depth, nor at triangles
-//    with w <= 0: these are held to what `spec` says.
+//    TriangleInterpolator) accepts every colour that the weights anywhere in a square give, with
+//    each weight ranging separately from its least to its greatest value there. The square is two
+//    subpixels wide around the centre, or the whole pixel if it has several samples. The accepted
+//    range is rounded outwards to 8 bits, and the colour under test was rounded to 8 bits. So
+//    values may be off by 1.5/255 of the largest, plus the change of the weights over such a
+//    square. The verifier checks neither depth nor triangles with w <= 0, so `spec` applies
+//    to both.
 //
-// 6. `ieee`. δ is 2^-24, the half unit of a float32 that is rounded to nearest. Planes may be
-//    evaluated about a point as far away as the window's origin, as Mesa's drivers do it. Triangles
-//    with some w <= 0 are held to what `spec` says: how these are cut and set up differs too much.
+// 6. `ieee`. δ is 2^-24, half a unit of a float32 rounded to nearest. Planes may be evaluated about
+//    a point as far away as the window's origin, as in Mesa's drivers. For triangles with some
+//    w <= 0, `spec` applies: drivers differ too much in how they cut and set these up.
 
 #include "backends/api_promise.h"
 
@@ -83,39 +89,39 @@ namespace {
 
 constexpr double kRest = 1.01;
 
-// Numbers of operations.
+// Numbers of operations, except where noted.
 constexpr double kPosition = 4;
 constexpr double kCentre = 2;
-/// 4δ of t and 3δ of the sum, each of twice the greatest number.
+/// 4δ for t and 3δ for the sum, all of numbers up to twice the greatest magnitude.
 constexpr double kClipping = 14;
 constexpr double kPerCondition = 55;
 constexpr double kQuotient = 2;
 constexpr double kDepthRange = 3;
-/// 2ω of a range that is at most twice the magnitude, and ω.
+/// 2ω of a range that is at most twice the largest magnitude, plus ω.
 constexpr double kNewWeights = 5;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// All digits of a number, in units of the last.
+/// An error, in units of the last digit, that leaves no digit of a number correct.
 constexpr float kAllDigits = 0x1p24F;
 
-/// Steps of the colours that Khronos' verifier looks at.
+/// Number of steps of the 8-bit colours that Khronos' verifier checks.
 constexpr double kSteps = 255;
-/// By how many of them a colour may be off: the verifier rounds what it allows outwards, by less
-/// than one, and what it is held against has been rounded to the nearest.
+/// How many steps a colour may be off: the verifier rounds its accepted range outwards, by less
+/// than one step, and the colour under test was rounded to the nearest.
 constexpr double kRounded = 1.5;
 
-/// Says how precise single operations are assumed to be, and of which numbers.
+/// The assumed precision of single operations, and the range of numbers for which it holds.
 struct Arithmetic {
   double operation = 0;  ///< δ
   cases::MagnitudeRange numbers;
 };
 
-/// "About one part in 10^5", in numbers up to 2^32: products and quotients of two of these lie
-/// within 2^-32 and 2^32; those of window positions, which the specifications do not write down,
-/// are taken to have room as well.
+/// "About one part in 10^5", in magnitudes up to 2^32. Products and quotients of two numbers in
+/// this range lie between 2^-32 and 2^32. Products for window positions, whose formula the
+/// specifications leave open, are assumed to fit as well.
 constexpr Arithmetic kSpecified{1e-5, {0x1p-16F, 0x1p16F}};
-/// Products of three of these, and of a window position, are normal float32 numbers. Larger ones
-/// are farther apart than pixels.
+/// Products of three numbers in this range, and of such a number with a window position, are normal
+/// float32 numbers. Above this range, neighbouring numbers are farther apart than pixels.
 constexpr Arithmetic kFloat32{0x1p-24, {0x1p-30F, 0x1p24F}};
 
 const Arithmetic& arithmetic_of(cases::DriverPromise promise) {
@@ -131,7 +137,7 @@ struct Vertex {
   std::array<double, cases::kMaxClipDistances> distances{};
 };
 
-/// A function of a vertex that is not negative on the near side of a clip plane.
+/// A function of a vertex that is 0 or positive on the side of a clip plane that is kept.
 using Plane = double (*)(const Vertex& v, std::size_t index);
 
 Vertex mean(const Vertex& a, const Vertex& b, double t) {
@@ -143,8 +149,8 @@ Vertex mean(const Vertex& a, const Vertex& b, double t) {
   return c;
 }
 
-/// What is left of a triangle in the view volume, or was before the plane that left nothing, and
-/// how many planes have cut it.
+/// The part of a triangle in the view volume, and how many planes have cut it. If a second or later
+/// plane leaves no part, the polygon is the part before that plane.
 struct Clipped {
   std::vector<Vertex> polygon;
   int planes = 0;
@@ -169,7 +175,7 @@ void clip_by(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
   clipped.planes += cuts ? 1 : 0;
   clipped.is_cut_at_the_sides = clipped.is_cut_at_the_sides || (cuts && is_side);
   clipped.is_empty = left.empty();
-  // After another plane, whose new vertices are a little off, something may be left all the same.
+  // A driver may still draw something after a second plane, as new vertices are slightly off.
   if (!clipped.is_empty || clipped.planes == 1) clipped.polygon = std::move(left);
 }
 
@@ -195,15 +201,15 @@ Clipped clipped_to_view(const cases::Case& c, const std::array<Vertex, 3>& trian
   return clipped;
 }
 
-/// The greatest magnitude of a number of a triangle's vertices.
+/// The greatest magnitude of one quantity over a triangle's vertices.
 template <typename Of>
 double greatest(const std::array<Vertex, 3>& triangle, const Of& of) {
   return std::max(
       {std::fabs(of(triangle[0])), std::fabs(of(triangle[1])), std::fabs(of(triangle[2]))});
 }
 
-/// K of the affine weights (cases::ValueBound) at the corner of the viewport farthest from the
-/// window's origin, where it is greatest.
+/// K of the affine weights (cases::ValueBound) at the corner of the viewport that is farthest from
+/// the window's origin, where K is greatest.
 double condition_of(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle) {
   const auto farthest = [](float from, float extent) {
     return std::max(std::fabs(double{from}), std::fabs(double{from} + double{extent}));
@@ -238,7 +244,7 @@ double condition_of(const cases::Viewport& viewport, const std::array<Vertex, 3>
   return sizes / std::fabs(determinant);
 }
 
-/// A triangle of a case, and what is promised of it.
+/// Derives the promise for one triangle of a case.
 class OneTriangle {
  public:
   OneTriangle(const cases::Case& c, const ApiLimits& limits, cases::DriverPromise promised,
@@ -247,11 +253,11 @@ class OneTriangle {
   cases::TrianglePromise promise();
 
  private:
-  /// Whether no vertex is behind the eye.
+  /// True if no vertex is behind the eye.
   bool is_before_the_eye() const {
     return std::all_of(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.w > 0; });
   }
-  /// Whether its positions and distances are numbers that something is promised of.
+  /// True if the promise covers the magnitudes of the triangle's positions and distances.
   bool has_numbers() const {
     return std::all_of(vertices_.begin(), vertices_.end(), [this](const Vertex& v) {
       const auto has = [this](double number) {
@@ -261,7 +267,7 @@ class OneTriangle {
              std::all_of(v.distances.begin(), v.distances.end(), has);
     });
   }
-  /// Whether its attributes' values are numbers that `spec` promises something of.
+  /// True if `spec` covers the magnitudes of the triangle's attribute values.
   bool has_values_of_spec() const;
   void add_positions(std::span<const Vertex> vertices);
   void add_new_vertices(const Clipped& clipped, double least_w);
@@ -278,15 +284,15 @@ class OneTriangle {
   cases::Triangle indices_;
   std::array<Vertex, 3> vertices_;
   double viewport_error_ = 0;  ///< e, pixels
-  double grown_ = 1;           ///< how much more a pixel is where the viewport is the smallest
-  double position_ = 0;        ///< error of given vertices, pixels
-  double new_position_ = 0;    ///< of new ones, pixels
-  double cut_at_sides_ = 0;    ///< of those of a triangle that the viewport's sides cut
-  double new_weight_ = 0;      ///< ω, of itself
+  double grown_ = 1;           ///< growth of a pixel if the viewport is as small as allowed
+  double position_ = 0;        ///< error of given vertices, in pixels
+  double new_position_ = 0;    ///< error of new vertices, in pixels
+  double cut_at_sides_ = 0;    ///< error of new vertices that the viewport's sides make, in pixels
+  double new_weight_ = 0;      ///< ω, relative
   cases::TrianglePromise promise_;
 };
 
-/// How far the sides of a viewport may lie from where they were asked for, in pixels.
+/// How far the sides of the driver's viewport may lie from the requested sides, in pixels.
 double viewport_error(const cases::Viewport& viewport, int subpixel_bits) {
   const double unit = std::ldexp(1.0, -subpixel_bits);
   const auto rounded = [subpixel_bits, unit](double number) {
@@ -294,14 +300,15 @@ double viewport_error(const cases::Viewport& viewport, int subpixel_bits) {
     return units == std::floor(units) ? 0 : unit;
   };
   const auto error = [&rounded](double origin, double size) {
-    // One of negative size may be drawn turned round (upright_viewport.h), from its other side.
+    // A viewport of negative size may be handed to the driver turned (upright_viewport.h). It then
+    // starts at its other side.
     const double from_there = size < 0 ? rounded(origin + size) : 0;
     return std::max(rounded(origin), from_there) + rounded(size);
   };
   return std::max(error(viewport.x, viewport.width), error(viewport.y, viewport.height));
 }
 
-/// How much of its size an extent of the viewport is off at most.
+/// The greatest relative error of the viewport's width or height.
 double share_of_extent(const cases::Viewport& viewport, double error) {
   return 2 * error / double{std::min(std::fabs(viewport.width), std::fabs(viewport.height))};
 }
@@ -324,12 +331,12 @@ OneTriangle::OneTriangle(const cases::Case& c, const ApiLimits& limits,
   if (viewport_error_ > 0) grown_ = cases::most_growth(c.viewport, viewport_error_);
 }
 
-/// A float32 that is no less.
+/// A float32 that is at least the bound.
 float no_less(double bound) {
   return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::max());
 }
 
-/// An error that is a share of the largest value, in ulp of that.
+/// Converts an error, given as a share of the largest value, to ulps of that value.
 float in_ulps(double share, double more = 0.5) {
   const double ulps = share * kRest * 0x1p24 + more;
   return ulps < double{kAllDigits} ? no_less(ulps) : kAllDigits;
@@ -342,8 +349,8 @@ cases::TrianglePromise OneTriangle::promise() {
   }
   const Clipped clipped = clipped_to_view(*case_, vertices_);
   const double of_weights = condition_of(case_->viewport, vertices_) * larger_condition();
-  // An edge of a triangle whose area is lost in rounding may pass through the eye, where cutting it
-  // divides 0 by 0.
+  // If rounding can lose the triangle's area, one of its edges may pass through the eye, where
+  // clipping divides 0 by 0.
   const bool has_area = kPerCondition * arithmetic_.operation * of_weights < 1;
   const bool is_hidden = clipped.polygon.empty() && has_area;
   if (!is_hidden) {
@@ -353,26 +360,26 @@ cases::TrianglePromise OneTriangle::promise() {
     for (const Vertex& v : clipped.polygon) least_w = std::min(least_w, v.w);
     if (!has_area && clipped.planes > 0 && !is_before_the_eye()) least_w = 0;
     if (!(least_w > 0)) {
-      // "Division by zero produces an unspecified result": anything may be drawn, and anywhere.
+      // "Division by zero produces an unspecified result": the driver may draw anything anywhere.
       promise_.is_made = false;
       return promise_;
     }
     if (clipped.planes > 0) add_new_vertices(clipped, least_w);
   }
   const double units = std::ldexp(kRest, limits_.subpixel_bits);
-  // A new vertex is rounded to the grid as well, and takes the edges along that it lies on, those
-  // of given vertices among them, by a unit whichever way these are rounded.
+  // A new vertex is rounded to the grid as well. This moves the edges on which it lies by a unit.
+  // These may be edges between given vertices, however given vertices are rounded.
   const double rounded = clipped.is_cut_at_the_sides ? 1 : 0;
   const double position = (position_ + cut_at_sides_) * units + rounded;
   const double new_position = (position_ + new_position_) * units + 1;
   if (!(std::max(position, new_position) < double{cases::kMaxPositionError})) {
-    promise_.is_made = false;  // it may be drawn anywhere
+    promise_.is_made = false;  // may be drawn anywhere
     return promise_;
   }
   promise_.position_error = no_less(position);
   const double of_new = double{no_less(new_position)};
   promise_.clip_tolerance = std::max(of_new - double{promise_.position_error}, 0.0);
-  // New vertices lie beside the side as far as they do beside an edge.
+  // New vertices may be as far off a viewport side as off an edge.
   if (clipped.is_cut_at_the_sides) promise_.side_tolerance = of_new;
   // The first plane cuts by exact distances.
   if (clipped.planes > 1) {
@@ -402,7 +409,7 @@ void OneTriangle::add_positions(std::span<const Vertex> vertices) {
     return arithmetic_.operation * (kPosition * std::fabs(number / w) * half + kCentre * centre);
   };
   for (const Vertex& v : vertices) {
-    if (v.w <= 0) continue;  // it is cut off
+    if (v.w <= 0) continue;  // clipped away
     position_ = std::max({position_, error(v.x, v.w, double{viewport.x}, double{viewport.width}),
                           error(v.y, v.w, double{viewport.y}, double{viewport.height})});
   }
@@ -422,7 +429,8 @@ void OneTriangle::add_new_vertices(const Clipped& clipped, double least_w) {
   new_weight_ = share * std::max(greatest_w, z);
 }
 
-/// How much larger the vertices' depths are than the range that errors of depth are measured by.
+/// How many times the depths at the vertices exceed the larger end of the depth range, the scale of
+/// depth errors; at least 1.
 double OneTriangle::depth_scale() const {
   const double n = double{case_->viewport.min_depth};
   const double f = double{case_->viewport.max_depth};
@@ -437,18 +445,18 @@ double OneTriangle::depth_scale() const {
   return range > 0 ? most / range : 1;
 }
 
-/// How many times larger K may be in another viewport that may be drawn by.
+/// The factor by which K may grow because the driver's viewport differs slightly.
 double OneTriangle::larger_condition() const {
   if (viewport_error_ == 0) return 1;
   const double along_one = grown_ * (1 + 2 * share_of_extent(case_->viewport, viewport_error_));
   return along_one * along_one;
 }
 
-/// `of_weights`: K of depth.
+/// `of_weights` is the K that applies to depth.
 void OneTriangle::set_values(double of_weights) {
   const double new_weights = kNewWeights * new_weight_;
   cases::ValueBound value;
-  // Only the constant counts for a triangle without area.
+  // For a triangle without area, only the constant counts.
   value.constant = of_weights < kInfinity ? in_ulps(kQuotient * arithmetic_.operation + new_weights)
                                           : kAllDigits;
   value.per_condition = in_ulps(kPerCondition * arithmetic_.operation * larger_condition(), 0);
@@ -459,7 +467,7 @@ void OneTriangle::set_values(double of_weights) {
                new_weights));
 }
 
-/// Whether values of an attribute that varies so may be asked for outside the triangle.
+/// True if an attribute with this interpolation may be evaluated outside the triangle.
 bool OneTriangle::extrapolates(cases::Interpolation interpolation) const {
   return case_->framebuffer.samples > 1 &&
          std::any_of(case_->attributes.begin(), case_->attributes.end(),
@@ -469,8 +477,8 @@ bool OneTriangle::extrapolates(cases::Interpolation interpolation) const {
                      });
 }
 
-/// The farthest that a corner of the framebuffer, whichever is taken for the window's origin, may
-/// be from a place of the triangle's box, along each axis.
+/// The greatest distance, along each axis, from any corner of the framebuffer to any place in the
+/// triangle's bounding box. Every corner counts, as any may be the window's origin.
 std::array<double, 2> from_origin(const WindowTriangle& triangle,
                                   const cases::FramebufferSize& size) {
   const auto farthest = [](const std::array<double, 3>& at, int extent) {
@@ -492,8 +500,8 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
     window.y[i] = (v.y / v.w + 1) * double{viewport.height} / 2 + double{viewport.y};
     window.w[i] = v.w;
   }
-  // A vertex is rounded to a neighbour on the grid from where it is computed; a new one is as far
-  // off as the tolerance.
+  // A given vertex is rounded to a grid point next to its computed position. A new vertex is off by
+  // up to the clip tolerance.
   const double unit = std::ldexp(1.0, -limits_.subpixel_bits);
   const double reach =
       (std::max(1.0, promise_.clip_tolerance) + double{promise_.position_error}) * unit * grown_;
@@ -502,15 +510,15 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
     evaluation.away = from_origin(window, case_->framebuffer);
     for (double& distance : evaluation.away) distance = (distance + viewport_error_) * grown_;
   }
-  // Pieces of a cut triangle hold samples that lie outside the triangle as its vertices are placed:
-  // by as much as these are moved one way and new ones the other.
+  // A cut triangle's pieces may hold samples outside the triangle between the placed vertices,
+  // because given vertices may move one way and new vertices the other.
   const double outside = is_cut ? reach : 0;
   WindowTriangle flat = window;
   flat.w = {1, 1, 1};
   const double open = kNewWeights * new_weight_ + weight_change(window, reach, outside);
   const double open_affine = kNewWeights * new_weight_ + weight_change(flat, reach, outside);
   const auto error_of = [&](bool extrapolates) {
-    // A sample's place is at most half a pixel from the centre.
+    // A sample is at most half a pixel from the centre.
     evaluation.beyond = std::max(2 * outside, extrapolates ? 0.5 * grown_ : 0);
     return plane_error(window, evaluation);
   };
@@ -530,7 +538,7 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
       in_ulps(kRounded / kSteps + open_affine + weight_change(flat, reach, around))};
 }
 
-/// The weakest of two promises.
+/// Replaces `all` by the weaker of two promises.
 void weaken(cases::ValueBound& all, const cases::ValueBound& one) {
   all.constant = std::max(all.constant, one.constant);
   all.per_horizon = std::max(all.per_horizon, one.per_horizon);
@@ -551,7 +559,7 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits,
   contract.is_invariant = false;
   contract.viewport_error = viewport_error(c.viewport, limits.viewport_subpixel_bits);
   contract.coverage = cases::Snapping{limits.subpixel_bits, cases::Rounding::unspecified, 0};
-  // A case without triangles leaves open what any triangle leaves open at least.
+  // For a case without triangles, the contract is the strictest that any triangle can have.
   contract.bounds = {{in_ulps(kQuotient * arithmetic.operation), in_ulps(arithmetic.operation, 0)},
                      {in_ulps(arithmetic.operation)},
                      {in_ulps(kDepthRange * arithmetic.operation)}};

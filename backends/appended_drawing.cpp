@@ -13,20 +13,20 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Triangles of a draw at most: whoever waits hears of each draw.
+/// Maximum number of triangles per draw. Progress is reported after each draw.
 constexpr std::size_t kMostOfDraw = 16384;
-/// Triangles of a draw that are drawn into layers, too, at most: as many as have so many pixels in
-/// all, as layers are read back whole.
+/// Limits on how many triangles of a draw are also drawn into layers, and on the total number of
+/// pixels of those layers, which are read back whole.
 constexpr std::size_t kCheckedOfDraw = 8;
 constexpr std::size_t kCheckedPixels = std::size_t{1} << 21U;
-/// Records that the first draw has room for.
+/// Number of records that the first draw has room for.
 constexpr std::size_t kFirstRoom = std::size_t{1} << 14U;
 
 tl::unexpected<Error> wrong_record(std::string reason) {
   return tl::unexpected(Error{"", "", std::move(reason)});
 }
 
-/// Everything of a case but its triangles and their vertices.
+/// A case without its triangles and their vertices.
 cases::Case without_triangles(const cases::Case& c) {
   cases::Case state = c;
   state.positions.clear();
@@ -36,7 +36,8 @@ cases::Case without_triangles(const cases::Case& c) {
   return state;
 }
 
-/// These triangles of a case, each with vertices of its own.
+/// Returns a case with the given triangles of `c`, each with its own vertices. `state` is the rest
+/// of the case.
 cases::Case part_of(const cases::Case& c, cases::Case state,
                     std::span<const std::size_t> triangles) {
   const auto append = [](auto& to, const auto& from) {
@@ -72,7 +73,8 @@ class Records {
   const RecordLayout& layout() const { return *layout_; }
   float value(std::size_t i, std::size_t at) const { return std::bit_cast<float>(word(i, at)); }
 
-  /// Their indices by triangle, y and x. Fails where one has no triangle of so many.
+  /// Indices of the records, ordered by triangle, y and x. Fails if a record's triangle number
+  /// exceeds `triangles`.
   Result<std::vector<std::size_t>> order(std::size_t triangles) const {
     std::vector<std::size_t> begins(triangles + 1);
     for (std::size_t i = 0; i < size(); ++i) {
@@ -97,7 +99,7 @@ class Records {
   }
 
  private:
-  /// By pixel; a pixel that comes twice has its records in an order of their bits.
+  /// Orders records by pixel, and records of the same pixel by their bits.
   bool goes_before(std::size_t a, std::size_t b) const {
     const auto record = [this](std::size_t i) {
       return words_.subspan(i * layout_->words + 1, layout_->words - 1);
@@ -130,7 +132,7 @@ class AppendedDrawing {
   }
 
   Result<cases::Fragments> draw() {
-    // A counter holds as many fragments as a draw can have.
+    // Limits each draw so that its fragments fit into the shader's 32-bit counter.
     const auto pixels = static_cast<std::size_t>(case_->framebuffer.width) *
                         static_cast<std::size_t>(case_->framebuffer.height);
     const std::size_t most = std::clamp<std::size_t>(0xFFFFFFFFU / pixels, 1, kMostOfDraw);
@@ -140,7 +142,7 @@ class AppendedDrawing {
       const Result<std::size_t> done = draw_some(first, count);
       if (!done) return tl::unexpected(done.error());
       first += *done;
-      // Where fewer had to do, it is likely that fewer will have to do again.
+      // If the room limited this draw, it will probably limit the next one as well.
       count = std::min(most, 2 * *done);
       (*go_on_)();
     }
@@ -148,7 +150,7 @@ class AppendedDrawing {
   }
 
  private:
-  /// Draws so many triangles, or fewer where there is no room for their records; gives how many.
+  /// Draws `count` triangles, or fewer if the room for records does not suffice; returns how many.
   Result<std::size_t> draw_some(std::size_t first, std::size_t count);
   Result<void> add(const Records& records, std::size_t first, std::size_t count);
   Result<void> add_values(const Records& records, std::size_t begin, std::size_t first,
@@ -162,7 +164,7 @@ class AppendedDrawing {
   bool is_in_range(float depth) const {
     return depth >= least_depth_ && depth <= greatest_depth_ && !std::signbit(depth);
   }
-  /// Whether the fragment is at the place of that record.
+  /// True if the fragment and the record have the same triangle and pixel.
   bool is_at(std::size_t fragment, const Records& records, std::size_t i, std::size_t first) const {
     return drawn_.triangle[fragment] + 1 - first == static_cast<std::size_t>(records.number(i)) &&
            drawn_.x[fragment] + (std::uint32_t{drawn_.y[fragment]} << 16U) == records.pixel(i);
@@ -174,7 +176,7 @@ class AppendedDrawing {
   }
 
   const cases::Case* case_;
-  cases::Case state_;  ///< without its triangles
+  cases::Case state_;  ///< the case without its triangles
   std::span<const RecordLayout> layouts_;
   const AppendingDriver* driver_;
   bool is_checked_;
@@ -254,7 +256,7 @@ Result<void> AppendedDrawing::add_values(const Records& records, std::size_t beg
   return wrong_record("drawn again with others of its attributes, the case covers other samples");
 }
 
-/// Forgets the fragments from `begin` on.
+/// Removes all fragments from index `begin` on.
 void AppendedDrawing::drop(std::size_t begin) {
   drawn_.triangle.resize(begin);
   drawn_.x.resize(begin);
@@ -283,8 +285,8 @@ Result<void> AppendedDrawing::add_layers(std::size_t first, std::size_t count) {
   return {};
 }
 
-/// Takes depths beyond the range, and those that are no number, from layers: only the driver knows
-/// what a depth buffer holds then. Looks at fragments from `begin` on.
+/// Replaces depths that are NaN or beyond the depth range by depths drawn into layers, since only
+/// the driver knows what a depth buffer holds then. Considers fragments from index `begin` on.
 Result<void> AppendedDrawing::store_depths(std::size_t begin) {
   std::vector<std::size_t> triangles;
   for (std::size_t i = begin; i < drawn_.size(); ++i) {
@@ -307,8 +309,8 @@ Result<void> AppendedDrawing::store_depths(std::size_t begin) {
   return {};
 }
 
-/// Draws some triangles, evenly chosen of those from `first` on, into layers, and says whether
-/// these have the fragments from `begin` on.
+/// Draws a few triangles, evenly spaced among the `count` from `first` on, into layers. Returns
+/// true if the layers hold the same fragments of these triangles as the list from index `begin` on.
 Result<bool> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
                                          std::size_t count) const {
   std::vector<std::size_t> chosen;

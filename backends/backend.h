@@ -1,7 +1,7 @@
 #pragma once
 
-// Anything that can draw a case. What only some backends can do besides (pictures, strips and fans,
-// a vertex stage, traces) are interfaces of their own, which a backend may not have.
+// The interface of everything that can draw a case. Abilities that only some backends have
+// (pictures, strips and fans, a vertex stage, traces) are separate interfaces.
 
 #include <algorithm>
 #include <cstdint>
@@ -25,69 +25,71 @@
 
 namespace rastercheck::backends {
 
-/// The driver that draws, as far as what is known of its faults depends on it.
+/// Identifies a driver, so that its known faults can be looked up.
 struct Driver {
-  std::string name;     ///< "llvmpipe": lower case, as its folder is called
-  std::string version;  ///< "Mesa 22.3.6": as it says itself
+  std::string name;     ///< "llvmpipe": lower case, as in the name of the driver's folder
+  std::string version;  ///< "Mesa 22.3.6": as reported by the driver
   bool operator==(const Driver&) const = default;
 };
 
-/// Describes a driver of OpenGL or Vulkan as far as its promises depend on it.
+/// The properties of an OpenGL or Vulkan driver that its promises depend on.
 struct ApiLimits {
   int subpixel_bits = 4;           ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
-  bool is_software = false;        ///< it draws with the processor
+  bool is_software = false;        ///< draws on the processor
   int viewport_subpixel_bits = 0;  ///< GL_VIEWPORT_SUBPIXEL_BITS, viewportSubPixelBits
   bool operator==(const ApiLimits&) const = default;
 
-  /// What it is held to unless the user says otherwise.
+  /// The promise that the driver is held to unless the user chooses another.
   cases::DriverPromise usual_promise() const {
     return is_software ? cases::DriverPromise::ieee : cases::DriverPromise::conformance;
   }
 };
 
-/// What a backend says of itself.
+/// A backend's description of itself.
 struct About {
-  /// One line about what is drawn with: name and version of a driver or plugin, say. May be empty.
+  /// One line on what draws, such as the name and version of a driver or plugin. May be empty.
   std::string description = {};
-  std::optional<Driver> driver = std::nullopt;  ///< nothing of what is no driver
-  /// Set for a driver that promises what its API does, and empty for what makes its own promises.
+  std::optional<Driver> driver = std::nullopt;  ///< empty unless the backend is a driver
+  /// Set for a driver, which promises what its API promises. Empty for backends that make their own
+  /// promises.
   std::optional<ApiLimits> api = std::nullopt;
-  /// Whether there are kinds of cases that it does not draw (Failure::unsupported): laws about
-  /// these check nothing then, and labels are not reached, which is no fault of a run.
+  /// True if the backend refuses some kinds of cases (Failure::unsupported). Laws about those kinds
+  /// then check nothing and some labels are never reached, which is not a fault of the run.
   bool has_limits = false;
-  /// Which cases it draws, as far as that is known beforehand.
+  /// The cases that the backend draws, insofar as this is known in advance.
   cases::Capabilities capabilities = {};
-  /// Specifications of backends that promise to draw the same bits as this one, fragments and
-  /// pictures, derivatives aside where either has none. Empty: none does.
+  /// Specifications of backends that promise to draw the same bits as this one: the same fragments
+  /// and pictures, and the same derivatives if both backends have derivatives.
   std::vector<std::string> same_as = {};
-  /// What WaysOfDrawing has; empty where there is none.
+  /// The ways that WaysOfDrawing offers; empty if the backend does not implement it.
   std::vector<cases::DrawBy> ways = {};
   bool operator==(const About&) const = default;
 };
 
-/// Holds the fragments of a case together with the contract that judges them.
+/// The fragments of a case together with the contract that judges them.
 struct Drawn {
   cases::Contract contract;
   cases::Fragments fragments;
 };
 
-/// The fragments alone.
+/// Returns only the fragments.
 inline Result<cases::Fragments> fragments_of(Result<Drawn> drawn) {
   return std::move(drawn).map([](Drawn&& both) { return std::move(both.fragments); });
 }
 
-/// Draws what all triangles of a case without a camera leave in a framebuffer, in submission order.
+/// Draws all triangles of a case into a framebuffer, in submission order, and returns the picture.
+/// The case must have no camera.
 ///
-/// A backend that has one refuses what is no valid case (cases::Case), whatever way of drawing it
-/// is asked for, Backend::draw() among them. Triangles of vertices that are not finite, and all of
-/// a viewport without area, may draw nothing instead.
+/// A backend with this interface refuses every invalid case (cases::Case) in all its drawing
+/// functions, including Backend::draw(). A triangle with a vertex that is not finite, and any
+/// triangle in a viewport without area, may be silently skipped instead.
 class PictureDrawer {
  public:
   virtual Result<cases::Picture> draw_picture(const cases::Case& c,
                                               const cases::Pipeline& pipeline) = 0;
 
-  /// The same into a picture that is there, of the case's size and not resolved, which is not
-  /// cleared. Where it fails the picture is what it was.
+  /// Like draw_picture(), but draws over an existing picture without clearing it. The picture must
+  /// have the case's size and must not be resolved; it stays unchanged on failure.
   virtual Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                                  cases::Picture& picture) = 0;
 
@@ -95,12 +97,12 @@ class PictureDrawer {
   ~PictureDrawer() = default;
 };
 
-/// Makes triangles of strips and fans.
+/// Assembles triangles from strips and fans.
 class Assembler {
  public:
-  /// What a list, strip or fan of a case's vertices draws, in place of its triangles: as
-  /// Backend::draw() has it, triangles numbered in the order of the indices. cases::kRestart among
-  /// these begins anew.
+  /// Draws a list, strip or fan of a case's vertices, in place of the case's triangles, as
+  /// Backend::draw() does. Triangles are numbered in the order of the indices. The index
+  /// cases::kRestart starts a new list, strip or fan.
   virtual Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                                   std::span<const std::uint32_t> indices) = 0;
 
@@ -111,12 +113,12 @@ class Assembler {
 /// Transforms vertices and normals.
 class VertexStage {
  public:
-  /// The clip positions of a case with a camera, one for each vertex. Coordinates beyond float32
-  /// are infinite.
+  /// Returns the clip positions of a case with a camera, one per vertex. Coordinates too large for
+  /// float32 become infinite.
   virtual Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) = 0;
 
-  /// The unit normals in world space of normals in object space of any length, one for each; zero
-  /// where the image is zero (cases::Contract::normal_bound).
+  /// Returns the unit normals in world space, one for each normal in object space, whatever its
+  /// length; zero if the transformed normal is zero (cases::Contract::normal_bound).
   virtual Result<std::vector<cases::Normal>> transform_normals(
       const cases::Matrix4& model, std::span<const cases::Normal> normals) = 0;
 
@@ -124,12 +126,12 @@ class VertexStage {
   ~VertexStage() = default;
 };
 
-/// Tells how what is drawn comes about.
+/// Traces how a sample's values were computed.
 class Tracer {
  public:
-  /// How a sample of a triangle came about, or that it is not drawn, the triangle drawn alone: a
-  /// depth test has no say. Nothing where the sample is not of the target, or the triangle is not
-  /// set up at all. Fails where the case cannot be drawn, or has no such triangle.
+  /// Traces how a sample of a triangle was computed, or why it is not drawn. The triangle is drawn
+  /// alone, so the depth test does not apply. Empty if the sample is outside the target or the
+  /// triangle is never set up. Fails if the case cannot be drawn or has no such triangle.
   virtual Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                             const cases::SamplePlace& at) = 0;
 
@@ -137,14 +139,15 @@ class Tracer {
   ~Tracer() = default;
 };
 
-/// Draws fragments in several ways, which should give the same bits.
+/// Draws fragments in several ways, which should all give the same bits.
 class WaysOfDrawing {
  public:
-  /// Those there are, without DrawBy::frame, which is a way for cases to ask for a depth test.
+  /// The available ways. Never contains DrawBy::frame, which a case selects by asking for a depth
+  /// test.
   virtual std::vector<cases::DrawBy> ways() const = 0;
 
-  /// What Backend::draw() draws, in one of these ways; Failure::unsupported where that way does not
-  /// draw such cases.
+  /// Draws like Backend::draw(), but in this way. Fails with Failure::unsupported if the way cannot
+  /// draw the case.
   virtual Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) = 0;
 
  protected:
@@ -160,62 +163,63 @@ class Backend {
 
   virtual About about() const { return {}; }
 
-  /// Why asking it any more is of no use, where it is: whatever it drew of late came to nothing.
+  /// The reason why the backend was given up; empty while it is usable.
   virtual std::optional<Error> is_lost() const { return std::nullopt; }
 
-  /// What it promises itself about coverage and attributes of a case.
+  /// The backend's own promise about the coverage and attributes of a case.
   virtual cases::Contract promise(const cases::Case& c) const = 0;
 
-  // What it can do besides; nullptr: it cannot. They live as long as the backend. What they draw is
-  // judged by contract() of the case that was drawn.
+  // Optional abilities; nullptr if the backend lacks one. The pointers live as long as the backend.
+  // What these interfaces draw is judged by contract() of the case that was drawn.
   virtual PictureDrawer* picture_drawer() { return nullptr; }
   virtual Assembler* assembler() { return nullptr; }
   virtual VertexStage* vertex_stage() { return nullptr; }
   virtual Tracer* tracer() { return nullptr; }
   virtual WaysOfDrawing* ways_of_drawing() { return nullptr; }
 
-  /// Overrides its promise by these terms from now on, as a contract file does; nullopt takes that
-  /// back.
+  /// From now on, these terms override the backend's promise, as a contract file does; nullopt
+  /// removes the override.
   void hold_to(std::optional<cases::ContractTerms> terms) { terms_ = std::move(terms); }
   const std::optional<cases::ContractTerms>& terms() const { return terms_; }
 
-  /// Makes it draw in this way from now on, if it has the way and the way draws such cases. Without
-  /// one it draws each case in the way that takes least.
+  /// From now on, draws in this way where possible: a way that the backend lacks, or that cannot
+  /// draw a case, is ignored. Without a preference, each case is drawn in the fastest way.
   void prefer(std::optional<cases::DrawBy> way) { preferred_ = way; }
 
-  /// Has it call `tell` whenever part of a drawing is done that takes long: whoever waits for it
-  /// knows then that it goes on.
+  /// Sets a function to call whenever part of a long drawing is done, so that the caller knows that
+  /// work goes on.
   void tell_progress(std::function<void()> tell) { tell_ = std::move(tell); }
 
-  /// Changes what was drawn of a case without a camera.
+  /// Changes the fragments drawn for a case without a camera.
   using Amendment = std::function<void(const cases::Case&, cases::Fragments&)>;
-  /// Sets what changes each drawing before a law sees it (properties/drawing.h), so that it can be
-  /// tried what is still wrong once part
-  /// of it is put right. Empty: nothing does.
+  /// Sets an amendment that is applied to each drawing before a law sees it (properties/drawing.h).
+  /// This shows what is still wrong after part of the drawing is corrected. An empty function
+  /// removes it.
   void amend_by(Amendment amend) { amend_ = std::move(amend); }
   const Amendment& amendment() const { return amend_; }
 
-  /// The promise of its API that it is held to; nothing of what promises something of its own.
+  /// The API promise that the backend is held to; empty for backends that make their own promises.
   std::optional<cases::DriverPromise> driver_promise() const {
     const std::optional<ApiLimits> api = about().api;
     if (!api) return std::nullopt;
     return terms_ && terms_->promise ? *terms_->promise : api->usual_promise();
   }
 
-  /// What it is held to: decides the verdicts.
+  /// The contract that decides the verdicts: the backend's promise, overridden by terms() if they
+  /// are set.
   cases::Contract contract(const cases::Case& c) const {
     return terms_ ? cases::with_terms(promise(c), *terms_, c) : promise(c);
   }
 
-  /// Draws a case without a camera (oracle/transform.h rounds one away). The error names what of
-  /// the case cannot be drawn.
+  /// Draws a case without a camera (oracle/transform.h turns a camera into rounded clip positions).
+  /// The error names the part of the case that cannot be drawn.
   Result<Drawn> draw(const cases::Case& c) {
     return draw_unjudged(c).map([&](cases::Fragments&& fragments) {
       return Drawn{contract(c), std::move(fragments)};
     });
   }
 
-  /// The same without the contract that judges it.
+  /// Like draw(), but returns no contract.
   Result<cases::Fragments> draw_unjudged(const cases::Case& c) {
     WaysOfDrawing* const ways = preferred_ ? ways_of_drawing() : nullptr;
     if (ways == nullptr) return draw_fragments(c);
@@ -227,12 +231,12 @@ class Backend {
   }
 
  protected:
-  /// Says that part of a drawing is done.
+  /// Tells the caller that part of a drawing is done.
   void go_on() const {
     if (tell_) tell_();
   }
 
-  /// What draw() draws.
+  /// Does the drawing for draw().
   virtual Result<cases::Fragments> draw_fragments(const cases::Case& c) = 0;
 
  private:

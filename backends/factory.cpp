@@ -13,7 +13,7 @@ std::vector<BackendKind>& registry() {
   return kinds;
 }
 
-/// What follows the colon of a specification.
+/// The text after the colon of a specification.
 std::string options_of(const std::string& specification) {
   const std::size_t colon = specification.find(':');
   return colon == std::string::npos ? "" : specification.substr(colon + 1);
@@ -34,7 +34,7 @@ tl::unexpected<Error> no_such_kind(const std::string& specification, const std::
 }  // namespace
 
 BackendRegistration::BackendRegistration(const BackendKind& kind) {
-  // The order in which files register is the linker's; lists have one of their own.
+  // Files register in the order of linking; the list is kept sorted by kind.
   const auto after =
       std::find_if(registry().begin(), registry().end(),
                    [&kind](const BackendKind& other) { return other.kind > kind.kind; });

@@ -1,7 +1,7 @@
 #pragma once
 
-// Backends by their specification, KIND or KIND:OPTIONS, as `method:rational-linear`. A kind of
-// backend is one file that registers itself:
+// Makes backends from their specification, KIND or KIND:OPTIONS, such as `method:rational-linear`.
+// Each kind of backend is one file that registers itself:
 //
 //   const BackendRegistration kRegistration({"name", &make, &list});
 
@@ -19,21 +19,22 @@
 
 namespace rastercheck::backends {
 
-/// A backend that could be asked for, and whether it can run here.
+/// A backend that a user may ask for, and whether it can run here.
 struct Listing {
   std::string specification;
   std::string summary;
-  std::string unavailable_because = {};  ///< empty where it can run
+  std::string unavailable_because = {};  ///< empty if the backend can run
 };
 
 struct BackendKind {
   std::string_view kind;
-  /// Fails where the options name nothing, or where it cannot run here.
+  /// Fails if the options name no backend, or if the backend cannot run here.
   Result<std::unique_ptr<Backend>> (*make)(const std::string& options);
-  /// What could be asked for. Of a foreign kind nobody has tried to make these yet.
+  /// The specifications that a user may ask for. Foreign kinds list theirs without checking that
+  /// these backends can be made.
   std::vector<Listing> (*list)();
-  /// Whether it runs code that this project did not write, which may do anything: it gets a process
-  /// of its own (isolation.h).
+  /// True if the backend runs code from outside this project, which may do anything. Such a backend
+  /// gets a process of its own (isolation.h).
   bool is_foreign = false;
 };
 
@@ -41,29 +42,29 @@ struct BackendRegistration {
   explicit BackendRegistration(const BackendKind& kind);
 };
 
-/// Makes the backend of a specification.
+/// A function that makes the backend of a specification.
 using MakeBackend = std::function<Result<std::unique_ptr<Backend>>(const std::string&)>;
 
-/// Makes backends.
+/// Makes backends of all kinds, local and foreign.
 struct BackendFactory {
-  /// Makes those of foreign kinds (isolated_by() in isolation.h); without it they draw in this
-  /// process.
+  /// Makes backends of foreign kinds (isolated_by() in isolation.h). If empty, these backends draw
+  /// in this process.
   MakeBackend make_foreign = {};
-  /// What all are held to (Backend::hold_to()).
+  /// The terms that every backend is held to (Backend::hold_to()).
   std::optional<cases::ContractTerms> terms = std::nullopt;
-  /// How those that have several ways draw (Backend::prefer()).
+  /// The preferred way of drawing for backends with several ways (Backend::prefer()).
   std::optional<cases::DrawBy> draw_by = std::nullopt;
 
-  /// Makes the backend of a specification. The error's file is the specification; its failure is
-  /// `unavailable` where the backend is one that there is, and that cannot run here.
+  /// Makes the backend of a specification. An error gives the specification as its file. The
+  /// failure is `unavailable` if the backend exists but cannot run here.
   Result<std::unique_ptr<Backend>> make(const std::string& specification) const;
 
-  /// Everything that could be asked for, by kind; foreign ones are made, to see whether they can
-  /// run here.
+  /// Lists every specification that a user may ask for, sorted by kind. Makes each foreign backend
+  /// to find out whether it can run here.
   std::vector<Listing> list() const;
 };
 
-/// Makes a backend in this process, whose promise nothing overrides.
+/// Makes a backend in this process, held to its own promise.
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification);
 
 }  // namespace rastercheck::backends

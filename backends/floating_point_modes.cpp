@@ -28,8 +28,8 @@ FloatingPointModes::~FloatingPointModes() {
 }
 
 bool FloatingPointModes::have_changed() const {
-  // Rounding (bits 13 and 14), flush to zero (15), denormals are zero (6). The rest are masks and
-  // sticky flags, which change no result.
+  // Rounding (bits 13 and 14), flush to zero (15), denormals are zero (6). The other bits are
+  // exception masks and sticky flags, which do not change results.
   constexpr unsigned kModes = 0xe040;
   return std::fegetround() != rounding_ || ((control_register() ^ control_) & kModes) != 0;
 }

@@ -2,8 +2,7 @@
 
 namespace rastercheck::backends {
 
-/// The floating-point modes that change results, as they are when it is made; put back when it goes
-/// out of scope.
+/// Saves the floating-point modes that change results, and restores them on destruction.
 class FloatingPointModes {
  public:
   FloatingPointModes();
@@ -11,12 +10,12 @@ class FloatingPointModes {
   FloatingPointModes& operator=(const FloatingPointModes&) = delete;
   ~FloatingPointModes();
 
-  /// Whether the rounding mode or, on x86, FTZ or DAZ are others by now.
+  /// True if the rounding mode or, on x86, FTZ or DAZ have changed since construction.
   bool have_changed() const;
 
  private:
   int rounding_;
-  unsigned control_;  ///< MXCSR; 0 where there is none
+  unsigned control_;  ///< MXCSR; 0 on machines without it
 };
 
 }  // namespace rastercheck::backends

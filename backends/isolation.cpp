@@ -11,16 +11,17 @@
 namespace rastercheck::backends {
 namespace {
 
-/// What makes it useless to ask on: crashes in a row, or hangs in all, as each of these takes time.
+/// The backend is given up after this many crashes in a row, or this many hangs in total, since
+/// each hang takes time.
 constexpr int kMostCrashes = 20;
 constexpr int kMostHangs = 10;
 
-/// Whether a contract's promises of single triangles are of the case's.
+/// True if a contract has no per-triangle promises or as many as the case has triangles.
 bool fits(const cases::Contract& contract, const cases::Case& c) {
   return contract.triangles.empty() || contract.triangles.size() == c.triangles.size();
 }
 
-/// Stands for a backend in another process.
+/// Stands in for a backend in another process.
 class IsolatedBackend : public Backend, public WaysOfDrawing {
  public:
   IsolatedBackend(std::string specification, const Isolation& isolation, WorkerProcess process)
@@ -49,7 +50,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
     if (const auto& api = greeting_.about.api) return promise_of(*api, c);
     if (remembered_ && remembered_->first == c) return remembered_->second;
     if (!c.triangles.empty()) return asked_for_promise(c);
-    // What laws ask before each case.
+    // Before each case, laws ask for the promise of the same case without triangles.
     if (of_nothing_ && of_nothing_->first == c) return of_nothing_->second;
     const cases::Contract said = asked_for_promise(c);
     if (!withheld_) of_nothing_ = {c, said};
@@ -79,7 +80,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
     return std::move(drawing->drawn.fragments);
   }
 
-  /// Gives what its API promises, and keeps it for the next question about the same case.
+  /// Returns the promise of the driver's API, cached for the next question about the same case.
   cases::Contract promise_of(const ApiLimits& api, const cases::Case& c) const {
     const cases::DriverPromise promised = *driver_promise();
     if (remembered_ && promised_ == promised && remembered_->first == c) return remembered_->second;
@@ -91,20 +92,20 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   cases::Contract asked_for_promise(const cases::Case& c) const {
     withheld_.reset();
     std::optional<cases::Contract> said;
-    // Twice: a process that had ended already says nothing of this case.
+    // Tries twice: if the process had already ended, its failure says nothing about this case.
     for (int i = 0; i < 2 && !said; ++i) {
       const Result<std::string> answer = ask({Question::promise, c});
       if (answer) said = unpack_contract(*answer);
       if (said && !fits(*said, c)) said.reset();
       if (!said) withheld_ = {c, answer ? nonsense() : answer.error()};
     }
-    if (!said) return cases::contract_of(c);  // There is no telling why: the case's drawing does.
+    if (!said) return cases::contract_of(c);  // drawing the case will report the error
     withheld_.reset();
     remembered_ = {c, *said};
     return *said;
   }
 
-  /// The answer of the process, started anew where the last one is gone.
+  /// Returns the process's answer. Starts a new process if the last one has ended.
   Result<std::string> ask(const Request& request) const {
     if (!process_) {
       Result<WorkerProcess> started = WorkerProcess::start(specification_, isolation_);
@@ -129,14 +130,14 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   std::string specification_;
   Isolation isolation_;
   Greeting greeting_;
-  // A contract is asked for as well, and to ask may end the process.
+  // Mutable, because even asking for a contract may end the process.
   mutable std::optional<WorkerProcess> process_;
-  mutable int crashes_ = 0;  ///< since the last drawing that came back
-  mutable int hangs_ = 0;    ///< since it was made
+  mutable int crashes_ = 0;  ///< since the last drawing that was returned
+  mutable int hangs_ = 0;    ///< since construction
   mutable std::optional<Error> last_loss_;
   mutable std::optional<std::pair<cases::Case, Error>> withheld_;
   mutable std::optional<std::pair<cases::Case, cases::Contract>> remembered_;
-  mutable std::optional<cases::DriverPromise> promised_;  ///< that remembered_ is by
+  mutable std::optional<cases::DriverPromise> promised_;  ///< for which remembered_ holds
   mutable std::optional<std::pair<cases::Case, cases::Contract>> of_nothing_;
 };
 

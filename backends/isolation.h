@@ -1,14 +1,15 @@
 #pragma once
 
-// Foreign code kept apart: drivers and plugins draw in processes of their own, so that whatever
-// they do ends a process and not a campaign. A BackendFactory hands out stand-ins for them.
+// Isolates foreign code: drivers and plugins draw in processes of their own, so that a fault ends
+// only one of these processes and not the whole campaign. A BackendFactory hands out stand-ins for
+// them.
 //
-// A process that crashes, or does not answer in time, fails the drawing that it was at (Failure::
-// crash and hang), with what it said last, and is started anew for the next one. Cases and
-// framebuffers travel through memory that both processes see (internal/channel.h).
+// If a process crashes or does not answer in time, its current drawing fails (Failure::crash or
+// hang) with the last words of the process, and a new process starts for the next drawing. Cases
+// and framebuffers travel through memory shared by both processes (internal/channel.h).
 //
-// What such a process may do is limited (cases/confinement.h). This keeps broken code from doing
-// harm; it is no wall against malice.
+// Each process is limited in what it may do (cases/confinement.h). The limits keep broken code from
+// doing harm; they do not stop malicious code.
 
 #include <chrono>
 #include <cstdint>
@@ -23,36 +24,36 @@
 namespace rastercheck::backends {
 
 struct Isolation {
-  /// Program and arguments of a process that calls serve_backend(); the backend's specification and
-  /// `--seconds` and `--memory` with the limits below are added.
+  /// Program and arguments of a process that calls serve_backend(). The backend's specification is
+  /// appended, then `--seconds` and `--memory` with the limits below.
   std::vector<std::string> command;
-  /// How long a process may be silent that is asked: until it answers, or says that it goes on
-  /// (Backend::tell_progress()). Processor time is limited to as much on each processor. Nothing
-  /// limits the time of all parts together.
+  /// How long a process may stay silent after a question, until it answers or reports progress
+  /// (Backend::tell_progress()). In the same interval, the process may use this much processor time
+  /// per processor. The total time of all parts of a drawing is unlimited.
   std::chrono::duration<double> timeout{10};
-  /// Bytes that a process may take.
+  /// The most bytes that a process may allocate.
   std::uint64_t memory = std::uint64_t{4} << 30;
 };
 
-/// A stand-in for the backend of a specification, foreign or not, made in a process. It draws
-/// fragments, and has the backend's contract, description and limits. It is for the thread that
-/// makes it: its processes end with the thread that starts them, and any question may start one.
-/// Fails as make_backend() does, and where the process cannot be started.
+/// Makes a stand-in for the backend of a specification, foreign or not, which runs in another
+/// process. The stand-in draws fragments and has the backend's contract, description and limits.
+/// Use it only on the thread that makes it: its processes end with the thread that starts them, and
+/// any question may start one. Fails like make_backend(), or if the process cannot be started.
 Result<std::unique_ptr<Backend>> make_isolated_backend(const std::string& specification,
                                                        const Isolation& isolation);
 
-/// Makes such stand-ins, for a BackendFactory.
+/// Returns a function that makes such stand-ins, for a BackendFactory.
 MakeBackend isolated_by(const Isolation& isolation);
 
-/// The limits as the process is told them.
+/// The limits as they are passed to the process.
 struct ServingLimits {
   double seconds = 0;
   std::uint64_t memory = 0;
 };
 
-/// The other end, in the process: limits it, makes the backend and answers until nobody asks any
-/// more. Standard input and output are its channel; what is printed meanwhile goes to standard
-/// error. Fails where it was not started by make_isolated_backend().
+/// The other end, in the process itself: applies the limits, makes the backend and answers until
+/// the channel closes. Standard input and output are the channel, so printed text goes to standard
+/// error. Fails if the process was not started by make_isolated_backend().
 Result<void> serve_backend(const std::string& specification, const ServingLimits& limits);
 
 }  // namespace rastercheck::backends

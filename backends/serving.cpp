@@ -26,11 +26,11 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Of no more than what a parent sends, which is none of the dangers here.
+/// Any size, because messages from the parent can be trusted.
 constexpr std::uint64_t kMostBytes = ~std::uint64_t{0};
 
-/// The channel that was handed over as standard input and output; what others read and print from
-/// now on goes elsewhere.
+/// Takes the channel that was passed as standard input and output. From now on, the input and
+/// output of other code go elsewhere.
 Result<Channel> take_channel() {
   Result<cases::Descriptor> memory = cases::take_standard_output();
   if (!memory) return tl::unexpected(memory.error());
@@ -44,35 +44,34 @@ Result<Channel> take_channel() {
   return Channel(*std::move(shared), std::move(bell));
 }
 
-/// All but processor time, which is for each answer.
+/// Applies all limits except that on processor time, which is set anew for each answer.
 Result<void> limit(const ServingLimits& limits) {
-  // A file that is too long is an error of whoever writes, not the end of the process.
+  // A file that grows too long then gives the writer an error instead of ending the process.
   if (std::signal(SIGXFSZ, SIG_IGN) == SIG_ERR || ::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) {
     return tl::unexpected(Error{"a process's signals", "", std::strerror(errno)});
   }
   const Result<cases::Confinement> confined = cases::confine_this_process();
   if (!confined) return tl::unexpected(confined.error());
-  // Drivers write to shared memory, which is as good as a file to a limit on these.
+  // Drivers write to shared memory, which a limit on file sizes would also restrict.
   return cases::limit_this_process({.memory = limits.memory, .may_write = confined->has_no_files});
 }
 
-/// Keeps memory that comes and goes with each drawing: to have the system give it anew takes longer
-/// than most drawings do.
+/// Keeps memory that each drawing allocates and frees, since getting it from the system again takes
+/// longer than most drawings.
 void keep_memory() {
   constexpr int kMebibyte = 1 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);  // more is refused
+  ::mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);  // larger values are refused
   ::mallopt(M_TRIM_THRESHOLD, 512 * kMebibyte);
 }
 
-/// Bytes that were allocated and not given back.
+/// Returns the number of bytes that are allocated and not yet freed.
 std::size_t memory_in_use() {
   const struct mallinfo2 info = ::mallinfo2();
   return info.uordblks + info.hblkhd;
 }
 
-/// Draws cases, and some of them, that have been drawn quickly, again and again, to see whether
-/// memory is given back: the first, the second, the fourth… A saved case is the first that is drawn
-/// when it is replayed, and so is looked at again.
+/// Draws cases. Draws the first, second, fourth, … case again, if that was quick, to check for
+/// memory leaks. In a replay, the saved case is drawn first, so the check covers it as well.
 class WatchedDrawer {
  public:
   WatchedDrawer(Backend& backend, double seconds)
@@ -91,8 +90,8 @@ class WatchedDrawer {
   }
 
  private:
-  /// Draws in the way that is asked for, if one is; it says so where it does not draw such cases.
-  /// Leaves out the contract of a driver, which whoever asks works out.
+  /// Draws in the given way, if any; fails if that way cannot draw the case. Leaves out a driver's
+  /// contract, which the parent process computes.
   Result<Drawn> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
     WaysOfDrawing* const ways = way ? backend_->ways_of_drawing() : nullptr;
     Result<cases::Fragments> drawn =
@@ -103,15 +102,16 @@ class WatchedDrawer {
     });
   }
 
-  /// How often at least: caches fill in the first of them. Drawings that have taken memory so many
-  /// times in a row at the end are suspected, and go on until one has not, which is no leak, or
-  /// this many have: a driver's threads take some for a while, as their work comes to be shared
-  /// out.
+  /// A drawing is repeated at least kRepetitions times, as caches fill during the first few
+  /// repetitions. If the last kSuspected repetitions in a row have all taken memory, a leak is
+  /// suspected. The repetitions then go on until one takes no memory, which means no leak, or until
+  /// kLeaking in a row have taken memory. So many are needed because a driver's threads take some
+  /// memory for a while, until the work is spread over all of them.
   static constexpr int kRepetitions = 8;
   static constexpr int kSuspected = 4;
   static constexpr int kLeaking = 64;
-  /// The share of the time for an answer that a drawing may take to be looked at: nine times that
-  /// is little, and a scene takes more.
+  /// Only drawings that take at most 1/kShareOfTime of the time limit for an answer are checked, so
+  /// that the repetitions fit into that limit. Scenes take longer and are not checked.
   static constexpr double kShareOfTime = 200;
 
   Result<void> check_memory(const cases::Case& c, std::optional<cases::DrawBy> way) {
@@ -158,7 +158,7 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
   const Result<Channel> channel = take_channel();
   if (!channel) return tl::unexpected(channel.error());
   keep_memory();
-  // Or what a process says before it crashes might not be heard.
+  // Unbuffered, so that the last words before a crash reach the parent.
   std::setvbuf(stdout, nullptr, _IONBF, 0);
   if (const Result<void> limited = limit(limits); !limited) return limited;
   const std::chrono::duration<double> time_of_all(
@@ -174,7 +174,8 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
   if (!channel->send(pack(greeting), {}) || !backend) return {};
   (*backend)->tell_progress([&] {
     channel->beat();
-    // As much for the next part. Where that fails, the time that is left has to do.
+    // The next part gets as much time again. If setting the limit fails, the time that is left must
+    // suffice.
     static_cast<void>(cases::limit_processor_time_from_now(time_of_all));
   });
   WatchedDrawer drawer(**backend, limits.seconds);

@@ -3,7 +3,8 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Turns one axis of a viewport round; false where its other side is no float32.
+/// Turns one axis of a viewport. Returns false if float32 cannot hold the position of its other
+/// side.
 bool turn(float& origin, float& size) {
   const double side = double{origin} + double{size};
   origin = static_cast<float>(side);

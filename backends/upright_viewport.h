@@ -1,7 +1,7 @@
 #pragma once
 
-// Viewports of negative size, which neither API has, but Vulkan for heights: what is drawn there is
-// what a viewport turned round draws of negated coordinates.
+// Replaces viewports of negative size: a turned viewport with negated coordinates draws the same.
+// Of negative sizes, OpenGL supports none and Vulkan only negative heights.
 
 #include <optional>
 
@@ -9,13 +9,13 @@
 
 namespace rastercheck::backends {
 
-/// Which sizes of a viewport a driver takes below 0.
+/// The negative viewport sizes that a driver accepts.
 enum class NegativeSizes { none, height };
 
-/// The case with its viewport turned round, and coordinates negated, along each axis whose size is
-/// negative and that the driver does not turn by itself. Every window position is the same number
-/// as before, and so is the way that triangles face. Nothing where there is nothing to turn, or
-/// where the viewport's other side is no float32.
+/// Turns the case's viewport, and negates coordinates, along each axis whose size is negative and
+/// not accepted by the driver. Every window position and the facing of every triangle stay the
+/// same. Returns nothing if no axis needs turning, or if float32 cannot hold the position of the
+/// viewport's other side.
 std::optional<cases::Case> with_upright_viewport(const cases::Case& c, NegativeSizes taken);
 
 }  // namespace rastercheck::backends

@@ -10,7 +10,7 @@
 namespace rastercheck::cases {
 namespace {
 
-/// Whether some vertex of a triangle is such a one.
+/// True if the predicate holds for some vertex of a triangle; false for a case with a camera.
 template <typename Is>
 bool has_vertex(const Case& c, const Is& is) {
   if (c.camera) return false;
@@ -24,7 +24,7 @@ bool has_attribute(const Case& c, Interpolation interpolation) {
                      [&](const Attribute& a) { return a.interpolation == interpolation; });
 }
 
-/// One whose place is not the sample's own.
+/// True if an attribute has this location and the location may differ from the sample's.
 bool has_location(const Case& c, Location location) {
   return c.framebuffer.samples > 1 &&
          std::any_of(c.attributes.begin(), c.attributes.end(), [&](const Attribute& a) {

@@ -6,7 +6,7 @@
 //    "max_viewport": 8192, "max_attributes": 8, "max_clip_distances": 0, "numbers": {"least": "…",
 //    "greatest": "…"}}
 //
-// A key is absent where nothing is beyond a backend.
+// A key is absent if it sets no limit.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -16,7 +16,7 @@
 namespace rastercheck::cases {
 
 void write_value(nlohmann::json& to, const Capabilities& capabilities);
-/// Refuses unknown keys, and what leaves no case to draw.
+/// Refuses unknown keys, and capabilities that no case fits.
 void read_value(const JsonNode& node, Capabilities& capabilities);
 
 }  // namespace rastercheck::cases

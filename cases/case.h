@@ -1,6 +1,7 @@
 #pragma once
 
-// What is drawn: the Case, as plain data. CONTRACT: the case file, version 1; docs/case-format.md.
+// The Case: everything that is drawn, as plain data. docs/case-format.md describes the case file,
+// version 1.
 
 #include <array>
 #include <cstddef>
@@ -14,14 +15,14 @@
 
 namespace rastercheck::cases {
 
-/// Width and height of a framebuffer, viewport or scissor, in pixels, inclusive.
+/// The largest width and height of a framebuffer, viewport or scissor, in pixels, inclusive.
 inline constexpr int kMaxSize = 16384;
-/// Attributes of a vertex, inclusive.
+/// The largest number of attributes, inclusive.
 inline constexpr std::size_t kMaxAttributes = 32;
-/// User clip distances of a vertex, inclusive.
+/// The largest number of user clip distances, inclusive.
 inline constexpr std::size_t kMaxClipDistances = 8;
 
-/// The API whose conventions hold: clip depth, direction of window y, depth map, provoking vertex.
+/// The API whose conventions apply: clip depth, direction of window y, depth map, provoking vertex.
 enum class Rules { opengl, vulkan, d3d };
 
 enum class Cull { none, back, front };
@@ -36,8 +37,8 @@ enum class Interpolation { smooth, noperspective, flat };
 /// Where in the pixel an attribute is evaluated. Depth always belongs to the sample.
 enum class Location { sample, center, centroid };
 
-/// `less` keeps the nearest fragment of each sample, the first drawn of equal ones, if it is nearer
-/// than what the depth buffer begins with.
+/// `less` keeps the nearest fragment of each sample (of equally near ones, the first drawn) if the
+/// fragment is nearer than the initial value of the depth buffer.
 enum class DepthTest { none, less };
 
 /// Pixels, and samples per pixel (1, 2, 4, 8 or 16).
@@ -49,8 +50,8 @@ struct FramebufferSize {
 };
 
 /// NDC [-1, 1] maps to [x, x + width] × [y, y + height], in window pixels; sizes may be negative
-/// and fractional. Depth maps to [min_depth, max_depth] within [0, 1]; the two may be in any order
-/// but for `d3d`.
+/// and fractional. Depth maps to [min_depth, max_depth] within [0, 1]; min_depth may exceed
+/// max_depth except under `d3d`.
 struct Viewport {
   float x = 0;
   float y = 0;
@@ -101,15 +102,15 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// Where a counterexample comes from. Written with it, ignored when drawn.
+/// The origin of a counterexample. Written with the case, ignored when drawn.
 struct Found {
   std::string law;
   std::string backend;
   std::string verdict;
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
-  std::string kind = {};       ///< of values, or coverage: what was wrong
-  std::string condition = {};  ///< of the fragment that it was wrong of
+  std::string kind = {};       ///< what was wrong: a kind of value, or coverage
+  std::string condition = {};  ///< the condition of the wrong fragment
   bool operator==(const Found&) const = default;
 };
 
@@ -123,30 +124,34 @@ struct Case {
   Viewport viewport;
   Rules rules = Rules::vulkan;
   Coverage coverage;
-  /// Positions that attributes and facing come from; matters only when `coverage` is snapped.
+  /// The positions that attributes and facing are computed from; matters only if `coverage` is
+  /// snapped.
   Basis basis = Basis::ideal;
   TieRule fill_rule = TieRule::top_left;  ///< never `unspecified` in a Case
   Cull cull = Cull::none;
   FrontFace front_face = FrontFace::ccw;
   std::optional<Scissor> scissor;
   DepthTest depth_test = DepthTest::none;
-  /// The depth buffer begins with this, within [0, 1]; matters only where there is a depth test.
-  /// Nothing: 1, or anything farther, so that a fragment of depth 1 may be drawn or not.
+  /// The initial value of the depth buffer, within [0, 1]; matters only with a depth test. Empty: 1
+  /// or anything farther, so that a fragment of depth 1 may be drawn or not.
   std::optional<float> depth_clear;
   bool depth_clamp = false;
   std::vector<Attribute> attributes;
   std::optional<Camera> camera;
   std::vector<ClipVertex> positions;  ///< [vertex]
-  /// [vertex][attribute], `attributes.size()` numbers a vertex.
+  /// [vertex][attribute], `attributes.size()` numbers per vertex.
   std::vector<float> attribute_values;
-  /// [vertex][distance], `clip_distance_count` numbers a vertex.
+  /// [vertex][distance], `clip_distance_count` numbers per vertex.
   std::vector<float> clip_distances;
   std::size_t clip_distance_count = 0;
   std::vector<Triangle> triangles;
-  /// Names what the case is about, by the names of cases::Feature and "rules", "samples" and
-  /// "size": where something else keeps a backend from drawing it, that may be left out. Nothing:
-  /// all but rules and samples. Ignored when drawn.
+  /// What the case is about: names of cases::Feature, "rules", "samples" and "size". Anything else
+  /// may be removed from the case if it keeps a backend from drawing the case. Empty: everything
+  /// but rules and samples is essential. Ignored when drawn.
   std::optional<std::vector<std::string>> essential;
+  /// The seed of laws' choices (properties/choices.h); empty: a hash of the case. Ignored when
+  /// drawn.
+  std::optional<std::uint64_t> choices;
   std::optional<Found> found;
 
   /// The attribute values of one vertex, in the order of `attributes`.
@@ -156,9 +161,9 @@ struct Case {
   bool operator==(const Case&) const = default;
 };
 
-/// The defaults that depend on the rules (RULES §3, §4): ties of `opengl` go to bottom-left edges,
-/// those of `vulkan` and `d3d` to top-left ones; `d3d` takes attributes and facing from the snapped
-/// positions.
+/// The defaults that depend on the rules (RULES §3, §4): ties go to bottom-left edges under
+/// `opengl`, and to top-left edges under `vulkan` and `d3d`; `d3d` takes attributes and facing from
+/// the snapped positions.
 TieRule default_fill_rule(Rules rules);
 Basis default_basis(Rules rules);
 

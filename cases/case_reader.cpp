@@ -138,7 +138,7 @@ void read_vertices(const JsonNode& node, Case& c) {
     }
     if (first) c.clip_distance_count = distances.size();
     if (distances.size() != c.clip_distance_count) {
-      // Absent where vertex 0 has some, the vertex is the place.
+      // If this vertex has none although vertex 0 has some, the error points at the vertex.
       (vertex.has("clip_distances") ? vertex["clip_distances"] : vertex)
           .refuse(
               fmt::format("must have {} clip_distances, as vertex 0 has", c.clip_distance_count));
@@ -180,7 +180,7 @@ Found read_found(const JsonNode& node) {
 
 constexpr std::size_t kMostEssential = 20;
 
-/// One of cases::Feature's names, or of what else a case may be about.
+/// Reads the name of a cases::Feature, or of another thing that a case may be about.
 std::string read_essential(const JsonNode& node) {
   constexpr std::array<std::string_view, 3> kOthers{"rules", "samples", "size"};
   constexpr auto kNames = names_of(Feature{});
@@ -196,12 +196,13 @@ std::string read_essential(const JsonNode& node) {
 }
 
 void check_header(const JsonNode& root) {
-  // First: of another format, keys are not what is wrong.
+  // Checks the format first, because in a file of another format the error should not be about
+  // keys.
   root.expect_format("rastercheck-case");
   root.expect_object(
       {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
       {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
-       "depth_clear", "depth_clamp", "attributes", "camera", "essential", "found"});
+       "depth_clear", "depth_clamp", "attributes", "camera", "essential", "choices", "found"});
   if (root.failed()) return;
   if (root["version"].integer(0, std::numeric_limits<std::int32_t>::max()) != 1) {
     root["version"].refuse("version must be 1");
@@ -236,6 +237,7 @@ Case read_case(const JsonNode& root) {
       c.essential->push_back(read_essential(word));
     }
   }
+  if (root.has("choices")) c.choices = root["choices"].unsigned_integer();
   if (root.has("found")) c.found = read_found(root["found"]);
   if (root.failed()) return c;
   read_vertices(root["vertices"], c);

@@ -10,17 +10,17 @@ namespace rastercheck::cases {
 
 class JsonNode;
 
-/// Reads a case file (CONTRACT, version 1; docs/case-format.md): everything that it accepts can be
-/// drawn, and nothing in it was rounded, defaulted by guess, or ignored. `file` names the source in
-/// errors.
+/// Reads a case file (version 1, docs/case-format.md). Every case it accepts can be
+/// drawn, and no part of the text was rounded, defaulted by guess, or ignored. `file` names the
+/// source in errors.
 Result<Case> parse_case(std::string_view text, const std::string& file);
 
-/// The same from a file, or from standard input for "-".
+/// Reads a case from a file, or from standard input for "-".
 Result<Case> read_case(const std::string& file);
 
-/// The same of a value within another document, whose node keeps the error.
+/// Reads a case nested in another document; the node records the error.
 Case read_case(const JsonNode& node);
-/// For records that have cases (json_members.h).
+/// For records that contain cases (json_members.h).
 inline void read_value(const JsonNode& node, Case& c) { c = read_case(node); }
 
 }  // namespace rastercheck::cases

@@ -31,7 +31,7 @@ std::string list(const Range& values) {
   return text + "]";
 }
 
-/// The elements of an array, each on a line of its own.
+/// An array with each element on its own line.
 std::string lines(const std::vector<std::string>& elements) {
   return elements.empty() ? "[]" : fmt::format("[\n    {}\n  ]", fmt::join(elements, ",\n    "));
 }
@@ -128,6 +128,7 @@ std::string to_json(const Case& c) {
     for (const std::string& one : *c.essential) words.push_back(json_string(one));
     add("essential", fmt::format("[{}]", fmt::join(words, ", ")));
   }
+  if (c.choices) add("choices", fmt::to_string(*c.choices));
   if (c.found) add("found", found_text(*c.found));
   return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
 }

@@ -7,11 +7,12 @@
 
 namespace rastercheck::cases {
 
-/// A case as the text of a case file; reading it back gives the same Case, bit for bit. Floats are
-/// hex floats, keys at their default are left out, every vertex and triangle has a line of its own.
+/// Formats a case as a case file; reading it back gives the same Case, bit for bit. Writes floats
+/// as hex floats, omits most keys that have their default value, and gives every vertex and
+/// triangle its own line.
 std::string to_json(const Case& c);
 
-/// The same within another document, for records that have cases (json_members.h).
+/// Writes a case nested in another document, for records that contain cases (json_members.h).
 void write_value(nlohmann::json& to, const Case& c);
 
 }  // namespace rastercheck::cases

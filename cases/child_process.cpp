@@ -24,7 +24,7 @@ tl::unexpected<Error> call_failure(const std::string& what, int problem) {
   return tl::unexpected(Error{what, "", std::strerror(problem)});
 }
 
-/// Reads until the other end is closed; false where there is more than `most`.
+/// Reads until the other end is closed; returns false if more than `most` bytes come.
 bool read_all(int from, std::uint64_t most, std::string& all) {
   std::array<char, 65536> part{};
   for (;;) {
@@ -36,7 +36,7 @@ bool read_all(int from, std::uint64_t most, std::string& all) {
   }
 }
 
-/// Bytes of address space that this process has.
+/// The bytes of address space that this process has.
 std::uint64_t address_space() {
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -66,7 +66,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
   for (const auto& [from, to] :
        {std::pair(streams.input, STDIN_FILENO), std::pair(streams.output, STDOUT_FILENO),
         std::pair(streams.error, STDERR_FILENO)}) {
-    // Also where they are the same: it is to stay open in the child.
+    // Needed even if both are the same, because the descriptor must stay open in the child.
     posix_spawn_file_actions_adddup2(&actions, from, to);
   }
   pid_t process = 0;
@@ -82,7 +82,8 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
 }
 
 ChildProcess::ChildProcess(pid_t process, ProcessGroup group)
-    // The C library's header has this for C alone.
+    // Makes the system call directly, because the C library's header declares pidfd_open() only for
+    // C.
     : process_(process),
       group_(group),
       end_of_process_(static_cast<int>(::syscall(SYS_pidfd_open, process, 0))) {}
@@ -117,7 +118,8 @@ ProcessEnd ChildProcess::wait() {
   }
   process_ = 0;
   constexpr std::uint64_t kKibibyte = 1024;
-  // A process begins as a copy of who starts it, whose memory is counted as its own.
+  // A child begins as a copy of its parent, whose memory is counted as the child's. So only a peak
+  // above the parent's is known to be the child's own.
   rusage of_parent{};
   ::getrusage(RUSAGE_SELF, &of_parent);
   if (used.ru_maxrss > of_parent.ru_maxrss) {
@@ -156,8 +158,8 @@ Result<Descriptor> take_standard_output() {
 }
 
 Result<void> limit_this_process(const ProcessLimits& limits) {
-  // Of the address space, because that is what allocations fail by; sanitizers have terabytes of it
-  // from the start.
+  // Limits the address space, because that makes allocations fail. The limit adds to the present
+  // size, because sanitizers have terabytes of address space from the start.
   const std::uint64_t has = address_space();
   const rlim_t memory = has + std::min(limits.memory, RLIM_INFINITY - 1 - has);
   std::vector<std::pair<__rlimit_resource, rlimit>> all{{RLIMIT_AS, {memory, memory}},
@@ -165,7 +167,7 @@ Result<void> limit_this_process(const ProcessLimits& limits) {
   if (!limits.may_write) all.push_back({RLIMIT_FSIZE, {0, 0}});
   if (limits.seconds > 0) all.push_back({RLIMIT_CPU, {limits.seconds, limits.seconds + 1}});
   for (auto& [resource, limit] : all) {
-    // What this process may not have anyway stays as it is.
+    // Keeps limits that are already stricter.
     rlimit now{};
     if (::getrlimit(resource, &now) != 0) return call_failure("getrlimit", errno);
     limit.rlim_max = std::min(limit.rlim_max, now.rlim_max);
@@ -179,7 +181,7 @@ Result<void> limit_processor_time_from_now(std::chrono::duration<double> time) {
   timespec used{};
   if (::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0)
     return call_failure("clock_gettime", errno);
-  // Limits are whole seconds; one more, so that none is shorter than it should be.
+  // Limits are whole seconds; rounds up, so that the limit is not shorter than asked for.
   const rlim_t seconds = static_cast<rlim_t>(used.tv_sec) + static_cast<rlim_t>(time.count()) + 2;
   rlimit limit{};
   if (::getrlimit(RLIMIT_CPU, &limit) != 0) return call_failure("getrlimit", errno);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Child processes: started, waited for, limited.
+// Starts child processes, waits for them, and limits their resources.
 
 #include <sys/types.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@
 
 namespace rastercheck::cases {
 
-/// A file descriptor that is closed when it goes.
+/// A file descriptor, closed on destruction.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -46,24 +46,24 @@ struct ChildStreams {
   int error = STDERR_FILENO;
 };
 
-/// Whether Ctrl-C in a terminal, which ends a whole process group, ends a child as well.
+/// Decides whether Ctrl-C in a terminal, which ends a whole process group, ends a child as well.
 enum class ProcessGroup { of_parent, own };
 
 /// How a process ended.
 struct ProcessEnd {
-  int signal = 0;  ///< that ended it, 0 where none did
+  int signal = 0;  ///< the signal that ended the process; 0 if none did
   int exit_code = 0;
-  std::uint64_t most_memory = 0;  ///< bytes that it had at once; 0 where there is no telling
+  std::uint64_t most_memory = 0;  ///< peak, bytes; 0 if unknown
 };
 
 /// "ended by signal Killed", "ended with exit code 1".
 std::string to_string(const ProcessEnd& end);
 
-/// A child process; killed, if it has not ended, and waited for when it goes.
+/// A child process. The destructor kills it if it still runs, and waits for it.
 class ChildProcess {
  public:
-  /// Starts a command: program and arguments. A program without a slash in its name is looked for
-  /// on PATH. Fails where it cannot be started.
+  /// Starts a command: program and arguments. A program without a slash in its name is searched for
+  /// on PATH. Fails if the program cannot be started.
   static Result<ChildProcess> start(const std::vector<std::string>& command,
                                     const ChildStreams& streams, ProcessGroup group);
 
@@ -77,53 +77,56 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
-  /// With all that it started, where it has a group of its own; by SIGTERM it may end in its own
-  /// way. Changes nothing of one that has ended and was waited for.
+  /// Sends a signal to the process or, if it has a process group of its own, to that whole group;
+  /// SIGTERM lets the process end in its own way. Does nothing after wait().
   void kill(int signal = SIGKILL) const;
-  /// A descriptor that can be read from once it has ended; below 0 where the system has none.
+  /// A descriptor that becomes readable when the process has ended; negative if the system lacks
+  /// such descriptors.
   int end() const { return end_of_process_.number(); }
-  /// Waits until it has ended, or for so long; whether it has, as far as can be told.
+  /// Waits at most `time` for the process to end. Returns true if the process has ended, false if
+  /// it has not or if that is unknown.
   bool has_ended_within(std::chrono::milliseconds time) const;
-  /// Waits until it has ended.
+  /// Waits until the process has ended.
   ProcessEnd wait();
 
  private:
   ChildProcess(pid_t process, ProcessGroup group);
 
-  pid_t process_;  ///< 0: it has been waited for
+  pid_t process_;  ///< 0 after wait()
   ProcessGroup group_;
   Descriptor end_of_process_;
   ProcessEnd end_;
 };
 
-/// What became of a child process that was asked one thing.
+/// The outcome of a child process that ran one command.
 struct ChildOutcome {
-  std::string output;    ///< on standard output
-  bool is_whole = true;  ///< false where it said more than it may, and was killed
+  std::string output;    ///< what it wrote to standard output
+  bool is_whole = true;  ///< false if it wrote too much and was killed
   ProcessEnd end;
 };
 
-/// Runs a command to its end with this process's standard input, in its process group; what it says
-/// on standard error is dropped. It may say `most_output` bytes. Fails where it cannot be started.
+/// Runs a command to its end, with this process's standard input and in its process group. Discards
+/// its standard error. Kills it if it writes more than `most_output` bytes. Fails if the command
+/// cannot be started.
 Result<ChildOutcome> run_child(const std::vector<std::string>& command, std::uint64_t most_output);
 
-/// The standard output of this process, for its answers: what others print from now on goes to
-/// standard error.
+/// Reserves this process's standard output for answers and returns its descriptor. Anything that
+/// other code prints from now on goes to standard error.
 Result<Descriptor> take_standard_output();
 
-/// What a process may use from now on.
+/// The resources that a process may use from now on.
 struct ProcessLimits {
-  std::uint64_t memory = 0;  ///< bytes beyond those that it has
-  unsigned seconds = 0;      ///< of processor time, 0 for any; SIGXCPU ends it then
-  bool may_write = false;    ///< to the files that it can open
+  std::uint64_t memory = 0;  ///< bytes beyond those already in use
+  unsigned seconds = 0;      ///< processor time, then SIGXCPU ends the process; 0: no limit
+  bool may_write = false;    ///< may write to files
   bool operator==(const ProcessLimits&) const = default;
 };
 
-/// Limits this process, which also leaves no core dumps from now on.
+/// Limits this process, and disables core dumps.
 Result<void> limit_this_process(const ProcessLimits& limits);
 
-/// Ends this process by SIGXCPU once it has used so much processor time more, on all processors
-/// together. What was said before no longer holds.
+/// Limits this process to `time` of further processor time, on all processors together; SIGXCPU
+/// then ends the process. Replaces any earlier limit.
 Result<void> limit_processor_time_from_now(std::chrono::duration<double> time);
 
 }  // namespace rastercheck::cases

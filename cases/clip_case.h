@@ -8,19 +8,21 @@
 
 namespace rastercheck::cases {
 
-/// A case as it is drawn: its positions are clip coordinates, and it has no camera. Later changes
-/// of it do not reach given().
+/// A case as it is drawn: its positions are clip coordinates, and it has no camera. If it was made
+/// from a case with a camera, given() is that case, whatever changes in this case later; else
+/// given() is this case.
 class ClipCase : public Case {
  public:
-  /// A case without a camera, as it stands.
+  /// Wraps a case without a camera.
   explicit ClipCase(Case c) : Case(std::move(c)) { assert(!camera); }
-  /// A case without a camera that was made from one with a camera (oracle/transform.h).
+  /// Wraps a case without a camera that was made from `given`, a case with one
+  /// (oracle/transform.h).
   ClipCase(Case clip, const Case& given)
       : Case(std::move(clip)), given_(std::make_shared<const Case>(given)) {
     assert(!camera);
   }
 
-  /// The case with its camera, where there was one; else this.
+  /// The original case with its camera, if any; else this case.
   const Case& given() const { return given_ ? *given_ : *this; }
 
  private:

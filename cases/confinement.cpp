@@ -19,13 +19,13 @@
 namespace rastercheck::cases {
 namespace {
 
-/// All rights to change files that the first version of Landlock knows.
+/// Those rights of Landlock's first version that allow changing files.
 constexpr std::uint64_t kWriting = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
                                    LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
                                    LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
                                    LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
                                    LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
-/// And truncate(), which the third version knows; Debian 12's header does not.
+/// The right to truncate(), from Landlock's third version; Debian 12's header lacks it.
 constexpr std::uint64_t kTruncating = 1U << 14U;
 constexpr int kVersionOfTruncating = 3;
 
@@ -33,12 +33,13 @@ tl::unexpected<Error> confinement_failure(const std::string& what, int problem) 
   return tl::unexpected(Error{what, "", std::strerror(problem)});
 }
 
-/// Without a wrapper in the C library.
+/// The C library has no wrapper for this system call.
 int create_ruleset(const landlock_ruleset_attr* attributes, std::size_t size, std::uint32_t flags) {
   return static_cast<int>(::syscall(SYS_landlock_create_ruleset, attributes, size, flags));
 }
 
-/// Drivers write to their devices, among which the system has named shared memory.
+/// Keeps the rights `access` for everything below /dev, because drivers write to their devices
+/// there and to named shared memory (/dev/shm).
 Result<void> allow_devices(const Descriptor& ruleset, std::uint64_t access) {
   const Descriptor devices(::open("/dev", O_PATH | O_CLOEXEC));
   if (!devices.is_open()) return confinement_failure("/dev", errno);
@@ -52,7 +53,7 @@ Result<void> allow_devices(const Descriptor& ruleset, std::uint64_t access) {
   return {};
 }
 
-/// Whether files are out of reach: not where the system has no Landlock.
+/// Drops the right to write files; returns false if the system has no Landlock.
 Result<bool> take_files() {
   const int version = create_ruleset(nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (version < 1) return false;
@@ -69,7 +70,7 @@ Result<bool> take_files() {
   return true;
 }
 
-/// Whether networks are out of reach: not where the system has no filters.
+/// Drops access to networks; returns false if the system has no filters.
 Result<bool> take_networks() {
   const std::unique_ptr<void, decltype(&seccomp_release)> filter(::seccomp_init(SCMP_ACT_ALLOW),
                                                                  &seccomp_release);
@@ -89,7 +90,7 @@ Result<bool> take_networks() {
 }  // namespace
 
 Result<Confinement> confine_this_process() {
-  // Without this only the superuser may take anything.
+  // Without this setting, only the superuser may drop rights.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_failure("prctl", errno);
   const Result<bool> files = take_files();
   if (!files) return tl::unexpected(files.error());

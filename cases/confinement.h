@@ -4,15 +4,15 @@
 
 namespace rastercheck::cases {
 
-/// What this process cannot do from now on, nor any that it starts.
+/// The rights that this process, and any process it starts, no longer has.
 struct Confinement {
-  bool has_no_files = false;    ///< no file made, changed or removed, but devices
-  bool has_no_network = false;  ///< no socket but those within the machine
+  bool has_no_files = false;    ///< it cannot create, change or remove files, except devices
+  bool has_no_network = false;  ///< it can use only sockets within the machine
 };
 
-/// Takes from this process, which is to have one thread so far, what the system allows to be taken:
-/// files by Landlock, networks by a filter of system calls. There is no way back. Fails where what
-/// the system has does not work.
+/// Irrevocably drops this process's rights as far as the system supports it: to files by Landlock,
+/// to networks by a filter of system calls. The process must have only one thread so far. Fails if
+/// a mechanism that the system has does not work.
 Result<Confinement> confine_this_process();
 
 }  // namespace rastercheck::cases

@@ -32,7 +32,7 @@ double depth_step(DepthFormat format) {
 
 double most_growth(const Viewport& viewport, double error) {
   const double size = std::min(std::fabs(viewport.width), std::fabs(viewport.height));
-  // Where the difference loses digits it is exact (Sterbenz 1974); there are two roundings more.
+  // If the difference loses digits, it is exact (Sterbenz 1974); two more roundings follow.
   const double least = size - 2 * error;
   return least > 0 ? size / least * (1 + 0x1p-48) : std::numeric_limits<double>::infinity();
 }
@@ -64,7 +64,7 @@ TrianglePromise promise_of(const Contract& contract, const Case& c, std::size_t 
 
 bool promises_values_of(const Contract& contract, const Case& c, std::size_t triangle,
                         std::size_t attribute) {
-  // Of flat ones nothing is computed.
+  // Flat attributes are copied, not computed.
   if (c.attributes[attribute].interpolation == Interpolation::flat) return true;
   const Triangle& vertices = c.triangles[triangle];
   return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t vertex) {

@@ -74,13 +74,13 @@ MagnitudeRange read_numbers(const JsonNode& node) {
   return range;
 }
 
-/// Nothing of "none".
+/// Reads a bound; empty for "none".
 std::optional<float> read_promised_bound(const JsonNode& node) {
   if (is_word(node, kNone)) return std::nullopt;
   return node.float32(0, kMost);
 }
 
-/// The term of a key that the file has.
+/// Reads the term of a key, if the file has the key.
 template <typename Promise, typename Read>
 void read_term(const JsonNode& root, std::string_view key, std::optional<Promise>& term,
                const Read& read) {
@@ -110,7 +110,7 @@ void read_bounds(const JsonNode& node, ContractTerms& terms) {
 }
 
 void check_contract_header(const JsonNode& root) {
-  // These first: of a later version, its unknown keys are not what is wrong.
+  // Checks format and version first, because in a later version unknown keys are not the fault.
   root.expect_format("rastercheck-contract");
   if (root.has("version") && root["version"].integer(0, std::numeric_limits<int>::max()) != 1) {
     root["version"].refuse("version must be 1");
@@ -141,7 +141,7 @@ void check_contract_header(const JsonNode& root) {
 // Writing.
 
 std::string quoted(std::string_view word) { return fmt::format("\"{}\"", word); }
-/// The shortest digits that are the same double, and so the same float32.
+/// The shortest digits that read back as the same double, and so the same float32.
 std::string text_of(float number) { return fmt::format("{}", double{number}); }
 std::string text_of(bool value) { return value ? "true" : "false"; }
 std::string text_of(const std::optional<float>& bound) {
@@ -183,7 +183,7 @@ std::string text_of(const MagnitudeRange& range) {
                      text_of(range.greatest));
 }
 
-/// The members of an object, those that there are.
+/// Collects the members of an object that are present.
 class Members {
  public:
   void add(std::string_view key, const std::string& value) {
@@ -286,7 +286,7 @@ ContractTerms read_contract_terms(const JsonNode& root) {
 }
 
 void write_value(nlohmann::json& to, const ContractTerms& terms) {
-  // What the writer of files makes of them, so that the two cannot drift apart.
+  // Parses the file writer's output, so that the two cannot drift apart.
   to = parse_json(to_json(terms), "contract").value_or(nlohmann::json());
 }
 

@@ -13,19 +13,19 @@
 
 namespace rastercheck::cases {
 
-/// One key a line; numbers in decimal, as exactly those floats.
+/// Formats one key per line, and numbers in decimal that read back as exactly the same floats.
 std::string to_json(const ContractTerms& terms);
 
-/// Tells terms apart that are not the same, whatever their names and however files say them.
+/// A hash of the terms that ignores their name and the way the file writes them.
 std::uint64_t digest_of(ContractTerms terms);
 
-/// Refuses unknown keys, and what no contract has.
+/// Refuses unknown keys, and values that no contract can have.
 ContractTerms read_contract_terms(const JsonNode& root);
-/// For records that have such terms (json_members.h).
+/// For records that contain terms (json_members.h).
 void write_value(nlohmann::json& to, const ContractTerms& terms);
 void read_value(const JsonNode& node, ContractTerms& terms);
 Result<ContractTerms> parse_contract(std::string_view text, const std::string& file);
-/// "-" is standard input.
+/// Reads a contract file, or standard input for "-".
 Result<ContractTerms> read_contract(const std::string& file);
 
 }  // namespace rastercheck::cases

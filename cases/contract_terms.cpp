@@ -15,7 +15,7 @@ void keep(const Term<Promise>& term, const Promise& asked, Promise& own) {
   own = named == nullptr ? asked : *named;
 }
 
-/// Terms take the place of what a backend promises of single triangles, too.
+/// Terms also replace a backend's promises about single triangles.
 void keep(const ContractTerms& terms, const Coverage& coverage, TrianglePromise& own) {
   if (terms.coverage) own.position_error = coverage ? coverage->position_error : 0;
   keep(terms.clip_tolerance, own.clip_tolerance);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a contract file says: promises in place of those that a backend makes of itself. A term that
-// the file does not have leaves the backend's own promise as it is.
+// The contents of a contract file: promises that replace the backend's own. A missing term keeps
+// the backend's own promise.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace rastercheck::cases {
 
-/// What the case names is what is promised.
+/// The promise is whatever the case asks for.
 struct AsAsked {
   bool operator==(const AsAsked&) const = default;
 };
@@ -21,8 +21,8 @@ struct AsAsked {
 template <typename Promise>
 using Term = std::optional<std::variant<AsAsked, Promise>>;
 
-/// The grid that the case names, whatever rounding and error it names; exact where it asks for
-/// none.
+/// The grid that the case names, but with this rounding and this error whatever the case says;
+/// exact coverage if the case asks for no grid.
 struct AskedGrid {
   Rounding rounding = Rounding::nearest_even;
   float position_error = 0;
@@ -31,12 +31,12 @@ struct AskedGrid {
 using CoverageTerm = std::optional<std::variant<AsAsked, AskedGrid, Coverage>>;
 
 struct ContractTerms {
-  std::string name;  ///< for people
-  /// Chooses among the promises of an API; counts for drivers alone.
+  std::string name;  ///< a name for people
+  /// Chooses among the promises of an API; applies to drivers only.
   std::optional<DriverPromise> promise;
   CoverageTerm coverage;
   std::optional<bool> is_on_grid;
-  Term<Basis> basis;  ///< ideal wherever coverage is exact
+  Term<Basis> basis;  ///< ideal if coverage is exact
   Term<TieRule> tie_rule;
   std::optional<float> guard_band;
   std::optional<float> clip_tolerance;
@@ -52,14 +52,14 @@ struct ContractTerms {
   std::optional<bool> keeps_vertex_values;
   std::optional<bool> keeps_sign_of_zero;
   std::optional<bool> is_invariant;
-  /// Nothing within: none are promised.
+  /// If only the inner value is empty, nothing is promised.
   std::optional<std::optional<float>> derivative_bound;
   std::optional<std::optional<float>> quad_share;
   std::optional<MagnitudeRange> numbers;
   bool operator==(const ContractTerms&) const = default;
 };
 
-/// The contract of a case for a backend that promises `own` of it.
+/// Returns the contract of a case for a backend whose own promises are `own`.
 Contract with_terms(Contract own, const ContractTerms& terms, const Case& c);
 
 }  // namespace rastercheck::cases

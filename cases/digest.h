@@ -5,7 +5,7 @@
 
 namespace rastercheck::cases {
 
-/// 64-bit FNV-1a of a text: tells what differs by accident, not by intent.
+/// 64-bit FNV-1a of a text: detects accidental differences, not intentional ones.
 constexpr std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) {

@@ -8,9 +8,9 @@ namespace rastercheck::cases {
 
 /// How a driver's fragments are drawn and read back.
 enum class DrawBy : std::uint8_t {
-  append,  ///< the fragment shader appends those of all triangles to a buffer
-  layers,  ///< each triangle into a layer of its own, with colours and depth
-  frame,   ///< all triangles into one target, with a depth test: what users draw
+  append,  ///< the fragment shader appends all triangles' fragments to a buffer
+  layers,  ///< each triangle is drawn into its own layer, with colours and depth
+  frame,   ///< all triangles are drawn into one target, with a depth test, as users draw
 };
 
 constexpr auto names_of(DrawBy /*type*/) {

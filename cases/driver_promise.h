@@ -1,6 +1,7 @@
 #pragma once
 
-// What drivers of OpenGL and Vulkan are held to, of which the user chooses one (RULES §7).
+// The promises that drivers of OpenGL and Vulkan are judged by; the user chooses one
+// (docs/judge-a-driver.md, What a driver is held to).
 
 #include <array>
 #include <string_view>
@@ -10,13 +11,13 @@
 namespace rastercheck::cases {
 
 enum class DriverPromise {
-  /// The text of both APIs: single operations accurate to one part in 10^5. Assumes
-  /// that values are evaluated about a point of the triangle's bounding box.
+  /// The text of both APIs: single operations accurate to one part in 10^5. Assumes that values are
+  /// evaluated relative to a point of the triangle's bounding box.
   spec,
-  /// The tolerance of Khronos' conformance tests, which every driver met that passed them: colours
-  /// of 8 bits.
+  /// The tolerance of Khronos' conformance tests, which every conformant driver passed: colours of
+  /// 8 bits.
   conformance,
-  /// No promise but a hypothesis: single operations rounded as IEEE 754 float32 has it.
+  /// A hypothesis rather than a promise: single operations rounded as IEEE 754 float32.
   ieee,
 };
 

@@ -6,7 +6,7 @@ namespace rastercheck {
 
 std::string to_string(const Error& error) {
   std::string line;
-  // Any of them may quote what came from outside: a file's name, an option, a worker's answer.
+  // Any part may quote outside input: a file's name, an option, a worker's answer.
   for (const std::string& part : {cases::printable(error.file), error.place, error.reason}) {
     if (part.empty()) continue;
     if (!line.empty()) line += ": ";

@@ -5,29 +5,29 @@
 
 namespace rastercheck {
 
-/// The kind of a failure, for those who treat some differently.
+/// The kind of a failure, for callers that treat some kinds differently.
 enum class Failure {
-  refused,      ///< any other: only the text says what
-  unavailable,  ///< what was asked for cannot run here
+  refused,      ///< any other failure; only the text says what went wrong
+  unavailable,  ///< the requested thing cannot run here
   unsupported,  ///< a backend does not draw cases of this kind, and does not claim to
-  crash,        ///< the process that was asked ended
-  hang,         ///< it did not answer in time
+  crash,        ///< the process ended before it answered
+  hang,         ///< the process did not answer in time
 };
 
-/// Why an input was refused. Errors are values throughout RasterCheck; no library throws across a
-/// folder, prints, or exits.
+/// Why an input was refused. Errors are values throughout RasterCheck; no library prints, exits, or
+/// throws across folders.
 struct Error {
-  /// The file as the user named it; "-" for standard input; empty where there is none.
+  /// The file as the user named it; "-" for standard input; empty if no file is involved.
   std::string file;
   /// Where in the file: a JSON pointer ("/vertices/0/position/2", "/" for the whole document) or
-  /// "line:column" for syntax errors; empty where the whole file is meant.
+  /// "line:column" for syntax errors; empty if the error concerns the whole file.
   std::string place;
-  /// What is wrong there, as one line in plain words.
+  /// What is wrong there, in one line of plain words.
   std::string reason;
   Failure failure = Failure::refused;
 };
 
-/// "file: place: reason" on one line, without the parts that are empty.
+/// "file: place: reason" on one line, without empty parts.
 std::string to_string(const Error& error);
 
 template <typename T>

@@ -1,6 +1,6 @@
 #pragma once
 
-// An error as JSON, as processes of this program tell it each other:
+// An error as JSON, as this program's processes exchange it:
 //
 //   {"error": {"file": "…", "place": "…", "reason": "…"}}
 

@@ -4,8 +4,8 @@
 
 namespace rastercheck::cases {
 
-/// The same contract of exact triangles: nothing is snapped or left open, and values are as the
-/// rules interpolate. The tie rule stays.
+/// The contract with exact triangles: nothing is snapped or left open, and values interpolate as
+/// the rules say. Keeps the tie rule.
 inline Contract exact_contract(Contract contract) {
   contract.coverage.reset();
   contract.basis = Basis::ideal;

@@ -30,7 +30,7 @@ Result<std::string> read_stream(std::istream& stream, const std::string& name, s
   if (text.size() > most) {
     return tl::unexpected(Error{name, "", fmt::format("has more than {} bytes", most)});
   }
-  // A folder opens, but cannot be read.
+  // A folder can be opened like a file, but not read.
   if (stream.eof() && !stream.bad()) return text;
   const std::error_code why(errno, std::generic_category());
   return tl::unexpected(

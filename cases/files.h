@@ -7,13 +7,14 @@
 
 namespace rastercheck::cases {
 
-/// The largest input that read_text() accepts, in bytes: files without an end, as /dev/zero, fail.
+/// The largest input that read_text() accepts, in bytes: endless files, such as /dev/zero, fail.
 inline constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-/// The whole of a file, or of standard input for "-".
+/// Reads all of a file, or of standard input for "-".
 Result<std::string> read_text(const std::string& file, std::size_t most = kMostBytes);
 
-/// Writes a file whole or not at all: under another name first. The error names it.
+/// Writes a file completely or not at all, by writing to a temporary name first. The error names
+/// the file.
 Result<void> write_file(const std::string& name, const std::string& content);
 
 }  // namespace rastercheck::cases

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The code point that begins at a byte of a text in UTF-8, where it is below U+0100; else 0x100.
+/// The code point that begins at a byte of a UTF-8 text, if it is below U+0100; else 0x100.
 unsigned code_point_below_100(std::string_view text, std::size_t at) {
   const auto byte = [text](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -23,7 +23,7 @@ unsigned code_point_below_100(std::string_view text, std::size_t at) {
   return has_two_bytes ? (byte(at) & 0x03U) << 6U | (byte(at + 1) & 0x3fU) : 0x100;
 }
 
-/// Where byte `offset` (1-based, as nlohmann counts) lies, as "line:column" counted from 1.
+/// The place of byte `offset` (1-based, as nlohmann counts) as "line:column", both counted from 1.
 std::string line_and_column(std::string_view text, std::size_t offset) {
   const std::string_view before =
       text.substr(0, std::min(offset > 0 ? offset - 1 : 0, text.size()));
@@ -34,22 +34,22 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
   return fmt::format("{}:{}", line, column);
 }
 
-/// Builds the document from SAX events, so that what a DOM parser drops (the sign of "-0", all but
-/// the last of duplicate keys) can be kept or refused.
+/// Builds the document from SAX events, to keep or refuse what a DOM parser drops (the sign of
+/// "-0", all but the last of duplicate keys).
 class DocumentBuilder : public nlohmann::json_sax<json> {
  public:
   DocumentBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
-  // nlohmann reports every number without a minus sign as unsigned: a signed zero was "-0".
+  // nlohmann reports every number without a minus sign as unsigned, so a signed zero was "-0".
   bool number_integer(number_integer_t value) override {
     return value == 0 ? add(-0.0) : add(value);
   }
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
   bool string(string_t& value) override { return add(std::move(value)); }
-  bool binary(binary_t& /*value*/) override { return false; }  // not in JSON text
+  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has no binary values
   bool start_object(std::size_t /*size*/) override { return open(json::object()); }
   bool start_array(std::size_t /*size*/) override { return open(json::array()); }
   bool end_object() override { return close(); }
@@ -94,7 +94,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     return place;
   }
 
-  /// The key or index that the next value will have in the container that is open.
+  /// The key or index of the next value in the innermost open container.
   std::string next_step() const {
     if (open_.empty()) return "";
     return open_.back()->is_object() ? key_ : std::to_string(open_.back()->size());
@@ -136,8 +136,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
   std::string_view text_;
   const std::string& file_;
-  /// The containers not yet closed, outermost first. Pointers stay valid: a container is only
-  /// appended to while it is the innermost.
+  /// The containers not yet closed, outermost first. Pointers stay valid, because a container is
+  /// appended to only while it is the innermost.
   std::vector<json*> open_;
   std::vector<std::string> steps_;  ///< key or index of each open container in its parent
   std::string key_;
@@ -165,7 +165,8 @@ std::string one_line(std::string_view text) {
     const bool is_escaped_mark =
         quoted[i] == '\\' && (quoted[i + 1] == '"' || quoted[i + 1] == '\\');
     if (is_escaped_mark) ++i;
-    // JSON leaves these as they are; terminals take some of them for the start of a command.
+    // JSON does not escape these control characters, but terminals take some of them for the start
+    // of a command.
     const unsigned code = code_point_below_100(quoted, i);
     if (code == 0x7f || (code >= 0x80 && code < 0xa0)) {
       line += fmt::format("\\u{:04x}", code);
@@ -178,7 +179,7 @@ std::string one_line(std::string_view text) {
 }
 
 std::string printable(std::string_view text) {
-  // What is at both ends tells most; a parser's message ends with what it expected.
+  // Keeps both ends, which say most; a parser's message, for example, ends with what was expected.
   constexpr std::size_t kLongest = 240;
   if (text.size() <= kLongest) return one_line(text);
   return one_line(text.substr(0, kLongest / 2)) + " ... " +
@@ -203,7 +204,7 @@ Result<json> parse_json(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return tl::unexpected(Error{file, "1:1", "not valid JSON: there is nothing in it"});
   }
-  // nlohmann takes a NUL byte for the end of the text.
+  // nlohmann treats a NUL byte as the end of the text.
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
     return tl::unexpected(
         Error{file, line_and_column(text, nul + 1), "not valid JSON: a NUL byte"});

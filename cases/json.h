@@ -8,29 +8,29 @@
 
 namespace rastercheck::cases {
 
-/// Nesting of arrays and objects beyond this is refused.
+/// The deepest nesting of arrays and objects that is accepted.
 inline constexpr std::size_t kMaxJsonDepth = 16;
 
-/// Parses a JSON text as RFC 8259 has it, with the liberties closed that lose information:
-/// duplicate keys are refused (at their JSON pointer), "-0" stays minus zero (as a float), nesting
-/// is limited to kMaxJsonDepth. Syntax errors and invalid UTF-8 are placed at "line:column".
-/// `file` is the name for error messages.
+/// Parses a JSON text as RFC 8259 defines it, but rejects whatever would lose information:
+/// duplicate keys are errors (at their JSON pointer), "-0" stays minus zero (as a float), nesting
+/// is limited to kMaxJsonDepth. Syntax errors and invalid UTF-8 are placed at "line:column". `file`
+/// is the name used in errors.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
 
-/// A value on one line; bytes that are not UTF-8 become U+FFFD.
+/// Formats a value on one line; bytes that are not UTF-8 become U+FFFD.
 std::string json_line(const nlohmann::json& value);
 
-/// A text as a JSON string, quotes included; bytes that are not UTF-8 become U+FFFD.
+/// Formats a text as a JSON string, quotes included; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 
-/// The text with bytes that are not UTF-8 as U+FFFD: what it becomes when written and read again.
+/// Replaces bytes that are not UTF-8 by U+FFFD, as writing and reading the text would.
 std::string valid_utf8(std::string_view text);
 
-/// The text on one line, fit for a terminal: its control characters (U+0000 to U+001F, U+007F to
-/// U+009F) as JSON escapes them, bytes that are not UTF-8 as U+FFFD. Twice is as once.
+/// Makes a text safe for one terminal line: escapes control characters (U+0000 to U+001F, U+007F to
+/// U+009F) as JSON does, and replaces bytes that are not UTF-8 by U+FFFD. Idempotent.
 std::string one_line(std::string_view text);
 
-/// The same for a message, shortened where it is long.
+/// Like one_line(), but for use in a message: shortens long texts.
 std::string printable(std::string_view text);
 
 /// The JSON pointer (RFC 6901) of a key or element below `parent`; the document itself is "".

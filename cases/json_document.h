@@ -1,8 +1,8 @@
 #pragma once
 
-// Records as JSON text that people read and text comparisons compare, by the lists of members that
-// json_members.h reads: in the order of the list; of a document each member has a line of its own,
-// and so has each element of its lists.
+// Writes records as JSON text that people can read and tools can compare. Members appear in the
+// order of the member lists that json_members.h also reads. In a document each member has its own
+// line, and so has each element of its lists.
 //
 //   {
 //   "seed": 1,
@@ -11,8 +11,8 @@
 //   {"reason":"…","version":"…"}]
 //   }
 //
-// A type with a form of its own is written on one line, its keys in alphabetical order. One that
-// has text() writes itself.
+// A type with its own form is written on one line, its keys in alphabetical order. A type with
+// text() writes itself.
 
 #include <map>
 #include <optional>
@@ -26,7 +26,7 @@
 
 namespace rastercheck::cases {
 
-/// An array, each element on a line of its own.
+/// An array with each element on its own line.
 class JsonLines {
  public:
   void add(const std::string& line) { text_ += (text_.size() > 1 ? ",\n" : "\n") + line; }
@@ -36,7 +36,7 @@ class JsonLines {
   std::string text_ = "[";
 };
 
-/// Has a list of members and no form of its own.
+/// A type with a list of members and no form of its own.
 template <typename T>
 concept IsRecord = !WritesItself<T> && HasMembers<T>;
 
@@ -45,7 +45,7 @@ concept HasText = requires(const T& value) {
   { value.text() } -> std::same_as<std::string>;
 };
 
-/// Writes an object: a document, or all of it on one line.
+/// Writes an object as a document, or on one line.
 class TextWriter {
  public:
   explicit TextWriter(bool is_document)
@@ -99,8 +99,8 @@ class TextWriter {
     return std::move(writer).end();
   }
 
-  /// Any value; lists of records, each on a line of its own, and each written by itself: all
-  /// together would take many times their text.
+  /// Formats any value; in lists, each record on its own line. Elements are formatted one at a
+  /// time, because a JSON tree of all elements would take many times the memory of their text.
   template <typename T>
   static std::string text_of(const T& value) {
     if constexpr (HasText<T>) {
@@ -135,7 +135,7 @@ class TextWriter {
   }
 
  private:
-  /// A map as a list (write_entries).
+  /// Formats a map as a list (write_entries).
   template <typename Key, typename T>
   static std::string list_of(const std::map<Key, T>& map) {
     JsonLines lines;
@@ -158,7 +158,7 @@ class TextWriter {
   std::string text_ = "{";
 };
 
-/// A record as a document, without a line's end after it.
+/// Formats a record as a document, without a final newline.
 template <typename T>
 std::string document_of(const T& record) {
   TextWriter writer(true);

@@ -16,7 +16,7 @@ void write_value(json& to, std::int64_t value) { to = value; }
 void write_value(json& to, std::uint64_t value) { to = value; }
 void write_value(json& to, double value) { to = float64_to_json(value); }
 void write_value(json& to, float value) {
-  // A NaN's sign is not the value's.
+  // A NaN's sign is not part of the value.
   to = std::isnan(value) ? "nan" : to_hex(value);
 }
 void write_value(json& to, std::string_view value) { to = value; }

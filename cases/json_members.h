@@ -1,6 +1,6 @@
 #pragma once
 
-// Records as JSON, by one list of their members that serves both directions and strict keys:
+// Records as JSON. One list of a record's members serves reading, writing and the check of keys:
 //
 //   template <typename Archive, cases::Either<ShardNumber> Number>
 //   void members(Archive& archive, Number& number) {
@@ -9,14 +9,15 @@
 //   }
 //
 // A member may be a bool, an integer, a double, a float (as hexadecimal text), a text, an
-// enumerator with a name (names.h), a list, an array, a std::optional or a map from names of these,
-// another record that has such a list, or a type with a form of its own: its namespace has
+// enumerator with a name (names.h), a list, an array, a std::optional or a map from names of such
+// values, another record with a list of members, or a type with its own form, declared in the
+// type's namespace:
 //
 //   void write_value(nlohmann::json& to, const Enclosure& enclosure);
 //   void read_value(const cases::JsonNode& node, Enclosure& enclosure);
 //
-// A record that other files nest declares this pair in its header, and calls write_members() and
-// read_members() in it.
+// A record that other files nest must declare this pair in its header; the pair must call
+// write_members() and read_members().
 //
 // Archives have, besides required() and optional():
 //
@@ -26,7 +27,7 @@
 //   archive.optional_object("worst", x.worst, [](auto& inner, auto& worst) {…});
 //   archive.entries(x.facts);                               a map's entries as members
 //   archive.list("laws", x.laws, "law of the same name");   a map as a list (write_entries)
-//   archive.check([&](const JsonNode& node) {…});           what only a reader has to check
+//   archive.check([&](const JsonNode& node) {…});           checks that only a reader makes
 
 #include <array>
 #include <concepts>
@@ -46,11 +47,11 @@
 
 namespace rastercheck::cases {
 
-/// T, that may be const.
+/// T is Plain, possibly const.
 template <typename T, typename Plain>
 concept Either = std::same_as<std::remove_const_t<T>, Plain>;
 
-/// A whole number.
+/// T is an integer type other than bool.
 template <typename T>
 constexpr bool kIsNumber = std::integral<T> && !std::same_as<T, bool>;
 
@@ -60,11 +61,11 @@ class JsonReader;
 inline void read_value(const JsonNode& node, bool& value) { value = node.boolean(); }
 inline void read_value(const JsonNode& node, double& value) { value = node.float64(); }
 inline void read_value(const JsonNode& node, std::string& value) { value = node.text(); }
-/// Takes "nan", "inf" and "-inf", too.
+/// Also accepts "nan", "inf" and "-inf".
 void read_value(const JsonNode& node, float& value);
 
-/// A type's own form takes precedence over its list of members: files that nest a record see the
-/// form only.
+/// A type's own form takes precedence over its list of members, because files that nest a record
+/// see only the form.
 template <typename T>
 concept ReadsItself = requires(const JsonNode& node, std::remove_const_t<T>& value) {
   read_value(node, value);
@@ -75,7 +76,7 @@ concept HasMembers = requires(JsonWriter& writer, const T& value) {
   members(writer, value);
 };
 
-/// What may be a key.
+/// A type that may be a key.
 template <typename T>
 concept IsName = std::is_enum_v<T> || std::same_as<T, std::string>;
 template <IsName Name>
@@ -102,18 +103,19 @@ template <typename T>
 concept WritesItself = requires(nlohmann::json& to, const T& value) {
   write_value(to, value);
 };
-/// Gives the member of that key of an object; appends an element to an array.
+/// member_of() returns the object's member with that key; element_of() appends an element to the
+/// array and returns it.
 nlohmann::json& member_of(nlohmann::json& object, std::string_view key);
 nlohmann::json& element_of(nlohmann::json& array);
-/// Makes it an empty object, or an empty array.
+/// Turns `to` into an empty object, or an empty array.
 void make_object(nlohmann::json& to);
 void make_array(nlohmann::json& to);
 
 /// Writes an object whose members `list` passes to an archive.
 template <typename List>
 void write_object(nlohmann::json& to, const List& list);
-/// Writes a map as a list of objects with the members of key and value: members(archive, key,
-/// value) lists both.
+/// Writes a map as a list of objects; members(archive, key, value) lists the members of key and
+/// value together.
 template <typename Key, typename T>
 void write_entries(nlohmann::json& to, const std::map<Key, T>& map);
 
@@ -129,7 +131,7 @@ class JsonWriter {
   void required(std::string_view key, const T& value) {
     write(member_of(*object_, key), value);
   }
-  /// Leaves the key out if the value is the usual one.
+  /// Omits the key if the value is `usual`.
   template <typename T>
   void optional(std::string_view key, const T& value, const std::type_identity_t<T>& usual = {}) {
     if (!(value == usual)) required(key, value);
@@ -205,7 +207,7 @@ void write_object(nlohmann::json& to, const List& list) {
   list(writer);
 }
 
-/// Writes a record by its list, whatever form of its own it has.
+/// Writes a record by its list, even if it has its own form.
 template <typename T>
 void write_members(nlohmann::json& to, const T& record) {
   write_object(to, [&](auto& archive) { members(archive, record); });
@@ -220,7 +222,7 @@ void write_entries(nlohmann::json& to, const std::map<Key, T>& map) {
   }
 }
 
-/// Any such value as JSON; the second parameter is not to be given.
+/// Converts any of the values listed above to JSON; do not pass the second template argument.
 template <typename T, typename Json = nlohmann::json>
 Json json_of(const T& value) {
   Json to;
@@ -230,7 +232,7 @@ Json json_of(const T& value) {
 
 // --- Reading -------------------------------------------------------------------------------------
 
-/// The keys that a record has.
+/// Collects the keys of a record.
 class JsonKeys {
  public:
   void format(std::string_view format, std::uint64_t version) {
@@ -271,21 +273,22 @@ class JsonKeys {
   template <typename Check>
   void check(const Check& /*check*/) {}
 
-  /// Refuses a document of another format or version first, then unknown and missing keys: the keys
-  /// of a later version are not its fault.
+  /// Refuses a document of another format or version first, then unknown and missing keys, so that
+  /// a later version is reported as such and not by its keys.
   void expect(const JsonNode& node) const;
 
  private:
   std::vector<std::string_view> required_;
   std::vector<std::string_view> optional_;
-  std::string_view format_;  ///< empty: none is asked for
+  std::string_view format_;  ///< empty: not checked
   std::uint64_t version_ = 0;
 };
 
 /// Reads an object whose members `list` passes to an archive. Refuses unknown and missing keys.
 template <typename List>
 void read_object(const JsonNode& node, const List& list);
-/// Reads what write_entries() writes. Refuses a second entry of a key as "a second " and `what`.
+/// Reads the output of write_entries(). Refuses a second entry with the same key as "a second "
+/// plus `what`.
 template <typename Key, typename T>
 void read_entries(const JsonNode& node, std::map<Key, T>& map, const char* what);
 
@@ -294,7 +297,7 @@ class JsonReader {
   explicit JsonReader(const JsonNode& node) : node_(&node) {}
 
   void format(std::string_view /*format*/, std::uint64_t /*version*/) {}
-  /// Takes views of values, too (UpTo).
+  /// Also accepts views of values (UpTo).
   template <typename T>
   void required(std::string_view key, T&& value) {
     if (!node_->failed()) read((*node_)[key], value);
@@ -397,7 +400,7 @@ void read_object(const JsonNode& node, const List& list) {
   if (!node.failed()) list(reader);
 }
 
-/// Reads a record by its list, whatever form of its own it has.
+/// Reads a record by its list, even if it has its own form.
 template <typename T>
 void read_members(const JsonNode& node, T& record) {
   read_object(node, [&](auto& archive) { members(archive, record); });
@@ -417,7 +420,7 @@ void read_entries(const JsonNode& node, std::map<Key, T>& map, const char* what)
   }
 }
 
-/// Reads any such value.
+/// Reads any of the values listed above.
 template <typename T>
 T read_as(const JsonNode& node) {
   T value{};
@@ -427,7 +430,7 @@ T read_as(const JsonNode& node) {
 
 // --- Views of members ----------------------------------------------------------------------------
 
-/// A whole number that is not negative and at most `most`.
+/// View of an integer from 0 to `most`.
 template <typename T>
 struct UpTo {
   T& value;

@@ -16,16 +16,17 @@ using nlohmann::json;
 
 constexpr std::string_view kInfinityText = "inf";
 constexpr std::string_view kMinusInfinityText = "-inf";
-/// Up to here every integer is a double.
+/// Doubles hold every integer up to this magnitude exactly.
 constexpr double kExactIntegers = 0x1p53;
 
-/// Whether it is an integer, or a float that is one.
+/// True if the value is an integer, or a float with an integral value.
 bool is_integral(const json& value) {
   if (value.is_number_float()) return value.get<double>() == std::floor(value.get<double>());
   return value.is_number_integer();
 }
 
-/// The integer that a value is; nothing where it is none, or none that is known exactly and fits.
+/// The integer that a value holds; empty if the value is not integral, too large to be known
+/// exactly, or does not fit the type.
 template <typename Integer>
 std::optional<Integer> exact_integer(const json& value) {
   const auto if_it_fits = [](auto number) {
@@ -169,7 +170,7 @@ std::uint64_t JsonNode::unsigned_integer() const {
 }
 
 std::uint64_t JsonNode::count_up_to(std::uint64_t most) const {
-  // A number that was not parsed but put there may be signed, whatever its value.
+  // A number set by code rather than parsed may have a signed type.
   if (value_->is_number_unsigned() ||
       (value_->is_number_integer() && value_->get<std::int64_t>() >= 0)) {
     const auto value = value_->get<std::uint64_t>();

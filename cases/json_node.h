@@ -1,7 +1,7 @@
 #pragma once
 
-// Reading a parsed document strictly: every value knows its place, and what is wrong with it is an
-// error with file, JSON pointer and reason.
+// Reads a parsed document strictly: every value knows its place, and every fault becomes an error
+// with file, JSON pointer and reason.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,11 +22,10 @@
 
 namespace rastercheck::cases {
 
-/// One value of a document by parse_json, with its place. Reading goes on after an error, on
-/// neutral values, so that decoding reads as the format does; only the first error is kept.
+/// One value of a document from parse_json, with its place. After an error, reading continues with
+/// neutral values, so that decoding code mirrors the format; only the first error is kept.
 ///
-/// Nodes refer to the document, the error and the file name they are made with, which must outlive
-/// them.
+/// The document, the error and the file name must outlive the nodes that refer to them.
 class JsonNode {
  public:
   /// `pointer` is the value's JSON pointer in `file`, "" for the document itself.
@@ -34,62 +33,64 @@ class JsonNode {
            const std::string& file)
       : value_(&value), pointer_(std::move(pointer)), error_(&error), file_(&file) {}
 
-  /// Records an error of this value, unless there already is one.
+  /// Records an error at this value, unless one is already recorded.
   void refuse(std::string reason) const;
   bool failed() const { return error_->has_value(); }
 
-  /// Refuses anything but an object with all of `required` and nothing beyond `optional`.
+  /// Refuses anything but an object with all `required` keys and no others beyond `optional`.
   void expect_object(std::initializer_list<std::string_view> required,
                      std::initializer_list<std::string_view> optional = {}) const {
     expect_object(Keys(required.begin(), required.size()), Keys(optional.begin(), optional.size()));
   }
   using Keys = std::span<const std::string_view>;
   void expect_object(Keys required, Keys optional) const;
-  /// Refuses an object whose key "format", if it has one, says something else.
+  /// Refuses an object whose "format" key has another value.
   void expect_format(std::string_view format) const;
   bool has(std::string_view key) const;
-  /// The member of that key; a null value where there is none.
+  /// The member with that key; a null value if the member is missing.
   JsonNode operator[](std::string_view key) const;
-  /// An object's keys in alphabetical order; none of anything else, which is refused.
+  /// An object's keys in alphabetical order; refuses any other value and returns none.
   std::vector<std::string> keys() const;
 
-  /// The elements of an array; none of anything else, which is refused.
+  /// The elements of an array; refuses any other value and returns none.
   std::vector<JsonNode> elements() const;
-  /// The elements of an array of `least` to `most`, both inclusive; none of another.
+  /// The elements of an array of `least` to `most` elements, both inclusive; refuses any other
+  /// value and returns none.
   std::vector<JsonNode> elements(std::size_t least, std::size_t most, std::string_view what) const;
-  /// The two elements of an array of two.
+  /// The two elements of an array of exactly two.
   std::pair<JsonNode, JsonNode> two_elements(std::string_view what) const;
 
   bool is_string() const;
   std::string text() const;
   bool boolean() const;
 
-  /// The enumerator whose name (names.h) it is.
+  /// The enumerator with this name (names.h).
   template <typename Enum>
   Enum enumerator() const {
     return static_cast<Enum>(index_in(names_of(Enum{})));
   }
 
-  /// Integers from `least` to `most`, both inclusive. Integral floats such as 64.0 are integers,
-  /// as far as doubles count exactly.
+  /// An integer from `least` to `most`, both inclusive. Integral floats such as 64.0 count as
+  /// integers, up to 2^53 in magnitude, where doubles still hold every integer.
   std::int64_t integer(std::int64_t least, std::int64_t most) const;
   std::uint64_t unsigned_integer() const;
 
-  /// An integer from 0 to `most`, written as one.
+  /// An integer from 0 to `most`, written as an integer.
   template <typename Unsigned = std::uint64_t>
   Unsigned count(Unsigned most = std::numeric_limits<Unsigned>::max()) const {
     return static_cast<Unsigned>(count_up_to(most));
   }
-  /// An object whose members all are counts.
+  /// An object whose members are all counts.
   std::map<std::string, std::uint64_t> counts_by_name() const;
 
-  /// A float32: a number that is exactly one, or the text of a hex float.
+  /// A float32: a number that is exactly a float32, or the text of a hex float.
   float float32() const;
-  /// The same from `least` to `most`, both inclusive.
+  /// A float32 from `least` to `most`, both inclusive.
   float float32(float least, float most) const;
   /// A float32 as the text of a hex float.
   float hex_float32() const;
-  /// A double, or "inf" or "-inf". A whole number must be one that doubles count exactly.
+  /// A double, or "inf" or "-inf". An integer must be below 2^53 in magnitude, where doubles hold
+  /// every integer.
   double float64() const;
 
  private:
@@ -103,12 +104,12 @@ class JsonNode {
   const std::string* file_;
 };
 
-/// Parses a text (json.h) and gives its root to `read`; the first error of either. `file` is the
-/// name for errors.
+/// Parses a text (json.h) and passes its root to `read`; returns the first error of either. `file`
+/// is the name used in errors.
 Result<void> visit_json(std::string_view text, const std::string& file,
                         const std::function<void(const JsonNode& root)>& read);
 
-/// The same, and what `read` makes of it.
+/// Like visit_json(), and returns the result of `read`.
 template <typename Read>
 auto read_json(std::string_view text, const std::string& file, const Read& read)
     -> Result<std::invoke_result_t<Read, const JsonNode&>> {
@@ -118,7 +119,7 @@ auto read_json(std::string_view text, const std::string& file, const Read& read)
   });
 }
 
-/// How a double stands in a document that float64() reads: a number, or "inf" or "-inf".
+/// Converts a double to the form that float64() reads: a number, or "inf" or "-inf".
 nlohmann::json float64_to_json(double value);
 
 }  // namespace rastercheck::cases

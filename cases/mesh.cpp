@@ -31,7 +31,7 @@ bool is_finite_camera(const Camera& camera) {
          std::all_of(camera.projection.begin(), camera.projection.end(), finite);
 }
 
-/// All but the vertices and triangles.
+/// A case without vertices and triangles.
 Case empty_case(const std::string& file, const MeshOptions& options, bool textured) {
   Case c;
   c.name = printable(std::filesystem::path(file).filename().string());

@@ -22,8 +22,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Bytes of an answer's line: names of files and words about them. A document of more would take
-/// many times its length.
+/// The longest first line of an answer, in bytes; the line may quote file names. Parsing a longer
+/// document would take many times its length in memory.
 constexpr std::size_t kLongestLine = 65536;
 
 static_assert(std::endian::native == std::endian::little);
@@ -33,7 +33,7 @@ std::string_view bytes_of(const std::vector<Element>& elements) {
   return {reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element)};
 }
 
-/// Takes the bytes of `count` elements off the front of a text that has them.
+/// Removes the bytes of `count` elements from the front of a text, which must have them.
 template <typename Element>
 std::vector<Element> take(std::string_view& bytes, std::size_t count) {
   std::vector<Element> elements(count);
@@ -50,7 +50,7 @@ bool all_finite(const std::vector<std::array<float, size>>& vectors) {
   });
 }
 
-/// What of a mesh cannot be drawn, or "".
+/// The reason why a mesh cannot be drawn, or "".
 std::string fault_of(const Mesh& mesh) {
   if (!all_finite(mesh.positions) || !all_finite(mesh.texture)) return "a number is not finite";
   for (const Triangle& triangle : mesh.triangles) {
@@ -63,7 +63,7 @@ std::string fault_of(const Mesh& mesh) {
 
 /// The first line of an answer.
 struct Header {
-  std::optional<Error> error;  ///< in place of a mesh
+  std::optional<Error> error;  ///< the error that the answer has in place of a mesh
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
   bool is_textured = false;
@@ -76,13 +76,13 @@ Header read_header(const JsonNode& root) {
           root["triangles"].count<std::uint32_t>(), root["textured"].boolean()};
 }
 
-/// Bytes that follow a header; they fit 64 bits, since either count fits 32.
+/// Bytes that follow a header; they fit 64 bits, since both counts fit 32.
 std::uint64_t payload_size(std::uint64_t vertices, std::uint64_t triangles, bool is_textured) {
   const std::uint64_t per_vertex = (is_textured ? 5 : 3) * sizeof(float);
   return vertices * per_vertex + triangles * sizeof(Triangle);
 }
 
-/// Why a process that ended badly did.
+/// The reason why a process failed.
 std::string reason_of(const ChildOutcome& outcome, const ProcessLimits& limits) {
   if (!outcome.is_whole) return "the mesh reader says more than any mesh has";
   if (outcome.end.signal == SIGXCPU) {
@@ -124,7 +124,7 @@ Result<Mesh> mesh_of_process(const std::vector<std::string>& command, const std:
 
 Result<void> serve_mesh(const std::string& file, const std::string& format,
                         const ProcessLimits& limits) {
-  // assimp's readers print; their words are not to get into the answer.
+  // assimp's readers print; their output must not get into the answer.
   const Result<Descriptor> answers = take_standard_output();
   if (!answers) return tl::unexpected(answers.error());
   return limit_this_process(limits).and_then([&]() -> Result<void> {

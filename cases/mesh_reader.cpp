@@ -22,9 +22,9 @@
 namespace rastercheck::cases {
 namespace {
 
-/// Polygons become triangles; points and lines become meshes of their own, which are skipped.
-/// Vertices are joined and transforms applied below: assimp joins what is merely near, and regroups
-/// meshes when it transforms them.
+/// Polygons become triangles; points and lines become separate meshes, which are skipped. Vertices
+/// are joined and transforms applied below, because assimp joins vertices that are merely near, and
+/// regroups meshes when it transforms them.
 constexpr unsigned kProcessing = aiProcess_Triangulate | aiProcess_SortByPType;
 
 bool has_triangles(const aiMesh& mesh) {
@@ -35,8 +35,8 @@ bool is_finite(const aiVector3D& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The first thing in a scene that must not be processed further, or "". Some of assimp's readers
-/// pass on indices beyond the vertices, which its processing follows.
+/// The first reason not to process a scene further, or "". Some of assimp's readers pass on indices
+/// beyond the vertices, which assimp's processing would follow.
 std::string fault_of_scene(const aiScene& scene) {
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
     for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
@@ -59,7 +59,7 @@ std::string fault_of_scene(const aiScene& scene) {
   return "";
 }
 
-/// Gathers vertices, each set of equal bits once.
+/// Collects vertices, storing vertices with equal bits once.
 class VertexTable {
  public:
   explicit VertexTable(Mesh& mesh) : mesh_(&mesh) {}
@@ -84,13 +84,13 @@ class VertexTable {
   std::map<Bits, std::uint32_t> indices_;
 };
 
-/// Gathers the triangles of a scene in the order of its nodes.
+/// Collects the triangles of a scene in the order of its nodes.
 class TriangleCollector {
  public:
   TriangleCollector(const aiScene& scene, Mesh& mesh)
       : scene_(&scene), mesh_(&mesh), vertices_(mesh) {}
 
-  /// Appends the meshes of a node and of those below it; the reason for refusing them, or "".
+  /// Appends the meshes of a node and its descendants; returns the reason for refusing them, or "".
   std::string append(const aiNode& node, const aiMatrix4x4& parent_to_object) {
     const aiMatrix4x4 to_object = parent_to_object * node.mTransformation;
     for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
@@ -133,8 +133,9 @@ class TriangleCollector {
   VertexTable vertices_;
 };
 
-/// Why nothing was read: assimp's words, but for the name that it has for standard input, of which
-/// `format` was named.
+/// The reason why nothing was read. Only the first text quotes assimp. assimp calls memory input by
+/// a made-up name, which is replaced by "-". `format` is the format the user named when reading
+/// standard input.
 std::string import_failure(const Assimp::Importer& importer, bool is_input,
                            const std::string& format) {
   std::string words = importer.GetErrorString();
@@ -149,7 +150,7 @@ std::string import_failure(const Assimp::Importer& importer, bool is_input,
              : fmt::format("there is no format '{}' of meshes", format);
 }
 
-/// The mesh of what an importer has read.
+/// Returns the mesh of the scene that an importer has read.
 Result<Mesh> mesh_of_scene(Assimp::Importer& importer, const std::string& file,
                            const std::string& format) {
   const auto refuse = [&file](const std::string& reason) {
@@ -176,11 +177,11 @@ Result<Mesh> mesh_of_scene(Assimp::Importer& importer, const std::string& file,
 
 Result<Mesh> read_mesh(const std::string& file, const std::string& format) {
   const bool is_input = file == "-";
-  // assimp's own words for a file that is not there are not about the file.
+  // Reads the file here first, because assimp's own message for a missing file is misleading.
   Result<std::string> text = read_text(file);
   if (!text) return tl::unexpected(text.error());
   if (text->empty()) return tl::unexpected(Error{file, "", "not a mesh: there is nothing in it"});
-  if (!is_input) *text = std::string();  // it reads the file itself
+  if (!is_input) *text = std::string();  // assimp reads the file itself
   try {
     Assimp::Importer importer;
     if (is_input) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Mesh files, read by assimp. On a broken file its readers may crash, hang or take all memory, so
-// that programs that are given files read them in a process of their own (mesh_process.h).
+// Reads mesh files with assimp. On a broken file assimp may crash, hang or use up memory, so
+// programs should read untrusted files in a separate process (mesh_process.h).
 
 #include <string>
 
@@ -11,15 +11,15 @@
 namespace rastercheck::cases {
 
 /// Reads a mesh file (OBJ, PLY, OFF, glTF, 3DS and whatever else assimp reads), or standard input
-/// for "-". Of that, `format` is the ending that a file would have, without the dot ("obj"), empty
-/// to tell by the content; nothing it refers to (a material, a buffer in a file of its own) is
-/// found then. Fails where the file cannot be read, a coordinate is not finite, an index beyond the
-/// vertices, or where there are more than 2^32 - 1 vertices. What assimp's readers mend silently
-/// stays mended: OFF and 3DS indices beyond the vertices are clamped, and an OBJ object with
-/// texture coordinates at some corners only has zeros at the others.
+/// for "-". For standard input, `format` is the file name ending without the dot ("obj"), or empty
+/// to detect it by content; external references (a material, a separate buffer) are not found.
+/// Fails if the file cannot be read, if a coordinate is not finite, if an index is beyond the
+/// vertices, or if the mesh has more than 2^32 - 1 vertices. Faults that assimp's readers repair
+/// silently go unnoticed: OFF and 3DS indices beyond the vertices are clamped, and an OBJ object
+/// with texture coordinates only at some corners has zeros at the others.
 Result<Mesh> read_mesh(const std::string& file, const std::string& format = "");
 
-/// Whether a file's name ends like a mesh that can be read.
+/// True if a file's name has the ending of a readable mesh format.
 bool is_mesh_file(const std::string& file);
 
 }  // namespace rastercheck::cases

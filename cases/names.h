@@ -1,8 +1,8 @@
 #pragma once
 
-// The names that enumerators have in files, in tables and on the command line: one list of each
-// enumeration, for reader, writer and messages, in the order of its enumerators. It is names_of()
-// of the type, in the enumeration's own namespace. Those of the case file are here.
+// The names of enumerators in files, in tables and on the command line: one list per enumeration,
+// for reader, writer and messages, in the order of its enumerators. The list is names_of() for the
+// type, in the enumeration's own namespace. This header has the lists of the case file.
 
 #include <array>
 #include <cstddef>
@@ -40,13 +40,13 @@ constexpr auto names_of(Rounding /*type*/) {
 constexpr auto names_of(Basis /*type*/) {
   return std::to_array<std::string_view>({"ideal", "snapped", "unspecified"});
 }
-/// `unspecified` is a contract's and has no name, as a case says who owns a tie. It has to stay the
-/// last: names are found by an enumerator's number.
+/// `unspecified` occurs only in contracts and has no name, as a case must say who owns a tie. It
+/// must stay the last enumerator, because names are found by an enumerator's number.
 constexpr auto names_of(TieRule /*type*/) {
   return std::to_array<std::string_view>({"top_left", "bottom_left"});
 }
 
-/// "?" where it has none.
+/// The enumerator's name; "?" if it has none.
 template <typename Enum>
 constexpr std::string_view name_of(Enum value) {
   const auto names = names_of(value);

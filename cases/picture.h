@@ -1,8 +1,8 @@
 #pragma once
 
 // The parts of a pipeline that the case file does not have, as plain data: how vertices become
-// triangles, and what becomes of fragments on their way into a picture. Laws about these choose
-// them by the case alone (properties/).
+// triangles, and how fragments become a picture. A law (properties/) derives them from nothing but
+// the case, so the same case always gets the same pipeline.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace rastercheck::cases {
 /// How vertices become triangles.
 enum class Topology { triangles, strip, fan };
 
-/// An index that is no vertex: with the next begins a new list, strip or fan.
+/// An index that names no vertex: the next index begins a new list, strip or fan.
 inline constexpr std::uint32_t kRestart = 0xffffffff;
 
-/// When a fragment is kept: `less`, where its depth is less than the sample's, and so on.
+/// When a fragment is kept: `less` if its depth is less than the sample's, and so on.
 enum class DepthFunction {
   always,
   never,
@@ -31,35 +31,36 @@ enum class DepthFunction {
   greater_or_equal
 };
 
-/// What is drawn of a colour s where d is: s itself; s_a s + (1 − s_a) d, of alpha s_a + (1 − s_a)
-/// d_a; s + d (properties/laws/internal/picture_model.h).
+/// The result of drawing colour s over d. off: s; over: s_a s + (1 − s_a) d, with alpha s_a + (1 −
+/// s_a) d_a; additive: s + d (properties/laws/internal/picture_model.h).
 enum class Blend { off, over, additive };
 
-/// Floats, or bytes k that are k/255.
+/// Floats, or bytes k that mean k/255.
 enum class ColorFormat { float32, rgba8 };
 
 enum class Wrap { repeat, clamp, mirror };
 enum class Filter { nearest, bilinear, trilinear };
 
-/// Four bytes a texel: red, green, blue, alpha.
+/// Four bytes per texel: red, green, blue, alpha.
 struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> texels;  ///< [t][s][4]
 };
 
-/// What colours are made of.
+/// The source of colours.
 enum class Shading {
-  attributes,     ///< one channel each, as they are
-  vertex_colors,  ///< the first three or four: red, green, blue and alpha, 1 where there are three
-  /// Differences of attributes across quads of 2×2 pixels, from the even column to the odd one, or
-  /// from the even row: r(x_odd) − r(x_even) of the fragment's own triangle and sample, drawn there
-  /// or not.
+  attributes,     ///< one channel per attribute, unchanged
+  vertex_colors,  ///< the first three or four attributes: red, green, blue and alpha; alpha is 1
+                  ///< if there are only three
+  /// Differences of attributes across quads of 2×2 pixels: odd column minus even column (or odd row
+  /// minus even row), both evaluated on the fragment's own triangle and sample, even where the
+  /// triangle does not cover the neighbour.
   differences_along_x,
   differences_along_y
 };
 
-/// A texture at the first two attributes.
+/// A texture looked up at the first two attributes.
 struct Texturing {
   Texture texture;
   Wrap wrap_s = Wrap::repeat;
@@ -68,7 +69,7 @@ struct Texturing {
   std::optional<float> discard_below;  ///< fragments with less alpha are not drawn
 };
 
-/// The case's own depth_test has no say.
+/// The pipeline of a picture; overrides the case's own depth_test.
 struct Pipeline {
   DepthFunction depth_function = DepthFunction::less;
   bool writes_depth = true;
@@ -76,14 +77,14 @@ struct Pipeline {
   Blend blend = Blend::off;
   ColorFormat format = ColorFormat::float32;
   Shading shading = Shading::attributes;
-  std::optional<Texturing> texturing;  ///< in place of the shading
-  bool resolves = false;               ///< whether the picture is the mean of the samples
+  std::optional<Texturing> texturing;  ///< replaces the shading, if present
+  bool resolves = false;               ///< true if the picture is the mean of the samples
 };
 
 struct Picture {
-  FramebufferSize size;      ///< one sample where it was resolved
-  std::size_t channels = 0;  ///< the case's attributes, or four of a colour
-  std::vector<float> color;  ///< [y][x][sample][channel]; a byte k as the float next to k/255
+  FramebufferSize size;      ///< one sample if resolved
+  std::size_t channels = 0;  ///< one per attribute of the case, or four for a colour
+  std::vector<float> color;  ///< [y][x][sample][channel]; a byte k as the float nearest to k/255
   std::vector<float> depth;  ///< [y][x][sample]
 };
 

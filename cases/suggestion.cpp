@@ -8,8 +8,8 @@
 namespace rastercheck::cases {
 namespace {
 
-/// The optimal string alignment distance: the least number of characters to insert, delete,
-/// exchange or swap with their neighbour that makes `b` of `a`.
+/// The optimal string alignment distance: the least number of insertions, deletions, substitutions
+/// and swaps of neighbours that turn `a` into `b`.
 std::size_t edits_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before;
   std::vector<std::size_t> last(b.size() + 1);
@@ -32,7 +32,7 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
   const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
-  if (word.size() - dashes < 2) return "";  // too little to be like anything
+  if (word.size() - dashes < 2) return "";  // too short to resemble anything
   constexpr std::size_t kLettersForEachEdit = 3;
   std::size_t least = std::max<std::size_t>(1, word.size() / kLettersForEachEdit) + 1;
   std::string nearest;

@@ -6,8 +6,8 @@
 
 namespace rastercheck::cases {
 
-/// "; did you mean --cases?", where one of the names begins like the word, is much like it, or is
-/// the end of it, as gl is of opengl; else nothing.
+/// "; did you mean --cases?" if one of the names begins with the word, resembles the word, or is
+/// the word's ending (as "gl" is of "opengl"); else "".
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace rastercheck::cases

@@ -9,12 +9,12 @@
 
 namespace rastercheck::cli {
 
-/// Says why a backend could not be made (backends::make_backend): `backend_unavailable` where it is
-/// one that cannot run here, `usage` where there is none of that name.
+/// Says why a backend could not be made (backends::make_backend). Returns `backend_unavailable` if
+/// the backend cannot run here, and `usage` if no backend has that name.
 ExitCode fail_backend(const Error& error);
 
-/// Whether all these backends can be made; else says why the first cannot, `usage` before
-/// `backend_unavailable`.
+/// Checks that all these backends can be made; otherwise says why the first cannot. Reports `usage`
+/// errors before `backend_unavailable`.
 ExitCode check_backends(const backends::BackendFactory& factory,
                         const std::vector<std::string>& specifications);
 

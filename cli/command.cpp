@@ -22,7 +22,7 @@ std::span<const Command> commands() { return registry(); }
 Registration::Registration(std::string name, std::string summary,
                            std::function<Action(CLI::App&)> set_up) {
   Command command{std::move(name), std::move(summary), std::move(set_up)};
-  // The order in which files register is the linker's; --help has one of its own.
+  // Files register in the linker's order; --help lists commands by name.
   const auto after = std::find_if(registry().begin(), registry().end(),
                                   [&](const Command& other) { return other.name > command.name; });
   registry().insert(after, std::move(command));

@@ -16,14 +16,14 @@
 
 namespace rastercheck::cli {
 
-// What an option's or argument's type_name() may be for shells to complete it; of any other type
-// they complete nothing.
+// The type_name() values of options and arguments that shells can complete; other types get no
+// completion.
 inline constexpr const char* kBackend = "BACKEND";
 inline constexpr const char* kProperty = "PROPERTY";
 inline constexpr const char* kFile = "FILE";
 inline constexpr const char* kFolder = "DIR";
 
-/// What a command does once its options are read.
+/// The work of a command, done after its options are read.
 using Action = std::function<ExitCode()>;
 
 struct Command {
@@ -42,7 +42,7 @@ struct Registration {
 
 /// Prints "rastercheck: file: place: reason" to standard error.
 ExitCode fail(const Error& error);
-/// The same of a fault of this program, as "rastercheck: internal error: …".
+/// Like fail(), for a bug in this program: "rastercheck: internal error: …".
 ExitCode fail_internally(const Error& error);
 
 }  // namespace rastercheck::cli

@@ -7,8 +7,8 @@
 namespace rastercheck::cli {
 namespace {
 
-/// CLI11's type, as "INT:INT in [1 - 1024]" or "TEXT:{c,c++}": what stands before the first colon,
-/// and what the validators say of the values after it.
+/// CLI11's type of an option, such as "INT:INT in [1 - 1024]" or "TEXT:{c,c++}", cut at the first
+/// colon: the type's name, then the validators' text on values.
 struct Type {
   std::string name;
   std::string values;
@@ -21,7 +21,7 @@ Type parts_of(const CLI::Option& option) {
   return {all.substr(0, colon), all.substr(colon + 1)};
 }
 
-/// "from 1 to 1024" of "INT in [1 - 1024]"; empty of anything else.
+/// Returns "from 1 to 1024" for "INT in [1 - 1024]"; empty for anything else.
 std::string range_in(std::string_view values) {
   constexpr std::string_view kOpening = " in [";
   constexpr std::string_view kMiddle = " - ";
@@ -34,7 +34,7 @@ std::string range_in(std::string_view values) {
                      values.substr(after, values.find(']') - after));
 }
 
-/// CLI11 has lists in brackets.
+/// Returns the default value, without the brackets that CLI11 puts around lists.
 std::string default_of(const CLI::Option& option) {
   std::string value = option.get_default_str();
   if (value.size() > 1 && value.front() == '[' && value.back() == ']') {

@@ -4,8 +4,8 @@
 
 namespace rastercheck::cli {
 
-/// The commit that is checked: as it was given; else as a CI server says (GITHUB_SHA,
-/// CI_COMMIT_SHA); else what git says of the working directory; else empty.
+/// Returns the commit under test: `given` if set; else the CI server's commit (GITHUB_SHA,
+/// CI_COMMIT_SHA); else git's commit for the working directory; else an empty string.
 std::string commit_of(const std::string& given);
 
 }  // namespace rastercheck::cli

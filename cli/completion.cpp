@@ -10,8 +10,8 @@
 namespace rastercheck::cli {
 namespace {
 
-/// Bash cuts words at ':' and '=' too, and replaces only what stands behind the last of them: words
-/// are put together again, and replies cut.
+/// Bash also splits words at ':' and '=', and replaces only the part after the last such character.
+/// So the script joins words again, and cuts replies.
 constexpr std::string_view kBegin =
     R"(# Completion of rastercheck in bash, made by `rastercheck completion bash`.
 
@@ -106,8 +106,8 @@ constexpr std::string_view kEnd = R"(
 complete -F _rastercheck rastercheck
 )";
 
-/// What the script looks values up by: a type that it completes, or the values themselves, behind
-/// "LIST" where several may stand, with commas between.
+/// Returns the key by which the script looks up an option's values: a type that it completes, or
+/// the values themselves. "LIST" precedes them if the option takes several, with commas between.
 std::string values_of(const CLI::Option& option) {
   if (const auto choices = choices_of(option); !choices.empty()) {
     return fmt::format("{}{}", option.get_delimiter() == ',' ? "LIST " : "",
@@ -118,7 +118,7 @@ std::string values_of(const CLI::Option& option) {
   return is_known ? type : "";
 }
 
-/// "corpus add": the command's name without the program's.
+/// Returns "corpus add": the command's full name without the program's.
 std::string name_within(const CLI::App& program, const CLI::App& command) {
   return full_name(command).substr(program.get_name().size() + 1);
 }
@@ -130,7 +130,7 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   return names;
 }
 
-/// What may stand behind a command: its options, and its commands or first argument.
+/// Returns the words that may follow a command: its options, and its commands or first argument.
 std::string words_behind(const CLI::App& app) {
   std::vector<std::string> options;
   for (const CLI::Option* option : options_of(app)) {
@@ -144,7 +144,7 @@ std::string words_behind(const CLI::App& app) {
   return fmt::format("options='{}' argument='{}'", fmt::join(options, " "), argument);
 }
 
-/// The values of options that take one, one line for each command and option.
+/// Returns the script's lines for options that take a value, one line per command and option.
 std::string values_behind(const CLI::App& program, const CLI::App& command) {
   std::string text;
   for (const CLI::Option* option : options_of(command)) {
@@ -153,7 +153,7 @@ std::string values_behind(const CLI::App& program, const CLI::App& command) {
     for (const std::string& name : names_of(*option)) {
       patterns.push_back(fmt::format("'{} {}'", name_within(program, command), name));
     }
-    // Of what is not known nothing is completed, not even an option.
+    // If the values are unknown, nothing is completed, not even an option.
     const std::string values = values_of(*option);
     text += fmt::format("    {}) values='{}' ;;\n", fmt::join(patterns, " | "),
                         values.empty() ? " " : values);

@@ -5,8 +5,8 @@
 
 namespace rastercheck::cli {
 
-/// A script for bash that completes the program's commands and options, and values of the types
-/// that command_tree.h names. Backends and properties it asks the program for, once in each shell.
+/// Returns a bash script that completes the program's commands and options, and values of the types
+/// in command.h. The script asks the program for backends and properties once per shell.
 std::string bash_completion(const CLI::App& program);
 
 }  // namespace rastercheck::cli

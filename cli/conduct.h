@@ -9,13 +9,13 @@
 
 namespace rastercheck::cli {
 
-/// How this program carries a plan out: with processes of its own for tasks and foreign backends,
-/// and the folders that the plan means; what is found on the way is kept in `directory`.
+/// Returns how this program carries out a plan: with its own processes for tasks and foreign
+/// backends, and with the plan's folders. The run saves its findings so far in `directory`.
 properties::Conduct conduct_of(const records::Plan& plan, const std::string& directory, int jobs);
 
-/// Carries out a plan that has no scene, and whose laws are still to be chosen by its patterns, and
-/// looks closely at what it gave, as `rastercheck run` does; not where it is ended early, which
-/// Run::cases_left tells. `directory` has to be there.
+/// Carries out a plan and inspects its results, as `rastercheck run` does. The plan must have no
+/// scene; its patterns choose the laws. If ended early (see Run::cases_left), skips the inspection.
+/// `directory` must exist.
 Result<records::Run> run_plan(const records::Plan& plan, const std::string& directory, int jobs,
                               const properties::IsToEnd& is_to_end);
 

@@ -9,13 +9,13 @@
 
 namespace rastercheck::cli {
 
-/// The option `--contract FILE` of commands that judge; empty without it.
+/// Adds the option `--contract FILE` to a command that judges; `file` is empty without it.
 CLI::Option* add_contract(CLI::App& app, std::string& file);
 
-/// The option `--promise NAME` of commands that judge; nothing without it.
+/// Adds the option `--promise NAME` to a command that judges; `promise` is empty without it.
 CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& promise);
 
-/// Reads that file, if there is one, and puts the promise in place of its own.
+/// Reads the contract file, if any; `promise`, if given, replaces the file's.
 Result<std::optional<cases::ContractTerms>> read_terms(const std::string& file,
                                                        std::optional<cases::DriverPromise> promise);
 

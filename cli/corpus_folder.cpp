@@ -10,7 +10,8 @@ namespace rastercheck::cli {
 
 namespace {
 
-/// A folder beside the installed program, given from where it is installed, or in the sources.
+/// Returns the folder `installed_as`, relative to the installed program, or else the folder in the
+/// sources.
 std::string data_folder(const char* installed_as, const char* source) {
   std::error_code problem;
   const auto program = std::filesystem::read_symlink(kOwnProgram, problem);

@@ -7,20 +7,20 @@
 
 namespace rastercheck::cli {
 
-/// The corpus that comes with the program: beside it where it is installed, else in the sources it
-/// was built from.
+/// Returns the folder of the corpus that comes with the program: next to an installed program, else
+/// in the sources from which it was built.
 std::string corpus_folder();
 
-/// The lists of known defects that come with it (properties/campaign/known_defects.h), found
-/// likewise.
+/// Returns the folder of the known-defect lists that come with the program
+/// (properties/campaign/known_defects.h), found the same way.
 std::string known_folder();
 
-/// The folder that a plan means.
+/// Returns the corpus folder that a plan uses.
 std::string corpus_folder_of(const records::Plan& plan);
 
-/// The sources that were given, and known_folder() where no other folder is among them.
+/// Returns the given sources, plus known_folder() if they include no other folder.
 properties::KnownSources known_sources_of(const properties::KnownSources& given);
-/// The sources that a plan means; none if it ignores known defects.
+/// Returns the sources that a plan uses; none if it ignores known defects.
 properties::KnownSources known_sources_of(const records::Plan& plan);
 
 }  // namespace rastercheck::cli

@@ -10,7 +10,8 @@ namespace rastercheck::cli {
 
 namespace {
 
-/// The widest vectors that the processor has: what libraries choose their code by.
+/// Names the widest vector instructions that the processor supports: libraries choose their code by
+/// these.
 std::string instruction_set() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f")) return "avx512";

@@ -5,8 +5,8 @@
 
 namespace rastercheck::cli {
 
-/// What of a run depends on machine and time (records::Run::environment): this program and its
-/// build, the machine, the time now, and what the run took.
+/// The facts of a run that depend on machine and time (records::Run::environment): program and
+/// build, machine, current time and duration.
 std::map<std::string, std::string> environment(int jobs, double seconds);
 
 }  // namespace rastercheck::cli

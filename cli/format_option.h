@@ -6,7 +6,7 @@
 
 namespace rastercheck::cli {
 
-/// The option `--format LIST` of commands that write reports.
+/// Adds the option `--format LIST` to a command that writes reports.
 void add_formats(CLI::App& app, std::vector<std::string>& formats);
 
 }  // namespace rastercheck::cli

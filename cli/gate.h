@@ -1,6 +1,6 @@
 #pragma once
 
-// A comparison as `rastercheck compare` and `rastercheck run --baseline` show it.
+// Shows a comparison, for `rastercheck compare` and `rastercheck run --baseline`.
 
 #include <span>
 #include <string>
@@ -15,26 +15,26 @@ namespace rastercheck::cli {
 
 struct GateOptions {
   gate::Policy policy;
-  std::string output;  ///< folder for what compare_format.h lists; empty: none
+  std::string output;  ///< folder for the files of compare_format.h; empty: none
   bool json = false;   ///< prints compare.json instead of text
   bool quiet = false;
   bool prints = true;
-  double timeout = kDefaultTimeout;  ///< seconds, of foreign backends that draw once more
+  double timeout = kDefaultTimeout;  ///< seconds, for foreign backends that draw again
 };
 
-/// The policy of a file; of none, which has no name, one that allows nothing.
+/// Reads a policy from a file; without a file name, returns a policy that allows nothing.
 Result<gate::Policy> read_policy(const std::string& file);
 
-/// Refuses a folder (GateOptions::output) where a file of the comparison would be written over one
-/// of the files that it is made from.
+/// Refuses a folder (GateOptions::output) if writing the comparison would overwrite one of its
+/// inputs.
 Result<void> check_comparison_files(const std::string& folder, std::span<const std::string> inputs);
 
-/// Compares, writes and prints, and tells GitHub; `regression` where an entry is worse that the
-/// policy does not allow.
+/// Compares, writes, prints and tells GitHub. Returns `regression` if an entry is worse and the
+/// policy does not allow it.
 ExitCode hold_against(const gate::Side& baseline, const gate::Side& current,
                       const GateOptions& options);
 
-/// Which of two outcomes a command ends with (CONTRACT, exit codes).
+/// Returns the outcome that takes precedence as a command's exit code (README, Commands).
 ExitCode first_of(ExitCode a, ExitCode b);
 
 }  // namespace rastercheck::cli

@@ -19,12 +19,12 @@ std::string_view variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Appends to the summary of the job's step, if there is one, what `text` makes.
+/// Appends the result of `text` to the summary of the job's step, if it has one.
 template <typename Text>
 Result<void> append_summary(const Text& text) {
   const std::string summary(variable("GITHUB_STEP_SUMMARY"));
   if (summary.empty()) return {};
-  // Other steps of the job write to it as well.
+  // Other steps of the job append to the file as well.
   std::ofstream file(summary, std::ios::app | std::ios::binary);
   file << text() << std::flush;
   if (file) return {};

@@ -8,12 +8,12 @@
 
 namespace rastercheck::cli {
 
-/// Under GitHub Actions (GITHUB_ACTIONS is "true") prints an annotation for each counterexample of
-/// a run whose folder is `directory`; and appends summary.md to the file that GITHUB_STEP_SUMMARY
-/// names, if it names one. The error is of that file.
+/// Under GitHub Actions (GITHUB_ACTIONS is "true"), prints an annotation for each counterexample of
+/// a run whose folder is `directory`. Appends summary.md to the file named by GITHUB_STEP_SUMMARY,
+/// if any. Fails if that file cannot be written.
 Result<void> tell_github(const records::Run& run, const std::string& directory, bool prints);
 
-/// The same of what a comparison with a baseline found: annotations, and compare.md.
+/// Like the above for a comparison with a baseline: annotations, and compare.md.
 Result<void> tell_github(const reports::Gate& gate, bool prints);
 
 }  // namespace rastercheck::cli

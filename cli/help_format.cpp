@@ -8,7 +8,7 @@
 namespace rastercheck::cli {
 namespace {
 
-constexpr std::size_t kTextColumn = 24;  ///< where what is said of options begins
+constexpr std::size_t kTextColumn = 24;  ///< where the descriptions of options begin
 
 std::string help_entry(const std::string& name, const std::string& text) {
   const std::string label = "  " + name;

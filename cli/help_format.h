@@ -5,8 +5,8 @@
 
 namespace rastercheck::cli {
 
-/// How --help looks: within the 80 columns of a terminal, whatever its texts are. A footer's lines
-/// that begin with a space are shown as they are.
+/// Returns the formatter of --help, which fits texts of any length into the 80 columns of a
+/// terminal. Footer lines that begin with a space stay unchanged.
 std::shared_ptr<CLI::FormatterBase> help_format();
 
 }  // namespace rastercheck::cli

@@ -14,7 +14,7 @@
 namespace rastercheck::cli {
 namespace {
 
-// What a signal handler may touch: lock-free, and there before and after any watch.
+// State that a signal handler may use: lock-free, and alive before and after any watch.
 std::atomic<bool> interrupted{false};
 std::atomic<unsigned> grace_of_watch{0};
 std::atomic<const std::string*> message_of_watch{nullptr};
@@ -23,8 +23,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<unsigned>::is_always_lock_free);
 static_assert(std::atomic<const std::string*>::is_always_lock_free);
 
-/// A terminal that is gone takes nothing: what is printed there has nobody to read it, and is no
-/// reason to end otherwise.
+/// Redirects output to a closed terminal to /dev/null: nobody can read it, and failing to write it
+/// must not change how the program ends.
 void forget_terminal() {
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;
@@ -39,7 +39,7 @@ void forget_terminal() {
 void tell(const std::string* message) {
   if (message == nullptr) return;
   const ssize_t ignored = ::write(STDERR_FILENO, message->data(), message->size());
-  static_cast<void>(ignored);  // there is nobody to tell
+  static_cast<void>(ignored);  // a failure could not be reported either
 }
 
 extern "C" void note_interrupt(int signal) {
@@ -57,14 +57,14 @@ extern "C" void end_at_once(int /*signal*/) {
   ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
-/// Watches a signal; what it did before.
+/// Installs the handler for a signal and returns the previous action.
 struct sigaction watch(int signal) {
   struct sigaction before {};
   ::sigaction(signal, nullptr, &before);
   if (signal == SIGHUP && before.sa_handler == SIG_IGN) return before;
   struct sigaction action {};
   action.sa_handler = signal == SIGALRM ? &end_at_once : &note_interrupt;
-  // The second of a kind has its usual effect; calls that were interrupted go on.
+  // The second signal of a kind has its usual effect; interrupted system calls restart.
   action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
   ::sigaction(signal, &action, nullptr);
   return before;
@@ -82,7 +82,7 @@ InterruptWatch::InterruptWatch(const std::string& message, unsigned grace,
 }
 
 InterruptWatch::~InterruptWatch() {
-  // The alarm's own last: a signal that comes meanwhile may set it.
+  // Restores the alarm's action last: a signal that comes meanwhile may set the alarm.
   for (std::size_t i = 0; i + 1 < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], &before_[i], nullptr);
   }

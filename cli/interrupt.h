@@ -6,14 +6,14 @@
 
 namespace rastercheck::cli {
 
-/// As long as it lives, the first SIGINT (Ctrl-C), SIGTERM or SIGHUP (a terminal that is closed)
-/// does not end the process: it prints `message` on standard error, and is_interrupted() says so
-/// from then on. The second of a kind ends the process as if nobody watched. A SIGHUP that is
-/// ignored, as nohup has it, stays ignored; after another, what is printed on a terminal goes
-/// nowhere. One at a time.
+/// While this object lives, the first SIGINT (Ctrl-C), SIGTERM or SIGHUP (terminal closed) does not
+/// end the process: it prints `message` on standard error, and is_interrupted() is true from then
+/// on. A second signal of the same kind ends the process as usual. A SIGHUP that is ignored, as
+/// under nohup, stays ignored; after any other SIGHUP, output to a terminal is discarded. Only one
+/// watch may exist at a time.
 ///
-/// With `grace`, in seconds: so long after the first signal the process is ended wherever it is,
-/// with exit code 130 and `last_words`. All that matters has to be in files by then.
+/// With `grace`, the process ends that many seconds after the first signal, wherever it is, with
+/// exit code 130 and `last_words`. Everything that matters must be in files by then.
 class InterruptWatch {
  public:
   explicit InterruptWatch(const std::string& message, unsigned grace = 0,
@@ -22,15 +22,16 @@ class InterruptWatch {
   InterruptWatch& operator=(const InterruptWatch&) = delete;
   ~InterruptWatch();
 
-  /// Takes the limit back: what is left is short, and better not cut.
+  /// Cancels the time limit, when the remaining work is short and must not be cut.
   static void let_it_end();
 
  private:
   static constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGALRM};
-  std::array<struct sigaction, kSignals.size()> before_{};  ///< what they did, in that order
+  std::array<struct sigaction, kSignals.size()>
+      before_{};  ///< the previous actions, in the order of kSignals
 };
 
-/// Whether a signal has come since the last watch began. From any thread.
+/// True if a signal has come since the last watch began. May be called on any thread.
 bool is_interrupted();
 
 }  // namespace rastercheck::cli

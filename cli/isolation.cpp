@@ -11,7 +11,7 @@
 namespace rastercheck::cli {
 
 void add_timeout(CLI::App& app, double& seconds) {
-  // A day: more than anyone waits for, and no trouble to count in.
+  // One day: longer than anyone waits, and far from overflow.
   constexpr double kLongest = 86400;
   app.add_option(
          "--timeout", seconds,

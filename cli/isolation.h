@@ -14,20 +14,22 @@
 
 namespace rastercheck::cli {
 
-/// Seconds that a foreign backend may take to answer.
+/// Seconds that a foreign backend may take to answer, by default.
 using records::kDefaultTimeout;
 
-/// The option `--timeout` of commands that draw.
+/// Adds the option `--timeout` to a command that draws.
 void add_timeout(CLI::App& app, double& seconds);
 
-/// The option `--draw-by` of commands that draw; nothing without it. It has no description yet.
+/// Adds the option `--draw-by` to a command that draws; `way` is empty without it. The caller must
+/// set the description.
 CLI::Option* add_draw_by(CLI::App& app, std::optional<cases::DrawBy>& way,
                          std::span<const std::string_view> names);
 
-/// This program and the arguments that make it draw with a foreign backend (backends/isolation.h).
+/// Returns the command by which this program draws with a foreign backend (backends/isolation.h).
 std::vector<std::string> worker_program();
 
-/// Makes backends, foreign ones in such processes, all held to these terms, if there are any.
+/// Returns a factory that makes foreign backends in separate processes, and holds all backends to
+/// `terms`, if given.
 backends::BackendFactory backend_factory(double timeout,
                                          std::optional<cases::ContractTerms> terms = std::nullopt);
 

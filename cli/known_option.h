@@ -8,18 +8,18 @@
 
 namespace rastercheck::cli {
 
-/// Which lists of known defects violations are held against.
+/// The lists of known defects to compare violations with.
 struct KnownOption {
-  properties::KnownSources given;  ///< besides those that come with the program
+  properties::KnownSources given;  ///< in addition to those that come with the program
   bool is_none = false;
 
-  /// All of them; none where there are to be none.
+  /// Returns all sources; none if `is_none`.
   properties::KnownSources sources() const;
 };
 
-/// Adds --known and --no-known to a command.
+/// Adds the options --known and --no-known to a command.
 void add_known(CLI::App& app, KnownOption& option);
-/// Adds them to a command that makes a plan.
+/// Adds both options to a command that makes a plan.
 void add_known(CLI::App& app, records::Plan& plan);
 
 }  // namespace rastercheck::cli

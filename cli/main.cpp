@@ -18,13 +18,13 @@
 namespace rastercheck::cli {
 namespace {
 
-/// Opens standard streams that are closed: what is opened next would be taken for them.
+/// Opens standard streams that are closed; otherwise the next opened file would take their place.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
     const int opened = ::open("/dev/null", O_RDONLY);
     static_cast<void>(
-        opened);  // The lowest that is free: the one that was closed. To write to it fails still.
+        opened);  // The lowest free number: that of the closed stream. Writing still fails.
   }
 }
 
@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
     CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
     actions[subcommand] = command.set_up(*subcommand);
   }
-  app.footer(kIntroduction);  // last: commands inherit it
+  app.footer(kIntroduction);  // last, because commands would inherit it
 
   ExitCode code = ExitCode::ok;
   try {
@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     code = actions.at(app.get_subcommands().front())();
   } catch (const CLI::ParseError& outcome) {
     if (outcome.get_exit_code() != 0) return static_cast<int>(fail(wrong_usage(app, outcome)));
-    std::ostringstream text;  // of --help, --version
+    std::ostringstream text;  // for --help and --version
     app.exit(outcome, text, text);
     fmt::print("{}", text.str());
   }
@@ -69,7 +69,7 @@ int run(int argc, char** argv) {
   return static_cast<int>(code);
 }
 
-/// Without fail(), which wants memory: there may be none.
+/// Like fail(), but allocates nothing, since memory may have run out.
 void tell_last(const char* what, const char* why) {
   for (const char* part : {what, why, "\n"}) print_problem(part);
 }
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
   try {
     return rastercheck::cli::run(argc, argv);
   } catch (const std::exception& problem) {
-    // fmt throws where a stream cannot take what is printed.
+    // fmt throws if a stream cannot take the output.
     if (std::ferror(stdout) != 0) {
       tell_last("rastercheck: standard output: ", problem.what());
       return static_cast<int>(ExitCode::usage);

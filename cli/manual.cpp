@@ -9,7 +9,7 @@
 namespace rastercheck::cli {
 namespace {
 
-/// Plain text as roff: what begins a request or an escape there is a character here.
+/// Returns plain text as roff: escapes every character that begins a request or an escape.
 std::string escaped(std::string_view text) {
   std::string roff;
   if (text.starts_with('.') || text.starts_with('\'')) roff = "\\&";
@@ -17,7 +17,7 @@ std::string escaped(std::string_view text) {
     if (c == '\\') {
       roff += "\\e";
     } else if (c == '-') {
-      roff += "\\-";  // not a hyphen: options are to be copied
+      roff += "\\-";  // not a hyphen, so that options can be copied
     } else {
       roff += c;
     }
@@ -31,7 +31,7 @@ std::string entry(const OptionText& text) {
   return ".TP\n" + head + "\n" + escaped(text.description) + "\n";
 }
 
-/// A footer: paragraphs, and lines that begin with a space as they are.
+/// Returns a footer as paragraphs; lines that begin with a space stay as they are.
 std::string paragraphs(const std::string& footer) {
   std::string roff;
   bool is_example = false;

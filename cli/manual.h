@@ -5,8 +5,8 @@
 
 namespace rastercheck::cli {
 
-/// The manual page rastercheck(1), for `man`: every command with its arguments and options as
-/// --help has them. In roff, UTF-8.
+/// The manual page rastercheck(1), for `man`: every command with its arguments and options, worded
+/// as in --help. In roff, UTF-8.
 std::string manual_page(const CLI::App& program);
 
 }  // namespace rastercheck::cli

@@ -5,10 +5,9 @@
 
 namespace rastercheck::cli {
 
-/// Looks closely at the run that shards were put together to, as `rastercheck run` does: draws what
-/// it shows, and what it keeps of its drawings, once more. Fails, saying why, where that cannot be:
-/// a backend cannot be made or promises something else here, or corpus, scene or lists of known
-/// defects are not what the shards had.
+/// Inspects a run merged from shards, as `rastercheck run` does (properties/inspect/looks.h), by
+/// drawing some cases once more. Fails if a backend cannot be made or promises something else here,
+/// or if the corpus, scene or lists of known defects differ from the shards'.
 Result<void> inspect_merged(properties::MergedRun& merged);
 
 }  // namespace rastercheck::cli

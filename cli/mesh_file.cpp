@@ -12,7 +12,7 @@ Result<cases::Case> case_from_mesh_file(const std::string& file, const std::stri
   const cases::ProcessLimits limits = cases::default_mesh_limits();
   std::vector<std::string> command{kOwnProgram, "mesh"};
   if (!format.empty()) command.push_back("--format=" + format);
-  // Behind "--" a name is a name, whatever it begins with.
+  // After "--" a file name may begin with any character, even with "-".
   command.insert(command.end(), {"--", file});
   return cases::mesh_of_process(command, file, limits).and_then([&](const cases::Mesh& mesh) {
     return cases::case_of_mesh(mesh, file, options);

@@ -6,8 +6,8 @@
 
 namespace rastercheck::cli {
 
-/// The case of a mesh file that a user names, "-" for standard input of the format: assimp reads it
-/// in a process of its own, `rastercheck mesh`.
+/// Returns the case of a mesh file named by the user; "-" is standard input in `format`. assimp
+/// reads the file in a separate process, `rastercheck mesh`.
 Result<cases::Case> case_from_mesh_file(const std::string& file, const std::string& format,
                                         const cases::MeshOptions& options);
 

@@ -8,19 +8,19 @@
 
 namespace rastercheck::cli {
 
-/// Prints on standard error. Where that takes nothing (a full disk, a closed terminal) there is
-/// nobody to tell. Wants no memory.
+/// Prints on standard error, without allocating memory. Ignores failures (a full disk, a closed
+/// terminal), as nobody could be told.
 void print_problem(std::string_view text) noexcept;
 
-/// Pushes out what was printed. Fails where standard output could not take it all (a full disk, a
-/// closed pipe), so that a cut result is never taken for a whole one.
+/// Flushes standard output. Fails if it could not take everything (a full disk, a closed pipe), so
+/// that nobody mistakes a truncated result for a whole one.
 Result<void> flush_standard_output();
 
-/// Refuses to write a file over the one that is read, by whatever names.
+/// Fails if the output file would overwrite the input file, under whatever names.
 Result<void> check_output_file(const std::string& output, const std::string& input);
 
-/// The line that ends a command that wrote a run's folder: the page to look at, or, where HTML is
-/// not among the formats, the folder.
+/// Returns the closing line of a command that wrote a run's folder. The line names the page to look
+/// at, or the folder if HTML is not among the formats.
 std::string where_reports_are(const std::string& directory, std::span<const std::string> formats);
 
 }  // namespace rastercheck::cli

@@ -2,7 +2,7 @@
 
 namespace rastercheck::cli {
 
-/// This program's file, for processes of its own.
+/// This program's executable, to start more processes of it.
 inline constexpr const char* kOwnProgram = "/proc/self/exe";
 
 }  // namespace rastercheck::cli

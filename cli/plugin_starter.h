@@ -1,6 +1,6 @@
 #pragma once
 
-// The files of a starter project for plugins (docs/examples/plugin), which the build puts into the
+// The files of a starter project for plugins (docs/examples/plugin), which the build embeds in the
 // program.
 
 #include <span>

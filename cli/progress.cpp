@@ -3,34 +3,27 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <string>
-#include <string_view>
 
 #include "cli/output.h"
+#include "cli/terminal.h"
 
 namespace rastercheck::cli {
 namespace {
 
 constexpr std::uint64_t kWidth = 40;  ///< characters
 
-bool is_set(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value != nullptr && *value != '\0';
-}
-
-bool is_dumb_terminal() {
-  const char* terminal = std::getenv("TERM");
-  return terminal == nullptr || std::string_view(terminal) == "dumb";
-}
-
 }  // namespace
 
 ProgressBar::ProgressBar(bool quiet)
-    : is_shown_(!quiet && ::isatty(STDERR_FILENO) != 0 && !is_dumb_terminal() && !is_set("CI")) {}
+    : is_shown_(!quiet && is_capable_terminal(STDERR_FILENO) && !is_set("CI")) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { erase(); }
+
+void ProgressBar::erase() {
+  const std::scoped_lock lock(mutex_);
   if (has_drawn_) print_problem("\r\033[K");
+  has_drawn_ = false;
 }
 
 void ProgressBar::show(std::uint64_t done, std::uint64_t all, const char* what) {

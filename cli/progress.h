@@ -5,11 +5,11 @@
 
 namespace rastercheck::cli {
 
-/// A progress bar on standard error, where that is a terminal; otherwise nothing. The bar is gone
-/// when the work is done. May be told of progress by any thread.
+/// A progress bar on standard error, if that is a terminal; otherwise nothing. Any thread may
+/// report progress.
 class ProgressBar {
  public:
-  /// `quiet`: never a bar. Neither on a dumb terminal, nor where CI is set.
+  /// `quiet`: never shows a bar. A dumb terminal, or CI being set, has the same effect.
   explicit ProgressBar(bool quiet);
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -17,6 +17,9 @@ class ProgressBar {
 
   /// "[###...] 3 of 10 cases".
   void show(std::uint64_t done, std::uint64_t all, const char* what);
+  /// Removes the bar from the screen. Must be called before anything else is printed; the
+  /// destructor calls it as well.
+  void erase();
 
  private:
   std::mutex mutex_;

@@ -16,7 +16,7 @@
 namespace rastercheck::cli {
 namespace {
 
-/// Each once: twice the same is no more work.
+/// Removes repetitions, which would add no work.
 std::vector<std::string> without_repetitions(const std::vector<std::string>& all) {
   std::vector<std::string> once;
   for (const std::string& one : all) {
@@ -25,7 +25,7 @@ std::vector<std::string> without_repetitions(const std::vector<std::string>& all
   return once;
 }
 
-/// Sets one option to what the baseline was made with; refuses another value that was given.
+/// Sets one option to the baseline's value; fails if the user gave a different one.
 template <typename Value>
 Result<void> settle(const CLI::App& app, const char* name, const std::string& section,
                     Value& option, const Value& in_baseline) {
@@ -70,7 +70,7 @@ Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOpt
   records::Plan& plan = options.plan;
   if (app.count("--corpus") == 0) plan.corpus = then.corpus;
   std::optional<std::uint64_t> seed = then.seed;
-  // What the file says is held against the baseline's (check_contract), wherever it lies.
+  // check_contract() compares the file's content with the baseline's, wherever the file lies.
   const bool is_told = then.contract && app.count("--contract") > 0;
   const std::string file = then.contract ? then.contract->file : "";
   const std::string contract = is_told ? options.contract : file;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `rastercheck run` is asked for, and the plan that comes of it.
+// The options of `rastercheck run`, and the plan made from them.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -16,10 +16,10 @@
 
 namespace rastercheck::cli {
 
-/// What the command line of `rastercheck run` says: what is to be done, and how.
+/// The command line of `rastercheck run`.
 struct RunOptions {
-  records::Plan plan;                 ///< but for what is settled by make_plan()
-  std::optional<std::uint64_t> seed;  ///< nothing: a random one
+  records::Plan plan;                 ///< except for what make_plan() decides
+  std::optional<std::uint64_t> seed;  ///< empty: a random one
   ShardOption shard;
   std::string contract;  ///< file
   std::string output = "rastercheck-out";
@@ -33,20 +33,21 @@ struct RunOptions {
   int jobs = 1;
   bool json = false;
   bool quiet = false;
+  bool all = false;  ///< prints a row for each law
 };
 
-/// What the options ask for: with the laws that the patterns choose, a seed, the shard's number and
-/// the contract, which is read.
+/// The plan that the options ask for, complete with the laws chosen by patterns, a seed, the
+/// shard's number and the contract read from its file.
 Result<records::Plan> make_plan(const RunOptions& options);
 
-/// Takes seed, cases and all that decides what is found from the baseline; refuses another value
-/// that was given. Of a corpus or contract that lies elsewhere now, digests tell whether it is the
-/// same.
+/// Adopts the baseline's seed, cases and every other setting that affects the findings; fails if
+/// the user gave a different value. If the corpus or contract has moved, compares digests to tell
+/// whether the content is the same.
 Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOptions& options);
 
-/// Takes from the run in the folder `rerun_failed` the laws and backends that were violated, and
-/// all that decides what is found: the same cases fail again unless something has changed. Fails
-/// where nothing was violated.
+/// Adopts, from the run in the folder `rerun_failed`, the violated laws and backends and every
+/// setting that affects the findings: the same cases fail again unless something has changed. Fails
+/// if nothing was violated.
 Result<void> take_failed(RunOptions& options);
 
 }  // namespace rastercheck::cli

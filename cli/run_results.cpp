@@ -23,7 +23,7 @@ auto has_verdict(LawVerdict verdict) {
   return [verdict](const LawSummary& row) { return row.verdict == verdict; };
 }
 
-/// Whether the row's law is about what its backend promises, and was not to be skipped.
+/// True if the row's backend promises what the law is about, and the law was not to be skipped.
 bool has_to_hold(const LawSummary& row, const std::vector<records::BackendPromises>& promises) {
   if (!row.skipped_by.empty()) return false;
   return std::none_of(promises.begin(), promises.end(), [&row](const auto& backend) {
@@ -33,8 +33,8 @@ bool has_to_hold(const LawSummary& row, const std::vector<records::BackendPromis
   });
 }
 
-/// Whether the row's law had to check something: some laws are about what not every backend
-/// promises, or draws.
+/// True if the row's law had to check something: some laws are about promises or features that not
+/// every backend has.
 bool is_promised(const LawSummary& row, const std::vector<records::BackendPromises>& promises) {
   const bool has_limits = std::any_of(
       promises.begin(), promises.end(),
@@ -46,29 +46,43 @@ bool is_violated(const std::vector<LawSummary>& rows) {
   return std::any_of(rows.begin(), rows.end(), has_verdict(LawVerdict::violated));
 }
 
-/// Prints each cause with its smallest counterexample; the others are in the folder and the report.
+/// Prints each cause with its smallest counterexample; the folder and the report have the others.
 void print_causes(const records::Run& run, const reports::CommandOf& command_of) {
   if (run.counterexamples.empty()) return;
   fmt::print("{}", reports::causes_text(run, command_of));
 }
 
+void print_scenes(const records::Run& run) {
+  for (const records::SceneResult& scene : run.scenes) {
+    fmt::print("{}\n", cases::printable(records::scene_sentence(scene)));
+  }
+}
+
 }  // namespace
 
+Detail detail_of(bool quiet, bool all) {
+  if (quiet) return Detail::rows;
+  return all ? Detail::all : Detail::summary;
+}
+
 void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
-                   const std::string& output, bool quiet) {
-  fmt::print("{}", reports::summary_table(rows, quiet, terminal_columns()));
+                   const std::string& output, Detail detail) {
+  const bool quiet = detail == Detail::rows;
+  const std::vector<LawSummary> shown =
+      detail == Detail::summary ? reports::notable_rows(rows) : rows;
+  if (!shown.empty()) {
+    fmt::print("{}", reports::summary_table(shown, quiet, terminal_columns()));
+  }
   for (const records::UnreachedLabel& label : run.unreached) {
     fmt::print("{}\n", records::unreached_sentence(label));
   }
   for (const records::UnexpectedPass& pass : run.unexpected) {
     fmt::print("{}\n", records::unexpected_sentence(pass));
   }
-  for (const records::SceneResult& scene : run.scenes) {
-    fmt::print("{}\n", cases::printable(records::scene_sentence(scene)));
-  }
-  if (quiet) return;
-  fmt::print("\n{}{}{}{}{}", reports::summary_counts(rows), reports::not_judged_text(rows),
-             reports::power_text(rows), reports::not_checked_text(rows), reports::known_text(run));
+  if (quiet) return print_scenes(run);
+  fmt::print("{}{}{}{}{}{}", shown.empty() ? "" : "\n", reports::summary_counts(rows),
+             reports::not_judged_text(rows), reports::power_text(rows),
+             reports::not_checked_text(rows), reports::known_text(run));
   const reports::CommandOf command_of = [&](const records::Counterexample& one) {
     const std::filesystem::path file = std::filesystem::path(output) / records::file_of(one);
     return reports::replay_command(run, file.string());
@@ -77,6 +91,10 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
   fmt::print("{}", reports::thin_text(rows));
   if (!run.counterexamples.empty()) fmt::print("\n{}", reports::causes_list(run, command_of));
+  fmt::print("\n");
+  print_scenes(run);
+  fmt::print("{}", reports::verdict_lines(run, rows, has_color()));
+  if (shown.size() < rows.size()) fmt::print("`--all` shows a row for each law.\n");
   if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How `rastercheck run` ends: what it prints, and its exit code.
+// The end of `rastercheck run`: its printed results and its exit code.
 
 #include <string>
 #include <vector>
@@ -12,16 +12,29 @@
 
 namespace rastercheck::cli {
 
-/// Prints the table of the run, what was not reached, and, unless `quiet`, its counts, its
-/// counterexamples, which are saved in the folder `output`, and what else is to be known of it.
-void print_results(const records::Run& run, const std::vector<records::LawSummary>& rows,
-                   const std::string& output, bool quiet);
+/// The help of --all.
+inline constexpr const char* kAllHelp = "Prints a row for each property, those that held as well";
 
-/// Of a run without faults, and of backends that promise that much. Where several apply: violated,
-/// then nothing checked, of a law or of the scene that was asked for.
+/// How much print_results() prints.
+enum class Detail {
+  rows,     ///< the table's rows, and what was not reached
+  summary,  ///< rows that a reader has to look at, counts, causes, and the verdict last
+  all,      ///< the same with all rows
+};
+
+/// The detail that the options --quiet and --all ask for.
+Detail detail_of(bool quiet, bool all);
+
+/// Prints a run's results; the folder `output` holds its counterexamples.
+void print_results(const records::Run& run, const std::vector<records::LawSummary>& rows,
+                   const std::string& output, Detail detail);
+
+/// Returns the exit code of a run without faults, given what its backends promise. `violated` takes
+/// precedence over `nothing_checked`, which means that a law or the requested scene checked too
+/// little.
 ExitCode exit_code_of(const records::Run& run, const std::vector<records::LawSummary>& rows,
                       const std::vector<records::BackendPromises>& promises);
-/// Of a shard, which may have nothing to check: violated or ok.
+/// Returns the exit code of a shard, which may have nothing to check: violated or ok.
 ExitCode exit_code_of_shard(const std::vector<records::LawSummary>& rows);
 
 }  // namespace rastercheck::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `rastercheck run --scene` is about: one mesh or case, drawn and judged whole.
+// The scene of `rastercheck run --scene`: one mesh or case, drawn and judged as a whole.
 
 #include <string>
 #include <vector>
@@ -14,19 +14,19 @@
 
 namespace rastercheck::cli {
 
-/// The clip case of the plan's mesh or case file, "-" for a case on standard input, under the name
-/// of its file if it has no other. Drawn as a frame it has a depth test.
+/// Returns the clip-space case of the plan's mesh or case file ("-": a case on standard input),
+/// named after its file if it has no name. The case has a depth test if the plan draws a frame.
 Result<cases::Case> read_scene(const records::Plan& plan);
 
-/// A scene as all of a plan's backends drew it.
+/// A scene as drawn by all of a plan's backends.
 struct JudgedScene {
   properties::Findings findings;
-  std::vector<records::SceneResult> results;  ///< backend by backend
-  std::vector<records::Picture> pictures;     ///< what was drawn, and its errors
+  std::vector<records::SceneResult> results;  ///< one per backend
+  std::vector<records::Picture> pictures;     ///< the drawings, and their errors
 };
 
-/// Judges the scene with each of the plan's backends, in `jobs` threads. What is `known` of a
-/// backend is counted as known.
+/// Judges the scene with each of the plan's backends, in `jobs` threads. Counts defects in `known`
+/// as known.
 Result<JudgedScene> judge_scene_of(const records::Plan& plan, const cases::Case& scene,
                                    const backends::BackendFactory& backends, unsigned jobs,
                                    const properties::KnownByBackend& known);

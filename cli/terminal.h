@@ -5,7 +5,17 @@
 
 namespace rastercheck::cli {
 
-/// How many characters a line of standard output has room for; nothing where it is no terminal.
+/// Returns the number of characters in a line of standard output; empty if that is no terminal.
 std::optional<std::size_t> terminal_columns();
+
+/// True if the environment variable is set and not empty.
+bool is_set(const char* variable);
+
+/// True if the file descriptor is a terminal that understands control sequences.
+bool is_capable_terminal(int descriptor);
+
+/// True if standard output takes colours: it is such a terminal, and the user has not set NO_COLOR
+/// (no-color.org).
+bool has_color();
 
 }  // namespace rastercheck::cli

@@ -13,7 +13,7 @@
 namespace rastercheck::cli {
 namespace {
 
-/// CLI11's messages may have several lines.
+/// Joins the lines of a message: CLI11's may have several.
 std::string joined_lines(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   text.erase(text.find_last_not_of(' ') + 1);
@@ -22,7 +22,7 @@ std::string joined_lines(std::string text) {
 
 bool is_option(std::string_view word) { return word.size() > 1 && word.front() == '-'; }
 
-/// The command that was reached.
+/// Returns the innermost command on the command line.
 const CLI::App* reached(const CLI::App* program) {
   const auto inner = program->get_subcommands();
   return inner.empty() ? program : reached(inner.front());
@@ -42,7 +42,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-/// What of the command line has no meaning, the first option before all else.
+/// Returns the first unknown word of the command line; unknown options precede other words.
 std::optional<std::string> unknown_word(const CLI::App& program) {
   const std::vector<std::string> words = program.remaining(true);
   if (words.empty()) return std::nullopt;

@@ -6,8 +6,8 @@
 
 namespace rastercheck::cli {
 
-/// Why a command line was refused, and what to do: a name that there is and that was perhaps meant,
-/// and whose --help to read.
+/// Says why a command line was refused, and what to do: suggests an existing name that may have
+/// been meant, and names the command whose --help to read.
 Error wrong_usage(const CLI::App& program, const CLI::ParseError& refusal);
 
 }  // namespace rastercheck::cli

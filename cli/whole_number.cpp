@@ -11,8 +11,8 @@ namespace rastercheck::cli {
 
 namespace {
 
-/// "1e9" with its zeros written out, if there are no more of them than a number can have; any other
-/// text as it is.
+/// Writes out the zeros of a number such as "1e9", if a number can have that many; returns any
+/// other text unchanged.
 std::string without_exponent(const std::string& text) {
   const std::size_t mark = text.find_first_of("eE");
   if (mark == std::string::npos || mark == 0) return text;

@@ -9,14 +9,14 @@
 
 namespace rastercheck::cli {
 
-/// Accepts 0 … `most` in decimal digits, also with an exponent, as 1e9, which transform() makes
-/// digits. By itself CLI11 takes "-1" for 2^64 − 1, and what is too large for the largest.
+/// Accepts 0 … `most` in decimal digits, also with an exponent such as 1e9, which transform()
+/// expands to digits. CLI11 alone takes "-1" for 2^64 − 1, and clamps numbers that are too large.
 CLI::Validator whole_number(std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
-/// The number that decimal digits say; nothing where there is anything else, or too much of them.
+/// Returns the number written in decimal digits; empty if the text is anything else or too large.
 std::optional<std::uint64_t> whole_number_in(std::string_view text);
 
-/// Two of them and what stands between: "2/7" with '/'.
+/// Reads two such numbers around a separator: "2/7" with '/'.
 std::optional<std::pair<std::uint64_t, std::uint64_t>> two_whole_numbers_in(std::string_view text,
                                                                             char between);
 

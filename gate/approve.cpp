@@ -19,14 +19,14 @@ bool fits(const std::string& pattern, std::string_view text) {
 
 using StrataErrors = std::map<records::Stratum, records::WorstError>;
 
-/// Those of one stratum, or of all.
+/// Returns the errors of one stratum, or of all if none is given.
 StrataErrors only(const StrataErrors& errors, std::optional<records::Stratum> stratum) {
   if (!stratum) return errors;
   const auto found = errors.find(*stratum);
   return found == errors.end() ? StrataErrors() : StrataErrors{*found};
 }
 
-/// The worst errors of one kind, in one stratum or in all, of all cases of a law.
+/// Accepts the worst errors of one kind, in one stratum or in all, for all cases of a law.
 void take_worst(records::LawCases& into, const records::LawCases& from, records::AttributeKind kind,
                 std::optional<records::Stratum> stratum) {
   for (auto& [number, figures] : into.cases) {
@@ -40,8 +40,8 @@ void take_worst(records::LawCases& into, const records::LawCases& from, records:
   }
 }
 
-/// Which cases the law says something of, what became of them, and how much came out wrong. What
-/// else a case gave of which it said nothing has nothing to be held against.
+/// Accepts which cases the law applies to, their outcomes and mismatches. A case that was not
+/// applicable before is accepted whole, as it has no earlier results to keep.
 void take_outcomes(records::LawCases& into, const records::LawCases& from) {
   std::map<records::CaseNumber, records::CaseFigures> cases = from.cases;
   for (auto& [number, figures] : cases) {
@@ -53,7 +53,7 @@ void take_outcomes(records::LawCases& into, const records::LawCases& from) {
   into.cases = std::move(cases);
 }
 
-/// One entry, and what its law's cases have of it.
+/// Accepts one entry, and the results of its law's cases that belong to it.
 void take_entry(records::BaselineSection& section, const records::BaselineSection& current,
                 const records::EntryKey& key) {
   const auto figures = current.entries.find(key);
@@ -77,8 +77,8 @@ void take_entry(records::BaselineSection& section, const records::BaselineSectio
   take_worst(law, now->second, key.kind, key.stratum);
 }
 
-/// Of a law of which all that changed was taken, all of its cases: what else they gave belongs to
-/// what was approved.
+/// Accepts all cases of a law if every change of the law was accepted: the cases' remaining results
+/// belong to the accepted changes.
 void take_finished_laws(records::BaselineSection& section, const records::BaselineSection& current,
                         const std::vector<records::EntryChange>& all,
                         const std::vector<records::EntryChange>& taken) {
@@ -93,7 +93,7 @@ void take_finished_laws(records::BaselineSection& section, const records::Baseli
       }
       return some;
     };
-    // An entry may have changed by its cases alone.
+    // An entry may have changed only in its cases.
     const auto changed_of_law = [&law](const std::vector<records::EntryChange>& entries) {
       return std::count_if(entries.begin(), entries.end(), [&law](const records::EntryChange& one) {
         return one.key.law == law && one.change != records::Change::same;
@@ -157,7 +157,7 @@ std::vector<std::string> approve(records::BaselineSection& section,
   } else {
     for (const records::EntryChange& entry : taken) take_entry(section, current, entry.key);
     take_finished_laws(section, current, comparison.entries, taken);
-    // Names of cases that new laws brought.
+    // Adds the names of corpus cases that came with new laws.
     section.corpus.insert(current.corpus.begin(), current.corpus.end());
   }
   section.approvals.push_back({reason, current.taken.version, current.taken.commit, changes});

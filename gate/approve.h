@@ -1,6 +1,6 @@
 #pragma once
 
-// Taking current figures over into a baseline, with the reason.
+// Accepts current figures into a baseline, with a reason.
 
 #include <cstdint>
 #include <map>
@@ -13,27 +13,28 @@
 
 namespace rastercheck::gate {
 
-/// What is taken over: entries that match, by patterns of shells, as fnmatch(3) has them.
+/// Selects the entries to accept by shell patterns, as in fnmatch(3).
 struct EntryPattern {
   std::string law = "*";
   std::string kind = "*";
-  /// "all" is the entry of all strata together and those of each: what grew in a case is of both.
+  /// "all" matches the entry of all strata together and the entries of each stratum, as growth in a
+  /// case belongs to both.
   std::string stratum = "*";
   bool operator==(const EntryPattern&) const = default;
   bool matches(const records::EntryKey& key) const;
-  /// Whether it matches any entry.
+  /// True if the pattern matches every entry.
   bool is_all() const { return law == "*" && kind == "*" && (stratum == "*" || stratum == "all"); }
 };
 
-/// Of each law how many cases are violated once that is taken over: of laws of which more are, or
-/// others.
+/// Returns the number of violated cases per law after acceptance, for each law in which more or
+/// other cases are violated than before.
 std::map<std::string, std::uint64_t> violations_taken(const records::Comparison& comparison,
                                                       const EntryPattern& pattern);
 
-/// Takes what changed over from `current`, the section that `comparison` held against `section`.
-/// Of all entries, all of its cases as well; of some, the errors and counts of cases that these
-/// are of. Adds the approval, and gives what changed, a line each: empty, and nothing is done,
-/// where there is nothing to take over.
+/// Accepts the changes from `current`, the section that `comparison` compared with `section`. If
+/// the pattern matches all entries, accepts all their cases as well; otherwise accepts only the
+/// errors and counts of cases that belong to the matched entries. Adds the approval and returns one
+/// line per change; does nothing and returns no lines if nothing changed.
 std::vector<std::string> approve(records::BaselineSection& section,
                                  const records::BaselineSection& current,
                                  const records::Comparison& comparison, const EntryPattern& pattern,

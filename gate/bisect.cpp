@@ -30,7 +30,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// What is to be searched, and what was checked out before.
+/// The commits to search between, and the original checkout.
 struct History {
   std::string good;  ///< hash
   std::string bad;   ///< hash
@@ -38,7 +38,7 @@ struct History {
   std::uint64_t commits = 0;
 };
 
-/// Refuses what must not be touched.
+/// Refuses a work tree with changes or with a bisection in progress.
 Result<void> check_work_tree(const Git& git) {
   const Result<bool> is_bisecting = git.has_file("BISECT_LOG");
   if (!is_bisecting) return tl::unexpected(is_bisecting.error());
@@ -77,14 +77,15 @@ Result<History> check_history(const Git& git, const BisectPlan& plan) {
   return history;
 }
 
-/// Checks out what was checked out before.
+/// Restores the original checkout.
 Result<void> check_out_head(const Git& git, const std::string& head) {
   const Result<bool> is_bisecting = git.has_file("BISECT_LOG");
   if (!is_bisecting.value_or(false)) return git.check_out(head);
   return git.ask({"bisect", "reset", head}).map([](const auto&) {});
 }
 
-/// The same where files changed that git tracks, too: there were no changes before.
+/// Restores the original checkout. Moves changes to tracked files into git's stash: the build made
+/// them, as the work tree had none before.
 Result<void> restore(const Git& git, const std::string& head, const BisectWatch& watch) {
   if (const Result<std::string> changed = git.changed_files(); changed && !changed->empty()) {
     const Result<std::string> kept =
@@ -108,17 +109,17 @@ class Bisection {
 
  private:
   Result<void> name_ends();
-  /// Checks out, builds and draws.
+  /// Checks out, builds and draws a commit.
   Result<records::Run> draw(const std::string& commit, const char* folder,
                             const std::string& name) const;
-  /// What `bad` is worse in; narrows the plan to that.
+  /// Finds the laws that are worse in `bad` and narrows the plan to them.
   Result<void> judge_ends();
   Result<void> narrow(records::Run good);
-  /// Has git search between the two.
+  /// Lets git search between the good and the bad commit.
   Result<void> run_git();
-  /// `bad` is the first.
+  /// Takes `bad` as the first worse commit.
   void take_bad();
-  /// What git has left to be the first, once it has ended.
+  /// Takes the candidates for the first worse commit once git has ended.
   Result<void> take_first();
   void report_judged();
 
@@ -258,13 +259,13 @@ Result<void> Bisection::take_first() {
       });
 }
 
-/// Builds, draws and compares what is checked out.
+/// Builds and draws the checked-out commit and compares it with the good one.
 Result<JudgedCommit> judged(const BisectPlan& plan, const std::string& hash) {
   const Result<records::Run> good = read_drawing(plan.folder, kGoodFolder);
   if (!good) return tl::unexpected(good.error());
   JudgedCommit commit{hash, CommitVerdict::skipped, ""};
   OutsideRun how;
-  how.group = cases::ProcessGroup::of_parent;  // ended with it
+  how.group = cases::ProcessGroup::of_parent;  // so that one signal ends both processes
   const auto comparisons = draw_commit(plan, hash, how).and_then([&](records::Run run) {
     return against_good(*good, std::move(run));
   });
@@ -278,7 +279,8 @@ Result<JudgedCommit> judged(const BisectPlan& plan, const std::string& hash) {
   return commit;
 }
 
-/// What is to be searched; the plan's files are copies then, that no commit changes.
+/// Finds the commits to search between; afterwards the plan's files are copies that no checkout
+/// changes.
 Result<History> prepare(const Git& git, const BisectFolder& folder, BisectPlan& plan) {
   Result<History> history = check_history(git, plan);
   if (!history) return history;
@@ -318,7 +320,7 @@ Result<records::BisectOutcome> bisect(BisectPlan plan, const BisectWatch& watch)
 }
 
 int judge_commit(const std::string& folder, const DrawPlan& draw) {
-  // As `git bisect run` takes them; what is above 127 ends it.
+  // Exit codes for `git bisect run`; any code above 127 ends the bisection.
   constexpr int kSkip = 125;
   constexpr int kEnd = 128;
   Result<BisectPlan> plan = read_plan(folder);

@@ -1,12 +1,12 @@
 #pragma once
 
-// `rastercheck bisect`: the first commit of a user's repository whose drawing is less precise, by
-// `git bisect run`. What makes the backend is the user's command, what judges is this program.
+// `rastercheck bisect`: uses `git bisect run` to find the first commit of a user's repository whose
+// drawing is less precise. The user's command builds the backend, this program judges.
 //
-// GOOD is drawn first and is what all others are held against (compare.h); then BAD, which says
-// what to look for: the laws whose figures grew. git then has a commit after the other checked out,
-// built and held against GOOD by judge_commit(), in a process of its own. A commit that cannot be
-// built or judged is skipped.
+// Draws GOOD first, which is the reference for all other commits (compare.h). Then draws BAD, which
+// determines what to look for: the laws whose figures grew. git then checks out one commit after
+// the other; judge_commit() builds each and compares it with GOOD, in a process of its own. A
+// commit that cannot be built or judged is skipped.
 
 #include <cstdint>
 #include <functional>
@@ -22,31 +22,31 @@
 
 namespace rastercheck::gate {
 
-/// Carries out a plan, whose laws are still to be chosen by its patterns, in a folder that is there
-/// and by so many processes, until `is_to_end`.
+/// Runs a plan in an existing folder with `jobs` processes, and ends early once `is_to_end` returns
+/// true. The plan names laws by patterns only; the callee expands them.
 using DrawPlan =
     std::function<Result<records::Run>(const records::Plan& plan, const std::string& folder,
                                        int jobs, const std::function<bool()>& is_to_end)>;
 
 struct BisectPlan {
-  std::string good;                ///< what names the commit to hold others against
-  std::string bad;                 ///< what names a later one that is worse
-  std::vector<std::string> build;  ///< the command that makes what is judged
-  /// The rastercheck that draws and judges, where that is what is built; empty: `draw` does.
+  std::string good;                ///< names the reference commit
+  std::string bad;                 ///< names a later, worse commit
+  std::vector<std::string> build;  ///< the command that builds the backend to judge
+  /// The rastercheck program that draws and judges, if the build makes one; empty: uses `draw`.
   std::string program;
-  DrawPlan draw;  ///< used where `program` is empty
-  /// Says what to draw of each commit. Files and folders that it names are taken as they are now,
-  /// whatever is checked out; corpus and known defects are named, unless the latter are ignored.
+  DrawPlan draw;  ///< used if `program` is empty
+  /// What to draw for each commit. Files and folders named here are taken in their present state,
+  /// whatever is checked out. The corpus must be named, and so must known defects unless ignored.
   records::Plan plan;
   int jobs = 1;
-  /// This program with its hidden command, which is given a folder and calls judge_commit().
+  /// This program with its hidden command, which takes a folder and calls judge_commit().
   std::vector<std::string> step;
-  /// The folder for all that is drawn and said, which is to be empty or not there, and stays so
-  /// where nothing is drawn; without a name a temporary one.
+  /// Output folder. Must be empty or absent; left untouched if nothing is drawn. Empty name: a
+  /// temporary folder.
   std::string folder;
 };
 
-/// What is to be known of a bisection while it goes on.
+/// Callbacks during a bisection.
 struct BisectWatch {
   std::function<bool()> is_to_end;                 ///< asked several times a second
   std::function<void(const std::string&)> report;  ///< called for each commit, with one line
@@ -58,21 +58,21 @@ constexpr auto names_of(CommitVerdict /*type*/) {
 }
 constexpr std::string_view to_string(CommitVerdict verdict) { return cases::name_of(verdict); }
 
-/// The top folder of the work tree that a folder is in; fails where it is in none.
+/// Returns the top folder of the work tree around a folder; fails if there is none.
 Result<std::string> work_tree_of(const std::string& folder);
 
-/// Bisects the repository whose top folder is the current one. Refuses what is no history to
-/// search, and a work tree with changes or in which a bisection goes on; whatever happens after
-/// that, what was checked out is checked out again.
+/// Bisects the repository whose top folder is the current folder. Refuses commits without a history
+/// to search, and a work tree with changes or a bisection in progress. Whatever happens afterwards,
+/// the original checkout is restored.
 Result<records::BisectOutcome> bisect(BisectPlan plan, const BisectWatch& watch);
 
-/// Saves what the first commit is worse in, with the cases that grew, in a folder of the plan's,
-/// which the outcome is told. `corpus` is the folder of the cases that come first.
+/// Saves the comparison of the first worse commit, with the grown cases, in a subfolder of the
+/// plan's folder, and records that folder in the outcome. `corpus` is the folder of the corpus.
 Result<void> save_comparison(const BisectPlan& plan, records::BisectOutcome& outcome,
                              const std::string& corpus);
 
-/// What `git bisect run` is told of the commit that is checked out, as an exit code: 0 no worse, 1
-/// worse, 125 not to be judged, 128 that something is wrong with the bisection itself.
+/// Judges the checked-out commit for `git bisect run` and returns an exit code: 0 no worse, 1
+/// worse, 125 cannot be judged, 128 the bisection itself failed.
 int judge_commit(const std::string& folder, const DrawPlan& draw);
 
 }  // namespace rastercheck::gate

@@ -14,7 +14,7 @@ namespace {
 using properties::LookRequest;
 using records::Specimen;
 
-/// Looks of one comparison: some 40 kB each in compare.html.
+/// Maximum numbers of looks in a comparison; each look takes some 40 kB in compare.html.
 constexpr std::size_t kMostGrowths = 6;
 constexpr std::size_t kMostParts = 4;
 
@@ -39,7 +39,8 @@ const records::BaselineSection* section_of_backend(const records::Baseline& base
   return found == all.end() ? nullptr : &*found;
 }
 
-/// The case that grew, at its largest error; with what the baseline kept around that.
+/// Returns a request to look at a grown case at its largest error, with the part that the baseline
+/// kept around that error.
 LookRequest request_of(const records::CaseGrowth& growth, const std::string& backend,
                        std::span<const Specimen> kept) {
   const records::WorstError& at = *growth.after;
@@ -60,8 +61,8 @@ LookRequest request_of(const records::CaseGrowth& growth, const std::string& bac
   return request;
 }
 
-/// Without those that the current side kept with other bits: this program does not draw them as
-/// what it was made with did.
+/// Removes parts whose bits differ from those that the current side kept: this program does not
+/// reproduce that side's drawings.
 void leave_out_others(std::vector<Specimen>& again, std::span<const Specimen> after) {
   std::erase_if(again, [&after](const Specimen& one) {
     return std::any_of(after.begin(), after.end(), [&one](const Specimen& kept) {

@@ -11,9 +11,9 @@
 
 namespace rastercheck::gate {
 
-/// Draws again what a comparison found to be otherwise, by the current side's backend, as far as it
-/// is here and draws as it did: the cases that grew most, and of the parts that the baseline kept
-/// those that changed most. `corpus` is that of both sides.
+/// Draws again, with the current side's backend, the cases that grew most and the kept parts that
+/// changed most. Leaves out those that cannot be drawn here, or are drawn differently now. `corpus`
+/// is the corpus of both sides.
 std::vector<records::CloserLook> look_closer(const records::Comparison& comparison,
                                              const records::Baseline& before,
                                              const records::Baseline& after,

@@ -23,8 +23,8 @@ std::string words_of(const records::Plan& plan) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, " "));
 }
 
-/// What cases are held to but for a contract. Without the corpus's folder, and what the backend
-/// draws: which cases there are, digests tell.
+/// Returns the options that decide how cases are judged, except a contract. Leaves out the corpus
+/// folder and the capabilities: digests identify the cases.
 records::Plan judged_by(records::Plan plan) {
   plan.seed = 0;
   plan.capabilities.clear();
@@ -34,7 +34,8 @@ records::Plan judged_by(records::Plan plan) {
   return plan;
 }
 
-/// How the two are held to other terms; empty where not. Where a contract lies does not matter.
+/// Describes how the terms of the two plans differ; empty if they do not. Ignores the contract
+/// file's path.
 std::string other_options(const records::Plan& before, const records::Plan& after) {
   const records::Plan was = judged_by(before);
   const records::Plan is = judged_by(after);
@@ -55,7 +56,7 @@ std::string other_options(const records::Plan& before, const records::Plan& afte
       file(before), file(after), digest(before), digest(after));
 }
 
-/// How the cases of a law that both have are other cases; empty where they are the same.
+/// Describes how the cases of a common law differ; empty if they are the same cases.
 std::string other_cases(const std::string& law, const records::LawCases& before,
                         const records::LawCases& after) {
   if (before.count != after.count) {
@@ -68,7 +69,7 @@ std::string other_cases(const std::string& law, const records::LawCases& before,
       law, before.digest, after.digest);
 }
 
-/// "the seed is 1 in the baseline and 2 now".
+/// Returns text such as "the seed is 1 in the baseline and 2 now".
 std::string numbers(std::string_view what, std::uint64_t was, std::uint64_t is) {
   return fmt::format("{} {} in the baseline and {} now", what, was, is);
 }
@@ -84,7 +85,7 @@ std::string other_versions(const records::BaselineSection& before,
   return "";
 }
 
-/// Why figures of the two say nothing of each other; empty where they do.
+/// Returns why the two sections' figures are not comparable; empty if they are.
 std::string difference(const records::BaselineSection& before,
                        const records::BaselineSection& after) {
   if (std::string other = other_versions(before, after); !other.empty()) return other;
@@ -105,7 +106,7 @@ std::string difference(const records::BaselineSection& before,
 
 // --- Figures -------------------------------------------------------------------------------------
 
-/// Collects the figures of an entry that are not the same.
+/// Collects an entry's changed figures.
 class FigureComparer {
  public:
   explicit FigureComparer(std::vector<records::FigureChange>& changes) : changes_(changes) {}
@@ -118,7 +119,7 @@ class FigureComparer {
     add(figure, (after > before) == is_more_worse, {std::nullopt, before, 0},
         {std::nullopt, after, 0}, of);
   }
-  /// Exactly, as whole numbers. A share of nothing says nothing.
+  /// Compares shares exactly, in whole numbers. Ignores shares of an empty whole.
   void share(records::Figure figure, std::uint64_t before, std::uint64_t of_before,
              std::uint64_t after, std::uint64_t of_after) {
     __extension__ using Wide = unsigned __int128;
@@ -145,8 +146,8 @@ class FigureComparer {
   std::vector<records::FigureChange>& changes_;
 };
 
-/// Fragments or values that were drawn or are missing, judged or not. Fragments that are not judged
-/// are in a class as well.
+/// Returns the number of fragments or values that were drawn or are missing, judged or not. For
+/// coverage, the classes include fragments that are not judged.
 std::uint64_t drawn_of(records::AttributeKind kind, const records::EntryFigures& figures) {
   const auto& classes = figures.classes.counts;
   const std::uint64_t all = std::accumulate(classes.begin(), classes.end(), std::uint64_t{0});
@@ -161,7 +162,8 @@ std::vector<records::FigureChange> figure_changes(records::AttributeKind kind,
   compare.count(records::Figure::violations, before.cases.violations, after.cases.violations);
   compare.count(records::Figure::known, before.cases.known, after.cases.known);
   compare.count(records::Figure::checked, before.cases.checked, after.cases.checked);
-  // Drawings differ where more or fewer are right without a defect.
+  // The number of drawings made wrong follows from how many cases held, so it may change without a
+  // defect.
   if (before.power.drawings == after.power.drawings) {
     compare.count(records::Figure::noticed, before.power.noticed, after.power.noticed);
   }
@@ -171,7 +173,7 @@ std::vector<records::FigureChange> figure_changes(records::AttributeKind kind,
     compare.count(records::Figure::mismatches, before.classes[fragment_class],
                   after.classes[fragment_class], fragment_class);
   }
-  // Where as many are not judged, more or fewer of them were drawn.
+  // If the counts are equal, a share changes only because more or fewer were drawn.
   if (before.not_judged && after.not_judged && *before.not_judged != *after.not_judged) {
     compare.share(records::Figure::not_judged, *before.not_judged, drawn_of(kind, before),
                   *after.not_judged, drawn_of(kind, after));
@@ -210,7 +212,7 @@ Means means_of(const records::EntryFigures& figures) {
   return means;
 }
 
-/// Numbers to show: the exact shares lie within a few last places of them.
+/// Returns a stage's share for display: the exact share may differ in the last few places.
 std::optional<double> share_of(const Means& means, records::Stage stage) {
   double all = 0;
   for (const auto& [each, mean] : means) all += mean ? mean->hi : 0;
@@ -219,14 +221,14 @@ std::optional<double> share_of(const Means& means, records::Stage stage) {
   return found->second->hi / all;
 }
 
-/// Whether it is a stage at all, that somebody can look at: not how far off one is that tells of
-/// none.
+/// True if the stage is real work that a developer can look at, not a stand-in for backends that
+/// report no stages.
 bool is_work(records::Stage stage) {
   return stage != records::Stage::left_open && stage != records::Stage::excess;
 }
 
-/// Whether some stage was told of. Of other backends there are only what the contract leaves open,
-/// what is beyond that, and `transform`, which is what they were handed.
+/// True if the backend reported any stage. Other backends only have `left_open`, `excess` and
+/// `transform`, which describes their input.
 bool has_work(const Means& means) {
   return std::any_of(means.begin(), means.end(), [](const auto& of) {
     return of.first != records::Stage::transform && is_work(of.first);
@@ -358,7 +360,7 @@ Result<std::vector<records::Comparison>> compare(const records::Baseline& baseli
     }
     comparisons.push_back(*std::move(comparison));
   }
-  // Nothing that is worse is not the same as nothing that was looked at.
+  // An empty comparison must not pass for one without worse figures.
   if (comparisons.empty()) {
     return tl::unexpected(Error{files.current, "", "has no sections: there is nothing to compare"});
   }

@@ -13,7 +13,7 @@
 namespace rastercheck::gate {
 namespace {
 
-/// The case, where there still is one: a corpus may be gone, or be another one.
+/// Returns the case if it still exists: a corpus may be gone or replaced.
 std::optional<cases::Case> case_of(const records::Comparison& comparison,
                                    const records::CaseGrowth& growth,
                                    const std::string& corpus_folder) {

@@ -7,14 +7,13 @@
 
 namespace rastercheck::gate {
 
-/// Saves the cases that a comparison lists as grown, each as a case file of the gate's folder
-/// (reports::file_of), so that they can be replayed and explained. They are made again from law,
-/// seed and index, or taken from the corpus, in the folder `corpus` where the comparison's options
-/// name none.
+/// Saves each grown case that a comparison lists as a case file in the gate's folder
+/// (reports::file_of), for replay and explanation. Cases are made again from law, seed and index,
+/// or read from the comparison's corpus, by default from the folder `corpus`.
 Result<void> save_grown_cases(const reports::Gate& gate, const std::string& corpus);
 
-/// The folder of the corpus that a comparison's cases are of; `without_option` where its options
-/// name none.
+/// Returns the folder of a comparison's corpus; `without_option` if the comparison's options name
+/// none.
 std::string corpus_of(const records::Comparison& comparison, const std::string& without_option);
 
 }  // namespace rastercheck::gate

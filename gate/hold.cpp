@@ -20,18 +20,18 @@ namespace {
 
 Day today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
 
-/// Of cases that gave other bits, what is seen of them by drawing them again.
+/// Draws cases with changed bits again and inspects them.
 std::vector<records::CloserLook> looks_of(const reports::Gate& gate, const Side& baseline,
                                           const Side& current, const HoldOptions& options) {
   std::vector<records::CloserLook> looks;
   for (const records::Comparison& comparison : gate.comparisons) {
     if (comparison.changed_cases == 0) continue;
-    // Pictures are no reason to fail: without the corpus its cases have none.
+    // Without the corpus, its cases get no pictures, which is no reason to fail.
     const std::vector<cases::Case> corpus =
         properties::read_corpus(corpus_of(comparison, options.corpus))
             .value_or(std::vector<cases::Case>());
     records::Plan plan = comparison.plan;
-    plan.timeout = options.timeout;  // which changes nothing of what is drawn
+    plan.timeout = options.timeout;  // does not affect what is drawn
     std::vector<records::CloserLook> found =
         look_closer(comparison, baseline.sections, current.sections, corpus,
                     properties::factory_for(plan, options.worker));

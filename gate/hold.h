@@ -1,6 +1,6 @@
 #pragma once
 
-// The whole of a comparison, as `rastercheck compare` and `rastercheck run --baseline` make it.
+// A complete comparison, as made by `rastercheck compare` and `rastercheck run --baseline`.
 
 #include <string>
 #include <vector>
@@ -15,18 +15,18 @@ namespace rastercheck::gate {
 
 struct HoldOptions {
   Policy policy;       ///< applied as of today
-  std::string folder;  ///< for what reports/compare_format.h lists; empty: none
-  std::string corpus;  ///< folder of the corpus, of comparisons whose options name none
-  /// What starts a process that draws with a foreign backend (backends::Isolation).
+  std::string folder;  ///< for the files listed in reports/compare_format.h; empty: none
+  std::string corpus;  ///< folder of the corpus if a comparison's options name none
+  /// The command that starts a process to draw with a foreign backend (backends::Isolation).
   std::vector<std::string> worker;
-  double timeout = records::kDefaultTimeout;  ///< seconds that such a process has for a draw
+  double timeout = records::kDefaultTimeout;  ///< limit for one drawing by that process, seconds
 };
 
-/// Holds one side against the other. Where there is a folder, draws again and looks at what came
-/// out otherwise. What is given refers to both sides, which have to outlive it.
+/// Compares one side with the other. If a folder is given, also draws differing cases again and
+/// inspects them. The result refers to both sides, which must outlive it.
 Result<reports::Gate> hold(const Side& baseline, const Side& current, const HoldOptions& options);
 
-/// Writes the comparison's files into its folder, the cases that grew among them.
+/// Writes the comparison's files into its folder, including grown cases.
 Result<void> write_files(const reports::Gate& gate, const std::string& corpus);
 
 }  // namespace rastercheck::gate

@@ -14,7 +14,7 @@
 namespace rastercheck::gate {
 namespace {
 
-/// Digits from `first` to before `last` as a number; nothing of what has others.
+/// Returns the digits in [first, last) as a number; empty if another character occurs.
 std::optional<int> number_in(std::string_view text, std::size_t first, std::size_t last) {
   int number = 0;
   const char* const end = text.data() + last;
@@ -23,7 +23,7 @@ std::optional<int> number_in(std::string_view text, std::size_t first, std::size
   return error == std::errc() && stop == end && !is_signed ? std::optional(number) : std::nullopt;
 }
 
-/// Whether it is "2026-12-31", a day that there is.
+/// True if the text is an existing day in the form "2026-12-31".
 bool is_day(std::string_view text) {
   constexpr std::string_view kShape = "yyyy-mm-dd";
   if (text.size() != kShape.size() || text[4] != '-' || text[7] != '-') return false;
@@ -45,8 +45,8 @@ bool matches(const Allowance& allowance, const records::Comparison& comparison) 
   return matches(records::section_name(allowance.backend), comparison.key.backend);
 }
 
-/// Whether the entry is worse by how large errors are, up to that, and by nothing else: not by what
-/// came out wrong, nor by numbers that are none.
+/// True if the entry is worse only in error sizes, not in mismatches or non-finite numbers, and its
+/// largest error is within the limit `worst`.
 bool is_within(double worst, const records::EntryChange& entry) {
   const bool is_size = std::all_of(
       entry.figures.begin(), entry.figures.end(), [](const records::FigureChange& change) {
@@ -73,7 +73,7 @@ std::string described(const Policy& policy, std::size_t index) {
                      allowance.reason);
 }
 
-/// Notes what it allows; whether that is anything.
+/// Marks the worse entries that the allowance covers; returns true if there are any.
 bool apply(const Allowance& allowance, std::vector<records::Comparison>& comparisons) {
   bool is_used = false;
   for (records::Comparison& comparison : comparisons) {
@@ -119,7 +119,7 @@ records::PolicyReview apply(const Policy& policy, const Day& today,
   records::PolicyReview review;
   for (std::size_t i = 0; i < policy.allow.size(); ++i) {
     const Allowance& allowance = policy.allow[i];
-    // What is of other backends says nothing here.
+    // Allowances for other backends are not reviewed here.
     const bool is_asked = std::any_of(
         comparisons.begin(), comparisons.end(),
         [&](const records::Comparison& comparison) { return matches(allowance, comparison); });

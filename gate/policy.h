@@ -1,7 +1,7 @@
 #pragma once
 
 // The policy of the regression gate: which entries may be worse than the baseline, why and until
-// when. A file of the user's (policy_json.h):
+// when. A file written by the user:
 //
 //   {"format": "rastercheck-policy", "version": 1, "allow": [
 //     {"law": "values-*", "backend": "cpu", "kind": "smooth", "stratum": "*",
@@ -20,37 +20,37 @@ namespace rastercheck::gate {
 
 inline constexpr std::uint64_t kPolicyVersion = 1;
 
-/// A day, as "2026-12-31": digits in that order compare as days do.
+/// A day such as "2026-12-31"; comparing texts compares days.
 using Day = std::string;
 
-/// What one entry of a policy allows. Patterns are those of shells, as fnmatch(3) has them; "*"
-/// where the file has none.
+/// One entry of a policy. Patterns are shell patterns, as in fnmatch(3); "*" if absent from the
+/// file.
 struct Allowance {
   std::string law = "*";
   std::string backend = "*";
   std::string kind = "*";
-  std::string stratum = "*";  ///< "all" is that of all strata together
+  std::string stratum = "*";  ///< "all": the entry of all strata together
   std::string reason = {};    ///< not empty
-  Day until = {};             ///< the last day on which it holds
-  /// Up to which the largest magnitude may grow, in the kind's unit; nothing: by any amount.
+  Day until = {};             ///< the last valid day
+  /// Limit for the largest |error|, in the kind's unit; empty: no limit.
   std::optional<double> worst = std::nullopt;
   bool operator==(const Allowance&) const = default;
 };
 
 struct Policy {
-  std::string file;  ///< as the user named it; empty without one
+  std::string file;  ///< as the user named it; empty without a file
   std::vector<Allowance> allow;
   bool operator==(const Policy&) const = default;
 };
 
-/// Notes in the comparisons what the policy allows on that day: an entry that is worse, if one
-/// allowance that holds matches it.
+/// Marks in the comparisons which worse entries the policy allows on that day: those that match an
+/// allowance still valid then.
 records::PolicyReview apply(const Policy& policy, const Day& today,
                             std::vector<records::Comparison>& comparisons);
 
 /// Refuses all but the format above; `file` names the source in errors.
 Result<Policy> parse_policy(std::string_view text, const std::string& file);
-/// The same from a file, or from standard input for "-".
+/// Parses a file, or standard input for "-".
 Result<Policy> read_policy(const std::string& file);
 
 }  // namespace rastercheck::gate

@@ -39,7 +39,7 @@ bool is_empty(records::EntryFigures figures) {
   return figures == records::EntryFigures();
 }
 
-/// The entries of one law and kind.
+/// Adds the entries of one law and kind.
 void add_entries(std::map<records::EntryKey, records::EntryFigures>& entries,
                  const std::string& law, AttributeKind kind, const records::Record& record) {
   records::EntryFigures all = figures_of(record.errors.ideal);
@@ -56,7 +56,7 @@ void add_entries(std::map<records::EntryKey, records::EntryFigures>& entries,
     strata[stratum].stages = stages;
     for (const auto& [stage, sum] : stages) all.stages[stage].merge(sum);
   }
-  // That no case of a law is looked at any more is to be seen: its coverage always has an entry.
+  // Coverage always gets an entry, so that a law which no longer checks any case is visible.
   if (kind == AttributeKind::coverage || !is_empty(all)) {
     entries[{law, kind, std::nullopt}] = std::move(all);
   }
@@ -67,7 +67,7 @@ void add_entries(std::map<records::EntryKey, records::EntryFigures>& entries,
 
 std::map<records::EntryKey, records::EntryFigures> entries_of(const records::Run& run,
                                                               const std::string& backend) {
-  // Strata of the generators are merged, as tables do (records/summary.cpp).
+  // Merges the strata of the generators, as tables do (records/summary.cpp).
   std::map<std::pair<std::string, AttributeKind>, records::Record> by_kind;
   for (const std::string& law : run.plan.laws) by_kind[{law, AttributeKind::coverage}];
   for (const auto& [key, record] : run.records) {
@@ -81,11 +81,11 @@ std::map<records::EntryKey, records::EntryFigures> entries_of(const records::Run
 
 void add_cases(records::BaselineSection& section, const records::CaseRecordSet& all,
                const std::string& backend) {
-  std::map<std::string, std::string> numbered;  // by law: what its digest is of
+  std::map<std::string, std::string> numbered;  // by law: the text that is digested
   for (const auto& [key, record] : all) {
     if (key.backend != backend) continue;
     records::LawCases& law = section.laws[key.law];
-    // A case that is drawn in place of another depends on who is judged; the first one does not.
+    // A case that is generated anew depends on the judged backend; the first one does not.
     if (key.index < records::kRedrawn) {
       ++law.count;
       numbered[key.law] +=

@@ -1,6 +1,6 @@
 #pragma once
 
-// Sections of baselines (records/baseline.h): made from runs, found and put into place.
+// Makes sections of baselines (records/baseline.h) from runs, and finds them.
 
 #include <string>
 #include <vector>
@@ -11,17 +11,18 @@
 
 namespace rastercheck::gate {
 
-/// The section of one of a run's backends, under its own name, of any instruction set and compiler.
-/// Fails where the run did not keep its cases, was interrupted, or is not of that backend. No
-/// commit is known of it.
+/// Makes the section of one of a run's backends, under the backend's own name, for any instruction
+/// set and compiler, without a commit. Fails if the run did not keep its cases, was interrupted, or
+/// lacks that backend.
 Result<records::BaselineSection> section_of(const records::Run& run, const std::string& backend);
 
-/// All of them, in the order of their keys. Fails also where two are one by their names.
+/// Makes the sections of all backends, in key order. Also fails if two backends have the same
+/// section name.
 Result<records::Baseline> baseline_of(const records::Run& run);
 
-/// The section that `current` is to be held against: of the same backend and architecture, and of
-/// what current.taken says of instruction set and compiler or of any. Of several the most specific;
-/// the instruction set says more than the compiler. nullptr where there is none.
+/// Finds the section to compare `current` with: same backend and architecture, and instruction set
+/// and compiler either as in current.taken or unspecified. Returns the most specific one, where the
+/// instruction set counts more than the compiler; nullptr if none matches.
 const records::BaselineSection* find_section(const records::Baseline& baseline,
                                              const records::BaselineSection& current);
 

@@ -15,7 +15,8 @@
 namespace rastercheck::gate {
 namespace {
 
-/// Whether a text is meant to be a baseline file: both kinds say what they are in their first line.
+/// True if a text is meant to be a baseline file: both kinds of files name their kind at the
+/// beginning.
 bool is_baseline(std::string_view text) {
   constexpr std::size_t kHead = 1000;
   return text.substr(0, kHead).find("rastercheck-baseline") != std::string_view::npos;
@@ -26,7 +27,7 @@ std::string in(const std::map<std::string, std::string>& environment, const std:
   return found == environment.end() ? "" : found->second;
 }
 
-/// What stands for the section of a run that is still to come.
+/// A placeholder for the section of a future run.
 records::BaselineSection awaited(const std::string& backend,
                                  const std::map<std::string, std::string>& environment) {
   records::BaselineSection section;

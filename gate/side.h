@@ -17,7 +17,7 @@ namespace rastercheck::gate {
 /// One side of a comparison.
 struct Side {
   std::string file;                                ///< as the user named it
-  std::optional<records::Run> run = std::nullopt;  ///< nothing of a baseline file
+  std::optional<records::Run> run = std::nullopt;  ///< empty for a baseline file
   records::Baseline sections = {};
 };
 
@@ -27,22 +27,22 @@ Result<Side> read_side(const std::string& file);
 /// Makes a side from a run that is already in memory.
 Result<Side> side_of(records::Run run, const std::string& file);
 
-/// Gives the backend of the side another name in its sections; an empty one changes nothing.
-/// Refuses sides of several backends.
+/// Renames the side's backend in its sections; an empty name changes nothing. Refuses a side with
+/// several backends.
 Result<void> rename_backend(Side& side, const std::string& name);
 
-/// Notes the commit that the side's sections are of.
+/// Sets the commit of the side's sections.
 void set_commit(Side& side, const std::string& commit);
 
-/// The cases that a run has to check to be comparable with a baseline.
+/// The cases that a run must check to be comparable with a baseline.
 struct CaseSet {
-  std::string section;  ///< its key, for messages
+  std::string section;  ///< the section's key, for messages
   records::Plan plan;   ///< frozen()
 };
 
-/// The case set of the sections for the backends, on a machine and by a program of that environment
-/// (records::Run::environment). Fails where one has no section, where they are of several case
-/// sets, or where their records are of another version than this program's.
+/// Returns the common case set of the backends' sections, for a machine and program with that
+/// environment (records::Run::environment). Fails if a backend has no section, if the sections'
+/// case sets differ, or if their records have another version than this program's.
 Result<CaseSet> case_set_for(const Side& baseline, const std::vector<std::string>& backends,
                              const std::map<std::string, std::string>& environment);
 

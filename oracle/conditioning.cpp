@@ -1,5 +1,6 @@
-// Condition numbers of a fragment (RULES §5), reported beside its error: a large error with a large
-// condition number is the problem's, one with a small condition number the implementation's.
+// Condition numbers of a fragment (RULES §5), reported beside its error. If a large error comes
+// with a large condition number, the problem is ill-conditioned; if the condition number is small,
+// the implementation is imprecise.
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// Σ |n_i E_i| / |Σ n_i E_i|; nothing where the sum is 0.
+/// Σ |n_i E_i| / |Σ n_i E_i|; empty if the sum is 0.
 std::optional<Rational> amplification(const ProjectiveMap& map, const Quantity& quantity,
                                       const Point& p) {
   Ring sum(0);
@@ -25,7 +26,7 @@ std::optional<Rational> amplification(const ProjectiveMap& map, const Quantity& 
   return to_rational(quotient(sum_of_magnitudes, magnitude(sum)));
 }
 
-/// max_i (|A_i u| + |B_i v| + |C_i|) / D; nothing where D <= 0.
+/// max_i (|A_i u| + |B_i v| + |C_i|) / D; empty if D <= 0.
 std::optional<Rational> weight_cancellation(const ProjectiveMap& map, const Point& p) {
   const Ring d = map.inverse_w().at(p);
   if (sign_of(d) <= 0) return std::nullopt;
@@ -41,7 +42,7 @@ std::optional<Rational> weight_cancellation(const ProjectiveMap& map, const Poin
 
 std::optional<Conditioning> TriangleTruth::conditioning(std::size_t attribute, int x, int y,
                                                         int sample) const {
-  // A flat attribute is nobody's sum: nothing is amplified.
+  // A flat attribute is not a sum: nothing is amplified.
   if (setup_->scene->source().attributes[attribute].interpolation == cases::Interpolation::flat) {
     return std::nullopt;
   }

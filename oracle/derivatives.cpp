@@ -1,11 +1,11 @@
-// Screen derivatives of attributes (RULES §4), and computed ones against them
+// Screen derivatives of attributes (RULES §4), and the judgement of computed ones
 // (cases::Contract::derivative_bound). With E_i affine in (u, v), r = N/D, N = Σ n_i E_i and D the
 // divisor, Σ E_i or the constant |det M|:
 //
 //   ∂r/∂u = (N_u D − N D_u) / D²        scale = max|r_i| Σ|E_i,u| D / D²
 //
-// so that numerators and the one denominator stay in the ring. Where D is constant both are taken
-// over D alone, and the scale is Σ|n_i E_i,u| / D.
+// Numerators and the common denominator D² stay in the ring. If D is constant, the common
+// denominator is D, and the scale is Σ|n_i E_i,u| / D.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ struct RingDerivative {
   Ring scale{0};
 };
 
-/// Those along u and v; the denominator is positive.
+/// The derivatives along u and v; the denominator is positive.
 struct RingDerivatives {
   std::array<RingDerivative, 2> along;
   Ring denominator{1};
@@ -68,8 +68,8 @@ RingDerivatives affine_derivatives(const ProjectiveMap& map, const std::array<Ri
   return found;
 }
 
-/// D3D: the centre if all samples are covered, else the first covered one; nothing where a sample
-/// that is only permitted leaves that open.
+/// D3D's centroid: the centre if all samples are covered, else the first covered sample. Empty if
+/// any sample is only permitted, or if none is covered.
 std::optional<Point> centroid(const TriangleSetup& setup, int x, int y) {
   const int count = setup.scene->source().framebuffer.samples;
   std::optional<int> first;
@@ -85,7 +85,7 @@ std::optional<Point> centroid(const TriangleSetup& setup, int x, int y) {
   return setup.scene->sample_point(x, y, *first);
 }
 
-/// Where an attribute of a fragment is evaluated, if that is one point.
+/// The point at which an attribute of a fragment is evaluated; empty if the rules leave a choice.
 std::optional<Point> place_of(const TriangleSetup& setup, const TriangleValues& values,
                               std::size_t attribute, int x, int y, int sample) {
   const Scene& scene = *setup.scene;
@@ -111,14 +111,14 @@ std::optional<RingDerivatives> derivatives_at(const TriangleSetup& setup,
   return smooth_derivatives(map, quantity.numerators, *p);
 }
 
-/// One of a derivative's numbers along both axes, divided.
+/// Divides `number` (the numerator or the scale) of both derivatives by the denominator.
 Derivatives divided(const RingDerivatives& found, Ring RingDerivative::*number) {
   const auto over = [&found](const Ring& n) { return to_rational(quotient(n, found.denominator)); };
   const auto& [u, v] = found.along;
   return {over(u.*number), over(v.*number)};
 }
 
-/// floor(log2(n/d)); doubles mostly know it.
+/// Returns floor(log2(n/d)), empty for n = 0. Doubles mostly suffice to decide.
 ScaleExponent exponent_of(const Ring& n, const Ring& d) {
   if (sign_of(n) == 0) return std::nullopt;
   const records::Enclosure rough = enclose(Fraction{n, d});

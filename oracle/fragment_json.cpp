@@ -11,7 +11,7 @@ std::string to_json(const std::optional<Rational>& value) {
   return value ? fmt::format("\"{}\"", value->to_string()) : "null";
 }
 
-/// JSON has no infinities: no bound on that side is null.
+/// An infinite end becomes null, as JSON has no infinities.
 std::string to_json(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
@@ -26,7 +26,7 @@ std::string to_json(const std::optional<Derivatives>& derivatives) {
   return fmt::format(R"(["{}", "{}"])", derivatives->du.to_string(), derivatives->dv.to_string());
 }
 
-/// The members of a fragment's object, without its braces.
+/// Formats the members of a fragment's JSON object, without the braces.
 std::string members(const Fragment& f) {
   std::vector<std::string> attributes;
   attributes.reserve(f.attributes.size());

@@ -7,7 +7,7 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// Every fragment, each triangle as if drawn alone.
+/// Visits every fragment, each triangle as if drawn alone.
 template <typename Sink>
 void for_each_alone(const SceneTruth& scene, const Sink& sink) {
   const int samples = scene.source().framebuffer.samples;
@@ -26,15 +26,17 @@ void for_each_alone(const SceneTruth& scene, const Sink& sink) {
   }
 }
 
-/// Whether `a` is nearer than `b` whatever the rules leave open. Of equals the first drawn stays.
+/// True if `a` is nearer than `b` for all depths that the rules allow. Of two equally deep
+/// fragments, the first drawn counts as nearer.
 bool surely_nearer(const Fragment& a, const Fragment& b) {
   if (!a.depth || !b.depth) return false;
   const auto order = a.depth->hi <=> b.depth->lo;
   return order < 0 || (order == 0 && a.place.triangle < b.place.triangle);
 }
 
-/// Drops the fragments of one sample that cannot be the nearest, and marks those that may not be.
-/// `clear_depth`: what the depth buffer begins with; nothing: 1, or anything beyond it.
+/// Drops the fragments of one sample that cannot be the nearest, and turns `required` into
+/// `permitted` for those that might not be. `clear_depth` is the depth buffer's initial value; if
+/// empty, that value is unknown but at least 1.
 void resolve(const std::vector<Fragment*>& fragments, std::optional<float> clear_depth,
              std::vector<const Fragment*>& dropped) {
   const Rational clear(double{clear_depth.value_or(1)});

@@ -1,6 +1,6 @@
 #pragma once
 
-// The fragments of a case, as CONTRACT's `oracle` output lists them.
+// The fragments of a case, as `rastercheck oracle` prints them (README, Commands).
 
 #include <cstdint>
 #include <functional>
@@ -14,22 +14,24 @@
 
 namespace rastercheck::oracle {
 
-/// One sample of one triangle that has to be drawn, or may be.
+/// One sample of one triangle that must or may be drawn.
 struct Fragment {
   cases::SamplePlace place = {};
   records::SampleVerdict decision;
-  std::optional<ValueRange> depth;                    ///< nothing where undefined
-  std::vector<std::optional<ValueRange>> attributes;  ///< [attribute]; nothing where undefined
+  std::optional<ValueRange> depth;                    ///< empty if undefined
+  std::vector<std::optional<ValueRange>> attributes;  ///< [attribute]; empty if undefined
 };
 
-/// The values of a sample that is not forbidden; `truth` is its triangle's.
+/// Returns the fragment at a sample, which must not be forbidden. `truth` must be that of
+/// `triangle`.
 Fragment fragment_at(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
                      int x, int y, int sample, const records::SampleVerdict& decision);
 
-/// Hands every required or permitted fragment of the scene to the sink, with the truth of its
-/// triangle for further questions; one that returns false stops. Ordered by triangle, y, x, sample:
-/// each triangle as if drawn alone, or, with the case's depth test `less`, only what may be the
-/// nearest of its sample. Without a depth test nothing is stored; with it, all fragments are.
+/// Passes every required or permitted fragment of the scene to the sink, with the truth of its
+/// triangle for further questions; stops if the sink returns false. Order: triangle, y, x, sample.
+/// Each triangle is treated as if drawn alone; with the case's depth test `less`, only fragments
+/// that may be the nearest of their sample are passed. Stores all fragments first if the case has a
+/// depth test; else stores none.
 void for_each_fragment(const SceneTruth& scene,
                        const std::function<bool(const Fragment&, const TriangleTruth&)>& sink);
 

@@ -1,5 +1,6 @@
-// Judging a drawing: in chunks of triangles, each as if drawn alone, or in bands of rows, where a
-// depth test leaves the nearest.
+// Judges a drawing in parallel. Without a depth test, a thread takes a chunk of triangles and
+// judges each as if drawn alone. With a depth test, which keeps only the nearest fragment, a thread
+// takes a band of rows.
 
 #include "oracle/judge.h"
 
@@ -24,12 +25,12 @@ using TruthPointer = std::shared_ptr<const TriangleTruth>;
 /// Triangles judged together by one thread.
 struct Chunk {
   std::uint32_t first_triangle = 0;
-  std::uint32_t last_triangle = 0;  ///< one past
+  std::uint32_t last_triangle = 0;  ///< one past the last
   std::size_t first_fragment = 0;
   std::size_t last_fragment = 0;
 };
 
-/// Cuts a drawing into chunks of much the same work.
+/// Cuts a drawing into chunks of about equal work.
 std::vector<Chunk> chunks_of(const cases::Case& source, const FragmentOrder& order) {
   constexpr std::uint32_t kTriangles = 256;
   constexpr std::size_t kFragments = 32768;
@@ -51,8 +52,8 @@ std::vector<Chunk> chunks_of(const cases::Case& source, const FragmentOrder& ord
   return chunks;
 }
 
-/// Holds the samples of a chunk back from the sink until its turn; not more than so many, as then
-/// it waits for it.
+/// Holds back a chunk's samples until it is the chunk's turn at the sink. Once kMost samples are
+/// held, waits for that turn and from then on passes samples straight to the sink.
 class HeldSamples {
  public:
   HeldSamples(Turns& turns, std::size_t chunk, const JudgeSink& sink)
@@ -84,7 +85,7 @@ class HeldSamples {
   std::vector<std::pair<JudgedSample, TruthPointer>> held_;
 };
 
-/// Each triangle as if drawn alone.
+/// Judges each triangle as if drawn alone.
 class AloneJudge {
  public:
   AloneJudge(const JudgeContext& context, const JudgeSink& sink)
@@ -122,7 +123,7 @@ class AloneJudge {
     findings_.merge(std::move(findings), *context_);
   }
 
-  /// What names no triangle of the case.
+  /// Counts as extra the fragments that name no triangle of the case.
   void take_the_rest() {
     const auto count = static_cast<std::uint32_t>(context_->scene->source().triangles.size());
     SampleJudge samples(*context_, [this](const JudgedSample& sample, const TruthPointer&) {
@@ -140,7 +141,7 @@ class AloneJudge {
   SampleJudge::Findings findings_;  ///< written by the chunk whose turn it is
 };
 
-/// All samples of all triangles that are neither required nor permitted.
+/// The number of samples, over all triangles, that are neither required nor permitted.
 std::uint64_t forbidden_samples(const cases::Case& source, const records::Counts& counts) {
   const cases::FramebufferSize& size = source.framebuffer;
   const auto samples = static_cast<std::uint64_t>(size.width) *

@@ -1,10 +1,10 @@
-// Computed unit normals against the exact ones (cases::Contract::normal_bound). With m = C n the
-// image, L = ‖m‖ and P = ‖|C| |n|‖, a component f has to have
+// Judges computed unit normals (cases::Contract::normal_bound). With m = C n the image, L = ‖m‖ and
+// P = ‖|C| |n|‖, a component f must satisfy
 //
 //   |f − m_i / L| <= β P / L + h,   β = normal_bound 2^-53,   h = 4 · 2^-53 + ulp(f) / 2
 //
-// that is (f − h) L − m_i <= β P and m_i − (f + h) L <= β P. m_i, L² and P² are in the ring, and
-// a √X + b <= c √Y is decided there by squaring, twice.
+// i.e. (f − h) L − m_i <= β P and m_i − (f + h) L <= β P. m_i, L² and P² are in the ring, where a
+// √X + b <= c √Y is decided by squaring twice.
 
 #include "oracle/judged_normals.h"
 
@@ -31,14 +31,14 @@ int sign_of_root_sum(const Ring& a, const Ring& x, const Ring& b) {
   return of_root * sign_of(Ring(a * a * x - b * b));
 }
 
-/// Whether a √x + b <= c √y; x, y and c are not negative.
+/// True if a √x + b <= c √y; x, y and c must not be negative.
 bool is_at_most(const Ring& a, const Ring& x, const Ring& b, const Ring& c, const Ring& y) {
   if (sign_of_root_sum(a, x, b) <= 0) return true;
   const Ring rest = a * a * x + b * b - c * c * y;
   return sign_of_root_sum(Ring(Ring(2) * a * b), x, rest) <= 0;
 }
 
-/// The cofactors of the upper left 3×3 part, and the sign of its determinant.
+/// The cofactors of the model matrix's upper left 3×3 part, and the sign of its determinant.
 struct Cofactors {
   RingMatrix3 c;
   int sign = 0;
@@ -52,7 +52,7 @@ Cofactors cofactors_of(const cases::Matrix4& model) {
   Ring determinant(0);
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
-      // Indices that go round have the cofactor's sign with them.
+      // Cyclic indices include the cofactor's sign.
       found.c[row][column] = a(row + 1, column + 1) * a(row + 2, column + 2) -
                              a(row + 1, column + 2) * a(row + 2, column + 1);
     }
@@ -63,7 +63,7 @@ Cofactors cofactors_of(const cases::Matrix4& model) {
   return found;
 }
 
-/// The image of a normal, and the squares of its length and of its terms'.
+/// The image of a normal, and the squares of its length and of the length of its terms.
 struct NormalImage {
   std::array<Ring, 3> m;
   Ring square{0};
@@ -104,7 +104,7 @@ FragmentClass class_of_component(const NormalImage& image, std::size_t i, const 
   return is_within ? FragmentClass::correct : FragmentClass::beyond_bound;
 }
 
-/// m_i / ‖m‖, 0 of no direction.
+/// m_i / ‖m‖; 0 if the image has no direction.
 records::Enclosure unit_component(const NormalImage& image, std::size_t i) {
   const int sign = sign_of(image.m[i]);
   if (sign == 0) return {0, 0};
@@ -129,7 +129,7 @@ std::vector<JudgedNormal> judge_normals(const cases::Matrix4& model,
     normal.has_direction = sign_of(image.square) != 0;
     normal.is_mirrored = cofactors.sign < 0;
     normal.is_singular = cofactors.sign == 0;
-    // Squares of β P / L and of 2^-25.
+    // Compares the squares of 2^-25 L and β P.
     const Ring beyond = share * share * image.terms_square;
     normal.is_cancelled = Ring(0x1p-50) * image.square < beyond;
     for (std::size_t i = 0; i < 3; ++i) {

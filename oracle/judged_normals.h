@@ -10,7 +10,8 @@
 
 namespace rastercheck::oracle {
 
-/// A component of a computed unit normal against the exact one, a root in general.
+/// A component of a computed unit normal compared with the exact one, which is irrational in
+/// general.
 struct JudgedComponent {
   records::FragmentClass fragment_class = records::FragmentClass::correct;
   records::Enclosure exact{0, 0};
@@ -18,17 +19,17 @@ struct JudgedComponent {
 
 struct JudgedNormal {
   std::array<JudgedComponent, 3> components;
-  bool has_direction = true;  ///< its image is not zero
+  bool has_direction = true;  ///< the exact image is not zero
   bool is_mirrored = false;   ///< the model's determinant is negative
-  bool is_singular = false;   ///< it is 0
-  /// Whether the image is small beside what it is the sum of: half an ulp of 1 is less than what
-  /// the bound leaves besides.
+  bool is_singular = false;   ///< the model's determinant is 0
+  /// True if the image nearly cancelled: the part of the bound that grows with cancellation exceeds
+  /// 2^-25, half an ulp just below 1.
   bool is_cancelled = false;
 };
 
-/// Judges unit normals, one for each normal in object space, by Contract::normal_bound, which is
-/// not negative: decided by squares, without a root. A normal whose image is zero has to come out
-/// as zeros of either sign.
+/// Judges the computed unit normals, one per object-space normal, by Contract::normal_bound (>= 0).
+/// Decides by comparing squares, without a root. If the image of a normal is zero, every computed
+/// component must be zero, of either sign.
 std::vector<JudgedNormal> judge_normals(const cases::Matrix4& model,
                                         std::span<const cases::Normal> normals,
                                         std::span<const cases::Normal> computed,

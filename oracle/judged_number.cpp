@@ -10,9 +10,9 @@ namespace {
 
 using records::FragmentClass;
 
-/// Whether infinity stands for what is exact to within `allowed`.
+/// True if a result that may differ from `exact` by `allowed` may round to infinity of this sign.
 bool is_infinite(const Field& exact, const Field& allowed, bool is_negative) {
-  // Half an ulp below 2^128: from there on numbers round to infinity.
+  // Magnitudes of at least 2^128 − 2^103 (half an ulp below 2^128) round to infinity.
   const Field least = Field(0x1p128) - Field(0x1p103) - allowed;
   return (is_negative ? Field(-exact) : exact) >= least;
 }

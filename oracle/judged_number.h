@@ -8,20 +8,20 @@
 
 namespace rastercheck::oracle {
 
-/// A computed number f against the exact one. Infinity stands for 2^128.
+/// A computed number f compared with the exact one. An infinite f counts as ±2^128.
 struct JudgedNumber {
   records::FragmentClass fragment_class = records::FragmentClass::correct;
   Rational exact;
-  /// (f − exact) / ulp(f), and how far it may be off in that unit; nothing of an infinity and of
+  /// (f − exact) / ulp(f), and the largest error allowed in that unit; empty if f is infinite or
   /// NaN.
   std::optional<records::Enclosure> error;
   std::optional<records::Enclosure> bound;
-  /// Whether it is small beside what it is the sum of: half an ulp is less than what is allowed
-  /// besides.
+  /// True if the exact value nearly cancelled: `allowed` of judge_number() exceeds half an ulp of
+  /// f.
   bool is_cancelled = false;
 };
 
-/// f may be off by `allowed`, which is not negative, and by half an ulp of its own.
+/// Judges f, which may differ from `exact` by `allowed` (>= 0) plus half an ulp of f.
 JudgedNumber judge_number(const Rational& exact, const Rational& allowed, float f);
 
 }  // namespace rastercheck::oracle

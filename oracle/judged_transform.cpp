@@ -1,5 +1,5 @@
-// Computed clip positions against the exact ones (cases::Contract::transform_bound). Positions, and
-// the sizes |P| |V| |M| |p| of what they are sums of, are in the ring: nothing is divided.
+// Judges computed clip positions (cases::Contract::transform_bound). Positions and the sizes |P|
+// |V| |M| |p| of their terms are in the ring: nothing is divided.
 
 #include "oracle/judged_transform.h"
 
@@ -12,7 +12,7 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// The same case with the size of every number of camera and positions.
+/// Returns the camera and positions of `c` with every number replaced by its magnitude.
 cases::Case with_magnitudes(const cases::Case& c) {
   cases::Case sizes;
   sizes.camera = c.camera;

@@ -9,11 +9,12 @@
 
 namespace rastercheck::oracle {
 
-/// Of a clip position, x to w.
+/// The judged coordinates of a clip position: x, y, z, w.
 using JudgedPosition = std::array<JudgedNumber, 4>;
 
-/// Judges clip positions, one for each vertex of a case, by Contract::transform_bound, which is not
-/// negative. Without a camera the positions themselves are the exact ones.
+/// Judges the computed clip positions, one per vertex of the case, against exact ones. The
+/// allowance is Contract::transform_bound (>= 0). Without a camera the case's own positions are
+/// exact.
 std::vector<JudgedPosition> judge_transform(const cases::Case& c,
                                             std::span<const cases::ClipVertex> computed,
                                             float transform_bound);

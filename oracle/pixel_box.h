@@ -2,7 +2,7 @@
 
 namespace rastercheck::oracle {
 
-/// Pixels x0 <= x < x1, y0 <= y < y1 of a framebuffer; empty where x1 <= x0 or y1 <= y0.
+/// Pixels x0 <= x < x1, y0 <= y < y1 of a framebuffer; empty if x1 <= x0 or y1 <= y0.
 struct PixelBox {
   int x0 = 0;
   int y0 = 0;

@@ -1,7 +1,8 @@
-// Differences across quads of pixels, and how far they may be off (cases::Contract::quad_share).
-// With r = N/D at the fragment and r' = N'/D' at its neighbour, M the greater of max|r_i| and |r|:
+// Differences across quads of pixels, and their largest allowed errors
+// (cases::Contract::quad_share). With r = N/D at the fragment, r' = N'/D' at its neighbour, and M
+// the greater of max|r_i| and |r|:
 //
-//   allowed = share (M + g M'),   g = max(1, D / D') of a smooth value, else 1
+//   allowed = share (M + g M'),   g = max(1, D / D') for a smooth value, else 1
 
 #include <algorithm>
 
@@ -17,10 +18,10 @@ bool has_open_place(const cases::Case& c, std::size_t attribute) {
   return c.framebuffer.samples > 1 && c.attributes[attribute].location == cases::Location::centroid;
 }
 
-/// What a value at a point is made of.
+/// The parts of a value at a point.
 struct PointValue {
   Field r;
-  Field inverse_w{1};  ///< up to a factor that all points share; 1 of affine values
+  Field inverse_w{1};  ///< up to a factor common to all points; 1 for affine values
 };
 
 std::optional<PointValue> value_of(const TriangleValues& values, const Quantity& quantity,

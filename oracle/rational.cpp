@@ -10,7 +10,7 @@ Rational::Rational(double value) : number_(std::make_shared<const Number>(Number
 
 std::string Rational::to_string() const {
   const mpq_srcptr q = number_->value.mpq();
-  // Two signs' worth of room, a slash and the end: mpq_get_str's own recipe.
+  // mpq_get_str() asks for this size: the digits, a sign, a slash and the terminating NUL.
   std::string text(mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10) + 3, '\0');
   mpq_get_str(text.data(), 10, q);
   text.resize(text.find('\0'));

@@ -12,19 +12,18 @@ namespace rastercheck::oracle {
 /// An exact rational number, in lowest terms; immutable and cheap to copy.
 class Rational {
  public:
-  /// What the oracle computes with; defined inside the oracle only.
+  /// The number type the oracle computes with; defined inside the oracle only.
   struct Number;
 
-  /// Exactly the value, which is finite.
+  /// Converts `value`, which must be finite, exactly.
   explicit Rational(double value = 0);
   explicit Rational(std::shared_ptr<const Number> number) : number_(std::move(number)) {}
 
-  /// "p/q", or "p" where q = 1.
+  /// "p/q", or "p" if q = 1.
   std::string to_string() const;
-  /// Doubles around the value, equal where a double holds it.
+  /// The closest doubles around the value; both are equal if a double holds the value exactly.
   records::Enclosure enclosure() const;
-  /// The double nearest to the value; of two equally near ones the smaller; ±infinity beyond
-  /// doubles.
+  /// The double nearest to the value; a tie goes to the smaller one; ±infinity beyond the doubles.
   double nearest_double() const;
   /// The float32 nearest to the value, ties to even; ±infinity beyond float32.
   float nearest_float() const;
@@ -38,16 +37,17 @@ class Rational {
   std::shared_ptr<const Number> number_;
 };
 
-/// A closed range of exact values: what the rules leave open of one fragment's value. `is_open`
-/// tells a range by kind, whose ends may still be equal, from a single value.
+/// A closed range of exact values: all that the rules allow for the depth or an attribute of a
+/// fragment. `is_open` marks a value that the rules leave open, even if both ends happen to be
+/// equal.
 struct ValueRange {
   Rational lo;
   Rational hi;
   bool is_open = false;
 };
 
-/// A range for readers: one fraction where it is one value, else "[fraction, fraction]";
-/// "undefined" of nothing.
+/// Formats a range for readers: one fraction if it is a single value, else "[fraction, fraction]";
+/// "undefined" for nullopt.
 std::string to_string(const std::optional<ValueRange>& range);
 
 }  // namespace rastercheck::oracle

@@ -18,7 +18,7 @@ struct Referee::Plane {
   Field e(Eigen::Index i, const Field& u, const Field& v) const {
     return q(i, 0) * u + q(i, 1) * v + q(i, 2);
   }
-  /// s-weighted sums of the rows of Q: the slopes and the value of Σ s_i e_i.
+  /// Sums of the rows of Q weighted by s: the slopes and the value of Σ s_i e_i.
   Field slope_u(const std::array<Field, 3>& s) const {
     return s[0] * q(0, 0) + s[1] * q(1, 0) + s[2] * q(2, 0);
   }
@@ -53,8 +53,8 @@ FieldVector4 clip_position(const cases::Case& c, std::uint32_t vertex) {
   return field_matrix(c.camera->projection) * position;
 }
 
-/// The image plane of a viewport: window = V (x, y, w)^T, so that a, b, c are the columns of V^-1.
-/// Nothing for a viewport without area.
+/// The image plane of a viewport: window = V (x, y, w)^T, so a, b, c are the columns of V^-1. Empty
+/// for a viewport without area.
 std::optional<ImagePlane> image_plane(const cases::Case& c) {
   const Field half_width = exact_field(c.viewport.width) / Field(2);
   const Field half_height = exact_field(c.viewport.height) / Field(2);
@@ -68,8 +68,9 @@ std::optional<ImagePlane> image_plane(const cases::Case& c) {
                     .c = {-center_x / half_width, -center_y / scale_y, 1}};
 }
 
-/// The sign of a functional that is moved by (ε, ±ε²) with a vanishing ε > 0: what a tie rule says
-/// of a sample exactly on a boundary. 0 only for the functional that is 0 everywhere.
+/// Returns the sign of a functional after moving the point by (ε, ±ε²) with a vanishing ε > 0. This
+/// sign is the tie rule's answer for a sample exactly on a boundary. It is 0 only if the functional
+/// is 0 everywhere.
 int perturbed_sign(const Field& value, const Field& slope_u, const Field& slope_v, bool v_up) {
   if (sign_of(value) != 0) return sign_of(value);
   if (sign_of(slope_u) != 0) return sign_of(slope_u);
@@ -95,7 +96,8 @@ bool is_inside_viewport(const cases::Case& c, const Field& u, const Field& v) {
 
 bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Referee::Plane& plane,
                 const Field& u, const Field& v) {
-  // Top-left: a sample is moved to the right and, by far less, downwards; bottom-left: upwards.
+  // The top-left rule moves the sample right and, by far less, down; the bottom-left rule moves it
+  // right and, by far less, up.
   const bool moved_up = c.fill_rule == cases::TieRule::bottom_left;
   const bool moves_towards_greater_v = moved_up == (c.rules == Rules::opengl);
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -106,7 +108,7 @@ bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Refe
   }
   const std::array<Field, 3> z{plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]};
   if (!c.depth_clamp) {
-    // z/w lies between the planes; 1/w > 0 inside, and Σ e_i w_i = 1.
+    // Divided by w > 0, the depth planes bound z/w = Σ z_i e_i by constants, as Σ w_i e_i = 1.
     const Field z_over_w = plane.sum(z, u, v);
     const Field least = c.rules == Rules::opengl ? Field(-1) : Field(0);
     if (z_over_w < least || z_over_w > Field(1)) return false;
@@ -128,7 +130,7 @@ bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Refe
   return true;
 }
 
-/// r at (u, v), by k and l.
+/// Interpolates r at (u, v) with k and l.
 std::optional<Field> value_at(bool is_linear_in_window, const std::array<Field, 3>& r,
                               const Referee::Plane& plane, const Field& u, const Field& v) {
   const Field one_over_w = plane.sum({Field(1), Field(1), Field(1)}, u, v);
@@ -170,7 +172,7 @@ Referee::Referee(const cases::Case& c, std::size_t triangle, cases::Claim claims
   const std::optional<FieldMatrix3> q = q_matrix(eye_space, *image);
   if (!q) return;
   plane->q = *q;
-  // Q = M_cam^-1 [a b c], so sign det Q = sign(det M_cam · det [a b c]): the facing.
+  // Q = M_cam^-1 [a b c], so sign det Q = sign(det M_cam · det [a b c]), which is the facing.
   if (is_drawn_facing(c, sign_of(plane->q.determinant()))) plane_ = std::move(plane);
 }
 

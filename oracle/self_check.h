@@ -8,13 +8,13 @@
 
 namespace rastercheck::oracle {
 
-/// Holds a fragment against the referee (oracle/referee.h), which computes it another way. Nothing
-/// where they agree, or where the referee does not apply (snapped coverage, an open verdict);
-/// otherwise one line that says what differs: a fault of the oracle itself.
+/// Compares a fragment with the referee (oracle/referee.h), which computes it another way. Returns
+/// one line describing the difference, which is a fault of the oracle itself. Returns nullopt if
+/// the two agree, or if the referee does not apply (snapped coverage, an open verdict).
 std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& fragment);
 
-/// The same of a sample of a triangle drawn alone, covered or not. The scene's contract is exact,
-/// with the case's own tie rule; of a sample outside the framebuffer there is nothing to say.
+/// Like above, for a sample of a triangle drawn alone, covered or not. The scene's contract must be
+/// exact, with the case's own tie rule. Returns nullopt for a sample outside the framebuffer.
 std::optional<std::string> self_check(const SceneTruth& scene, std::size_t triangle, int x, int y,
                                       int sample);
 

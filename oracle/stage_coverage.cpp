@@ -1,4 +1,4 @@
-// Which stage lost a sample, or made one (oracle/stage_split.h).
+// Finds the stage that lost a sample or added one (oracle/stage_split.h).
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +19,12 @@ using records::SampleTrace;
 using records::Stage;
 using records::Verdict;
 
-/// Whether a stage has the sample inside the triangle; nothing where it does not say.
+/// True if a stage's output puts the sample inside the triangle; empty if the output does not
+/// decide.
 using Inside = std::optional<bool>;
 
-/// The signs at a point of three functionals, and of their normals where one is 0.
+/// Decides by the signs of three functionals at a point. Where a functional is 0, its normal
+/// decides by the tie rule.
 Inside inside(const std::array<Line, 3>& lines, const Point& p, const Scene& scene) {
   bool is_open = false;
   for (const Line& line : lines) {
@@ -45,8 +47,8 @@ Inside inside(const std::array<RingVector3, 3>& columns, const Point& p, const S
   return inside({map.edge(0), map.edge(1), map.edge(2)}, p, scene);
 }
 
-/// The corners as an exact snap stage would place them; nothing where the contract names no one
-/// place.
+/// Returns the corners as an exact snap stage would place them; empty if the contract does not name
+/// a single placement.
 std::optional<std::array<RingVector3, 3>> placed(const Corners& corners, const Scene& scene) {
   const cases::Coverage& coverage = scene.contract().coverage;
   if (!coverage) return corners.columns;
@@ -60,8 +62,8 @@ std::optional<std::array<RingVector3, 3>> placed(const Corners& corners, const S
   return columns;
 }
 
-/// Whether the lines decided: exact sums may have, or whole numbers on the subpixel grid, or what
-/// is none of the lines' business.
+/// True if the backend decided by the lines. Otherwise it decided by exact sums, by integers on the
+/// subpixel grid, or by something unrelated to the lines.
 bool decides_by_lines(std::string_view decision) { return decision == "in_double"; }
 
 std::optional<std::array<Line, 3>> window_lines(const SampleTrace& trace) {
@@ -75,7 +77,7 @@ std::optional<std::array<Line, 3>> window_lines(const SampleTrace& trace) {
   return lines;
 }
 
-/// By E_i as they were computed.
+/// Decides by the computed E_i.
 Inside inside(const std::array<double, 3>& edges) {
   if (std::any_of(edges.begin(), edges.end(), [](double e) { return e < 0; })) return false;
   if (std::all_of(edges.begin(), edges.end(), [](double e) { return e > 0; })) return true;
@@ -95,7 +97,7 @@ class Geometry {
     return (corners_ && !corners_->are_vertices()) || (snapped_ && !snapped_->are_vertices());
   }
 
-  /// The first stage that says `other`.
+  /// The first stage by whose output the sample is inside (if `other`), or is not (if not `other`).
   std::optional<Stage> first(bool other) const {
     if (corners_) {
       const auto columns = placed(*corners_, *scene_);
@@ -145,7 +147,7 @@ std::optional<Stage> StageSplit::coverage_stage(std::uint32_t x, std::uint32_t y
   const Scene& scene = handed.scene.scene();
   const Geometry geometry(*trace, scene, scene.sample_point(px, py, ps));
   if (!is_drawn && geometry.is_cut()) return std::nullopt;
-  // Whole triangles say nothing of planes and borders, nor of faces that are not drawn.
+  // The corners of an uncut triangle say nothing about clip planes, viewport borders or culling.
   const bool is_told = !is_drawn || geometry.is_cut() || wanted.reason == Reason::outside ||
                        wanted.reason == Reason::degenerate;
   const std::optional<Stage> stage = is_told ? geometry.first(is_drawn) : std::nullopt;

@@ -24,12 +24,12 @@ const TracedValue* traced_value(const SampleTrace& trace, std::optional<std::uin
   return *attribute < trace.attributes.size() ? &trace.attributes[*attribute] : nullptr;
 }
 
-/// What the stages make of a value, one after the other.
+/// Collects a value's errors stage by stage.
 class Steps {
  public:
   explicit Steps(Field exact) : value_(std::move(exact)) {}
 
-  /// The next stage's; it is left out where there is none.
+  /// Takes the value after the next stage; without a value the stage is left out.
   void take(Stage stage, const std::optional<Field>& value) {
     if (!value) return;
     parts_.push_back({stage, to_rational(*value - value_)});
@@ -42,8 +42,7 @@ class Steps {
   std::vector<ExactSplit::Part> parts_;
 };
 
-/// The stages from the received positions to the last that says where values come from, and what
-/// becomes of one value on the way.
+/// The forms of one value after each stage, from the received positions to the set-up.
 class SplitForms {
  public:
   SplitForms(const SampleTrace& trace, const TracedValue& value, const TriangleUnder& received,
@@ -59,7 +58,7 @@ class SplitForms {
   }
 
   const std::vector<std::pair<Stage, Form>>& all() const { return forms_; }
-  /// Of the corners that values are made of at last.
+  /// The terms of the last stage's corners, from which the backend computed the value.
   const Terms& terms() const { return terms_; }
 
  private:
@@ -93,7 +92,8 @@ class SplitForms {
   std::vector<std::pair<Stage, Form>> forms_;
 };
 
-/// What exact arithmetic makes of the numbers computed at the place.
+/// Returns the value that exact arithmetic makes of the weights, the shares, or the numerator and
+/// denominator traced at the place.
 std::optional<Field> value_of_weights(const TracedValue& value, const Terms& terms) {
   if (value.weights) {
     const std::optional<Weights> weights = exact_weights(*value.weights);

@@ -10,13 +10,13 @@ namespace {
 
 constexpr int kMostByte = 255;
 
-/// i modulo n, 0…n − 1, of whole numbers.
+/// i modulo n, 0…n − 1, for integers.
 int modulo(const Field& i, int n) {
   const Field rest = i - floor_of(i / Field(n)) * Field(n);
   return static_cast<int>(floor_to_long(rest));
 }
 
-/// A whole number of texels, wrapped.
+/// Wraps an integer texel coordinate.
 int wrapped(const Field& i, int size, cases::Wrap wrap) {
   switch (wrap) {
     case cases::Wrap::repeat:
@@ -31,7 +31,7 @@ int wrapped(const Field& i, int size, cases::Wrap wrap) {
   return within < size ? within : 2 * size - 1 - within;
 }
 
-/// Two texels of an axis, and how far from the first to the second.
+/// Two neighbouring texels along an axis, and the fraction of the way from the first to the second.
 struct Neighbors {
   std::array<int, 2> at{};
   Field fraction;
@@ -47,8 +47,8 @@ Field between(const Field& a, const Field& b, const Field& fraction) {
   return a + fraction * (b - a);
 }
 
-/// What texel j of m covers of n texels side by side: so much of each, from `first` on, in units of
-/// 1/m of one. They add up to n.
+/// The texels of a level with n texels that texel j of the next level's m covers. `parts` says how
+/// much of each is covered, from texel `first` on, in units of 1/m texel. The parts add up to n.
 struct TexelCover {
   int first = 0;
   std::vector<std::uint64_t> parts;
@@ -69,7 +69,7 @@ struct Bounded {
   Field hi;
 };
 
-/// |d| where it may be off by a share of max(|d|, scale).
+/// Bounds |d| for a d that may differ from `exact` by `share` · max(|exact|, scale).
 Bounded magnitude_of(const Rational& exact, const Rational& scale, const Field& share) {
   const Field size = magnitude(to_field(exact));
   const Field error = share * std::max(size, to_field(scale));
@@ -108,7 +108,7 @@ struct TextureTruth::Sampling {
     return color;
   }
 
-  /// Of a level of detail within 0…last.
+  /// The colour at a level of detail within 0…last.
   std::array<Field, 4> trilinear(double lambda) const {
     const auto level = static_cast<std::size_t>(std::floor(lambda));
     std::array<Field, 4> color = bilinear(level);
@@ -119,7 +119,7 @@ struct TextureTruth::Sampling {
     return color;
   }
 
-  /// W (share · max|s| + constant) + H (…) + units · 2^-24.
+  /// W (share · max|s| + constant) + H (share · max|t| + constant) + units · 2^-24.
   Field bound(const CoordinateSizes& sizes, const cases::TextureBounds& bounds, float units) const {
     const Field share = exact_field(bounds.coordinate_share);
     const Field constant = exact_field(bounds.coordinate_constant);
@@ -208,7 +208,7 @@ TextureTruth::Filtered TextureTruth::trilinear(const Rational& s, const Rational
       hi[k] = std::max(hi[k], color[k]);
     }
   };
-  // Linear from level to level, so that the extremes are at the ends or at whole levels.
+  // The colour is linear in λ between levels, so the extremes are at the ends or at integer levels.
   for (int whole = static_cast<int>(std::floor(least)) + 1; whole < most; ++whole) {
     take_in(static_cast<double>(whole));
   }
@@ -239,7 +239,7 @@ records::Enclosure TextureTruth::level_of_detail(const ScaledDerivatives& s,
   };
   const Bounded u = square_length(s.exact.du, s.scale.du, t.exact.du, t.scale.du);
   const Bounded v = square_length(s.exact.dv, s.scale.dv, t.exact.dv, t.scale.dv);
-  // Below 1 λ is held to 0; log2 of 0 is not asked for. Halving is exact in this range.
+  // Lengths of at most 1 give λ = 0, so log2(0) is never computed. Halving is exact in this range.
   const auto level_of = [](const Field& square) {
     return square > Field(1) ? enclose_log2(square) : records::Enclosure{0, 0};
   };

@@ -1,20 +1,21 @@
 #pragma once
 
-// What a texture gives at exact coordinates: the texel of nearest filtering, and the colours of
-// bilinear and trilinear filtering, in rational numbers. It implements what cases::Texturing means:
+// Exact texture lookups: the texel of nearest filtering, and the colours of bilinear and trilinear
+// filtering, in rational numbers. Implements the meaning of cases::Texturing:
 //
 //   nearest     texel ⌊s W⌋, ⌊t H⌋. Wrapped, index i of n texels is
 //                 repeat   i mod n
 //                 clamp    the nearest of 0…n − 1
-//                 mirror   m = i mod 2n; m < n: m, else 2n − 1 − m
-//   bilinear    x = s W − 1/2 lies x − ⌊x⌋ between texels ⌊x⌋ and ⌊x⌋ + 1, each wrapped; t alike
-//   trilinear   λ = log2 ρ, held to 0…last, is λ − ⌊λ⌋ between the bilinear colours of levels ⌊λ⌋
-//               and ⌊λ⌋ + 1; ρ is the greater of the lengths of the screen derivatives of (s W, t
-//               H)
+//                 mirror   m if m < n, else 2n − 1 − m, with m = i mod 2n
+//   bilinear    x = s W − 1/2 lies x − ⌊x⌋ of the way from texel ⌊x⌋ to ⌊x⌋ + 1, each wrapped;
+//               likewise y = t H − 1/2
+//   trilinear   λ = log2 ρ, clamped to 0…last, lies λ − ⌊λ⌋ of the way from the bilinear colour of
+//               level ⌊λ⌋ to the colour of level ⌊λ⌋ + 1; ρ is the greater length of the screen
+//               derivatives of (s W, t H)
 //
-// A level has max(1, ⌊n / 2⌋) texels for n of the level before, of equal size and side by side; a
-// texel is the mean of what it covers there, partly where n is odd, weighted by how much, and
-// rounded to a whole number, halves up.
+// Where a level has n texels along an axis, the next level has max(1, ⌊n / 2⌋), all of equal size.
+// A texel is the mean of the texels that it covers in the level before, weighted by overlap
+// (partial if n is odd), and rounded to an integer, halves up.
 
 #include <array>
 #include <cstddef>
@@ -29,21 +30,21 @@
 
 namespace rastercheck::oracle {
 
-/// The texel of one axis that a coordinate is in.
+/// The texel index along one axis at a coordinate.
 struct TexelIndex {
   int index = 0;
-  bool is_on_border = false;  ///< coordinate · size is a whole number
+  bool is_on_border = false;  ///< coordinate · size is an integer
   bool is_beyond = false;     ///< the coordinate is not in [0, 1)
 };
 TexelIndex texel_index(const Rational& coordinate, int size, cases::Wrap wrap);
 
 /// A channel of a filtered colour, 0…1.
 struct FilteredChannel {
-  ValueRange exact;    ///< more than one value where the level of detail is not known better
-  ValueRange allowed;  ///< what is within the bound of that
+  ValueRange exact;    ///< a range if the level of detail is only known as a range
+  ValueRange allowed;  ///< `exact`, widened by the bound
 };
 
-/// The greatest |s| and |t| of the vertices drawn, which errors are measured by
+/// The greatest |s| and |t| of the drawn vertices; they scale the error bounds
 /// (cases::TextureBounds).
 struct CoordinateSizes {
   Rational s = Rational();
@@ -64,11 +65,11 @@ class TextureTruth {
   Filtered bilinear(const Rational& s, const Rational& t, const CoordinateSizes& sizes,
                     const cases::TextureBounds& bounds) const;
 
-  /// `level` is any enclosure of λ; infinite ends are allowed.
+  /// `level` encloses λ; its ends may be infinite.
   Filtered trilinear(const Rational& s, const Rational& t, const records::Enclosure& level,
                      const CoordinateSizes& sizes, const cases::TextureBounds& bounds) const;
 
-  /// λ of derivatives of s and t that may be off as the bounds say.
+  /// Encloses λ for derivatives of s and t that may be off by as much as the bounds allow.
   records::Enclosure level_of_detail(const ScaledDerivatives& s, const ScaledDerivatives& t,
                                      const cases::TextureBounds& bounds) const;
 

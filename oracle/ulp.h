@@ -5,10 +5,10 @@
 //   ulp(x) = 2^(max(floor(log2|x|), −126) − 23), ulp(0) = 2^−149
 //   error  = (computed − exact) / ulp, signed and fractional
 //
-// Near a zero of the exact value its own ulp shrinks without bound while the inputs' rounding does
-// not: `local` errors say how many bits of the result are right, `scale` errors (measured in the
-// ulp of the largest vertex value) how well the interpolation was done. Bounds are stated in the
-// latter.
+// Two units, because the ulp of the exact value shrinks without bound near zero while the rounding
+// of the inputs does not: `local` errors use the ulp of the exact value and say how many bits of
+// the result are right; `scale` errors use the ulp of the largest vertex value and say how accurate
+// the interpolation was. Contracts state their bounds in scale ULP.
 
 #include "oracle/rational.h"
 #include "records/enclosure.h"

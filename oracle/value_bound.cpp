@@ -1,4 +1,4 @@
-// How far values may be beyond what a contract leaves open (cases::ValueBound), at one fragment.
+// The largest excess that a contract allows (cases::ValueBound), at one fragment.
 
 #include "oracle/internal/value_bound.h"
 
@@ -16,11 +16,12 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// ULP of a bound that leaves nothing of a float32.
+/// A bound in ULP that is so large that no digit of a float32 need be right.
 constexpr float kAllDigits = 0x1p24F;
 
-/// The points an attribute of a fragment may be evaluated at; of a centroid, which OpenGL and
-/// Vulkan let be anywhere in pixel and triangle, the centre and the samples that may be covered.
+/// Returns the points at which an attribute of a fragment may be evaluated. For a centroid, which
+/// OpenGL and Vulkan allow anywhere in the pixel and the triangle, these are the centre and the
+/// samples that may be covered.
 std::vector<HomogeneousPoint> locations(const TriangleSetup& triangle,
                                         const cases::Attribute& attribute, int x, int y,
                                         int sample) {
@@ -31,8 +32,8 @@ std::vector<HomogeneousPoint> locations(const TriangleSetup& triangle,
       points.emplace_back(p.u, p.v, Ring(1));
       return;
     }
-    // Both numbers that a bound depends on are convex over affine and positive: nowhere are they
-    // greater than at a corner.
+    // A bound depends on the horizon ratio and the condition number. Both are a convex function
+    // divided by a positive affine one, so they are greatest at a corner.
     const ConvexRegion shown = triangle.shown_at(p);
     for (std::size_t i = 0; i < shown.size(); ++i) points.push_back(shown.vertex(i));
   };
@@ -72,7 +73,7 @@ std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
   const cases::ValueBound bound = bound_of(triangle, attribute);
   if (bound.constant >= kAllDigits) return NotJudged::without_bound;
   if (!attribute) return std::nullopt;
-  if (bound.per_condition >= kAllDigits) return NotJudged::without_bound;  // as K >= 1
+  if (bound.per_condition >= kAllDigits) return NotJudged::without_bound;  // because K >= 1
   const Scene& scene = *triangle.scene;
   if (!cases::promises_values_of(scene.contract(), scene.source(), triangle.index, *attribute)) {
     return NotJudged::not_promised;
@@ -144,11 +145,11 @@ Field range_in_ulps(const TriangleSetup& triangle, std::size_t attribute) {
 
 double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> attribute) {
   const cases::ValueBound bound = bound_of(triangle, attribute);
-  // K >= 1, as |E_i| <= |E|_i.
+  // K >= 1, because |E_i| <= |E|_i.
   const double per_condition = triangle.ideal.orientation() != 0 ? bound.per_condition : 0;
   if (!attribute || (per_condition == 0 && bound.range_share == 0)) return bound.constant;
   const double range = bound.range_share > 0 ? enclose(range_in_ulps(triangle, *attribute)).lo : 0;
-  // Rounds down by more than the four roundings.
+  // The factor rounds down by more than the four roundings in the sum can have added.
   return (bound.constant + per_condition + bound.range_share * range) * (1 - 0x1p-48);
 }
 
@@ -162,7 +163,7 @@ std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> at
   if (bound.range_share > 0) {
     fixed += exact_field(bound.range_share) * range_in_ulps(*setup_, *attribute);
   }
-  // Of a triangle that has no area until its vertices are snapped nothing else can be said.
+  // If the triangle has no area until its vertices are snapped, only the uniform part applies.
   if (bound.is_uniform() || setup_->ideal.orientation() == 0) return to_rational(fixed);
 
   const bool is_affine = setup_->scene->is_affine(*attribute);

@@ -29,14 +29,15 @@ Matrix4 to_rows(const glm::mat4& m) {
 
 // --- the view ------------------------------------------------------------------------------------
 
-/// A rotation by a quaternion of whole numbers: nine whole numbers over a common one.
+/// A rotation matrix from a quaternion of integers: nine integers over a common divisor.
 struct Rotation {
   std::array<Vector, 3> rows{};
   double divisor = 1;
 };
 
 Rotation random_rotation(Draw& draw) {
-  // Mostly turned any way, roll included; or about one axis, or not at all.
+  // Half of the rotations are arbitrary, roll included; the others are about x or y, or none at
+  // all.
   const int axis = draw.between(0, 5);
   std::array<double, 4> q{};
   q[0] = draw.between(1, 8);
@@ -55,7 +56,8 @@ Rotation random_rotation(Draw& draw) {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// The view from an eye of short coordinates: sums of whole numbers, divided and rounded once.
+/// Returns the view matrix for an eye whose coordinates have few bits, so that the sums are exact
+/// before the division.
 Matrix4 exact_view(const Rotation& rotation, const Vector& eye) {
   Matrix4 matrix = cases::kIdentity;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -71,7 +73,7 @@ glm::vec3 to_glm(const Vector& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
-/// The point of the world that is at `p` in camera space, as doubles have it.
+/// The world-space position of the camera-space point `p`, computed in double.
 Vector in_world(const Rotation& rotation, const Vector& eye, const Vector& p) {
   Vector world{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -82,7 +84,7 @@ Vector in_world(const Rotation& rotation, const Vector& eye, const Vector& p) {
   return world;
 }
 
-/// The same view as users have it.
+/// Returns the same view as exact_view(), built by glm::lookAt as users would.
 Matrix4 look_at(const Rotation& rotation, const Vector& eye) {
   const glm::vec3 target = to_glm(in_world(rotation, eye, {0, 0, -4}));
   const glm::vec3 up = to_glm(rotation.rows[1]);
@@ -91,7 +93,8 @@ Matrix4 look_at(const Rotation& rotation, const Vector& eye) {
 
 // --- the projection ------------------------------------------------------------------------------
 
-/// What is in view: at distance d, |x| <= d / cot_x where the projection is a perspective.
+/// Field of view and depth planes. In perspective, a point at distance d is in view if |x| <= d /
+/// cot_x and |y| <= d / cot_y.
 struct Lens {
   float cot_x = 1;
   float cot_y = 1;
@@ -102,7 +105,7 @@ struct Lens {
 
 Lens random_lens(Draw& draw) {
   Lens lens;
-  // cot of half the field of view: 1 at 90°, 2^-10 at 179.9°, 2^6 at 1.8°.
+  // The cotangent of half the field of view: 1 at 90°, 2^-10 at 179.9°, 2^6 at 1.8°.
   const bool is_extreme = draw.one_in(4);
   const int exponent = is_extreme ? draw.between(-10, 6) : draw.between(-1, 1);
   lens.cot_y = draw.uniform(1, 2);
@@ -116,8 +119,9 @@ Lens random_lens(Draw& draw) {
   return lens;
 }
 
-/// A perspective between two planes of distance, the first of which gets the near depth. By GLM:
-/// from the sides of the near plane, as glm::perspective does with a tangent of its own.
+/// Returns a perspective between planes at distances `first` and `last`; `first` maps to the near
+/// depth. With GLM, uses frustum() with the near plane's sides: glm::perspective would compute its
+/// own tangent.
 Matrix4 perspective(const Lens& lens, float near_z, float first, float last) {
   if (lens.is_by_glm && first < last) {
     const float x = first / lens.cot_x;
@@ -125,7 +129,7 @@ Matrix4 perspective(const Lens& lens, float near_z, float first, float last) {
     return to_rows(near_z < 0 ? glm::frustumRH_NO(-x, x, -y, y, first, last)
                               : glm::frustumRH_ZO(-x, x, -y, y, first, last));
   }
-  // z = a d + b: near_z · first at first, last at last.
+  // z = a d + b, with z = near_z · first at d = first and z = last at d = last.
   const double a = (double{last} - double{near_z} * first) / (double{last} - double{first});
   const double b = double{last} * (1 - a);
   Matrix4 matrix{};
@@ -137,8 +141,8 @@ Matrix4 perspective(const Lens& lens, float near_z, float first, float last) {
   return matrix;
 }
 
-/// The far plane at infinity: z = d − (1 − near_z) near, or, reversed, what is left of it to the
-/// near depth.
+/// Returns a perspective with the far plane at infinity: z = d − (1 − near_z) near or, reversed, z
+/// = near_z d + (1 − near_z) near.
 Matrix4 infinite_perspective(Draw& draw, const Lens& lens, float near_z) {
   Matrix4 matrix = perspective(lens, near_z, lens.near, 2 * lens.near);
   const bool is_reversed = draw.one_in(2);
@@ -154,8 +158,8 @@ Matrix4 orthographic(const Lens& lens, float near_z, float half_height) {
                      : glm::orthoRH_ZO(-x, x, -half_height, half_height, lens.near, lens.far));
 }
 
-/// Puts the near plane at n·p = distance, n a direction in camera space: z = near_z w where it is,
-/// and the greatest depth at the far end of the middle of the view.
+/// Makes the plane n·p = distance (in camera space) the near plane, where z = near_z w. The point
+/// (0, 0, −far) gets the greatest depth, z = w.
 void make_oblique(Matrix4& projection, float near_z, const std::array<float, 3>& n, float distance,
                   float far) {
   // z = near_z w + k (n·p − distance), and z = w at (0, 0, −far).
@@ -169,7 +173,7 @@ void make_oblique(Matrix4& projection, float near_z, const std::array<float, 3>&
 
 // --- the model -----------------------------------------------------------------------------------
 
-/// A cube's corners, ±1, and its faces.
+/// Adds a cube with corners at ±1; each face is two triangles.
 void add_box(Draw& draw, cases::Case& c) {
   const auto first = static_cast<std::uint32_t>(c.positions.size());
   for (int i = 0; i < 8; ++i) {
@@ -190,7 +194,7 @@ void add_box(Draw& draw, cases::Case& c) {
   }
 }
 
-/// Triangles anywhere within [−1, 1]³.
+/// Adds random triangles within [−1, 1]³.
 void add_shards(Draw& draw, cases::Case& c) {
   const int triangles = draw.between(2, 4 + draw.size() / 25);
   for (int i = 0; i < triangles; ++i) {
@@ -205,7 +209,7 @@ void add_shards(Draw& draw, cases::Case& c) {
   }
 }
 
-/// A quad of whole coordinates in a plane across the view, beside the eye: corners ±1 and z = 0.
+/// Adds a square with corners at x, y = ±1 in the plane z = 0.
 void add_sheet(cases::Case& c) {
   const std::uint32_t first = add_vertex(c, {-1, -1, 0, 1});
   add_vertex(c, {1, -1, 0, 1});
@@ -215,8 +219,8 @@ void add_sheet(cases::Case& c) {
   c.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// In front of the camera, where it is in view, as large as the view or a few times that: turned,
-/// scaled and moved by the model matrix.
+/// Adds a model and places it in view by the model matrix: turned, scaled to 1/4 to 2 times the
+/// view's half height, and moved.
 void place_model(Draw& draw, CameraCase& made, const Rotation& rotation, const Vector& eye,
                  const Lens& lens) {
   cases::Case& c = made.source;
@@ -230,12 +234,14 @@ void place_model(Draw& draw, CameraCase& made, const Rotation& rotation, const V
     default:
       add_sheet(c);
   }
-  // A distance between the planes, more often close to the camera; and how far it is to the sides.
+  // Picks the model's distance, which is between the planes and more often close to the camera, and
+  // then its offset to the sides.
   const double reach = double{draw.pick(std::array{1.5F, 4.0F, 32.0F, 1024.0F})};
   const double far_end =
       double{lens.far} < reach * double{lens.near} ? double{lens.far} : reach * double{lens.near};
   const double distance = double{lens.near} + double{draw.unit()} * (far_end - double{lens.near});
-  // What is in view does not grow with the distance in an orthographic camera: it is 2 near.
+  // A perspective view widens with the distance; an orthographic one is everywhere as wide as a
+  // perspective at distance 2 near.
   const double depth_of_view =
       made.kind == CameraKind::orthographic ? 2 * double{lens.near} : distance;
   const double aside_x = double{draw.uniform(-0.5F, 0.5F)} * depth_of_view / double{lens.cot_x};
@@ -254,9 +260,10 @@ void place_model(Draw& draw, CameraCase& made, const Rotation& rotation, const V
   }
 }
 
-/// Triangles a, b, e + m (e − a) + n (e − b) with the eye e, of sixteenths and small whole numbers,
-/// so that e lies exactly in their plane; then perhaps a coordinate a float beside. Positions are
-/// in the world, moved by −e first: the model matrix has that, and the view only turns.
+/// Adds triangles with corners a, b and e + m (e − a) + n (e − b), where e is the eye. Since
+/// coordinates are sixteenths and m and n are small integers, e lies exactly in the triangle's
+/// plane. In two of three triangles one coordinate then changes, by one float or by up to 1.
+/// Positions are in world space; the model matrix moves them by −e, so that the view only turns.
 void add_planes_through_eye(Draw& draw, CameraCase& made, const Rotation& rotation,
                             const Vector& eye) {
   cases::Case& c = made.source;
@@ -280,7 +287,7 @@ void add_planes_through_eye(Draw& draw, CameraCase& made, const Rotation& rotati
       const int corner = draw.between(0, 2);
       const int axis = draw.between(0, 2);
       float& number = p[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)];
-      // One float off, or so far that some of the triangle is seen.
+      // Moves the coordinate by one float, or far enough that part of the triangle is visible.
       number =
           draw.one_in(2) ? stepped(number, draw.one_in(2) ? 1 : -1) : number + draw.uniform(-1, 1);
     }

@@ -1,8 +1,8 @@
 #pragma once
 
-// Cases with a camera like those of programs that draw: a model in front of it, within it or behind
-// it, the matrices computed in float32 by GLM as users do, or from whole numbers, rounded at the
-// end.
+// Cases with a camera, as in real programs: a model in front of, around or behind the camera.
+// Matrices are computed in float32 by GLM, as users do, or from whole numbers with one final
+// rounding.
 
 #include "cases/case.h"
 #include "properties/draw.h"
@@ -10,14 +10,14 @@
 
 namespace rastercheck::properties {
 
-/// What of a camera is drawn where. Numbers are as in camera space, in which it looks along −z.
+/// The kind of camera. In camera space the view direction is −z.
 enum class CameraKind {
   perspective,       ///< fields of view from a degree to nearly 180, far/near from 2 to 10^7
-  infinite_far,      ///< z/w → 1 with the distance, or → 0 where depth is reversed
-  reversed_depth,    ///< near at the depth of the far plane
+  infinite_far,      ///< the far plane is at infinity; depth may be reversed
+  reversed_depth,    ///< the near plane has the far plane's depth, and vice versa
   orthographic,      ///< w = 1
-  oblique_near,      ///< the near plane is any plane in front of the camera
-  eye_in_the_plane,  ///< a perspective whose eye lies in triangles' planes, or a float beside
+  oblique_near,      ///< the near plane is tilted
+  eye_in_the_plane,  ///< the eye lies in the triangles' planes or near them
 };
 
 struct CameraCase {
@@ -25,7 +25,7 @@ struct CameraCase {
   CameraKind kind = CameraKind::perspective;
 };
 
-/// No clip position of it is beyond float32.
+/// Makes a case with a camera; every clip position fits float32.
 CameraCase camera_case(Draw& draw, const StateRequest& request = {});
 
 }  // namespace rastercheck::properties

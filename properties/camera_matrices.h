@@ -1,6 +1,7 @@
 #pragma once
 
-// Matrices of random cameras, row-major, by arithmetic alone: the same everywhere.
+// Matrices of random cameras, row-major. Uses plain arithmetic only, so results are the same
+// everywhere.
 
 #include <cstddef>
 
@@ -11,11 +12,11 @@ namespace rastercheck::properties {
 
 cases::Matrix4 translation(float x, float y, float z);
 
-/// A turn about the axis `axis` (0: x) by the angle whose half has tangent t: (1 − t²) / (1 + t²)
-/// and 2 t / (1 + t²) in place of cosine and sine.
+/// A rotation about `axis` (0: x) by the angle 2 atan(t), whose cosine is (1 − t²) / (1 + t²) and
+/// whose sine is 2 t / (1 + t²).
 cases::Matrix4 rotation(std::size_t axis, float t);
 
-/// Any matrix, its numbers about 2^exponent, exponent <= 127.
+/// A random matrix with elements about 2^exponent, exponent <= 127.
 cases::Matrix4 any_matrix(Draw& draw, int exponent);
 
 }  // namespace rastercheck::properties

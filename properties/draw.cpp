@@ -49,8 +49,8 @@ std::uint64_t Draw::bits(int count) {
 
 int Draw::between(int lo, int hi) {
   assert(lo <= hi);
-  // Of the numbers of as many bits as the largest offset has, those beyond it are drawn again; a
-  // remainder would favour the small ones.
+  // Draws numbers with as many bits as the largest offset until one is in range. Taking a remainder
+  // instead would favour small offsets.
   const auto most = static_cast<std::uint64_t>(std::int64_t{hi} - lo);
   const auto width = static_cast<int>(std::bit_width(most));
   std::uint64_t offset = bits(width);
@@ -64,7 +64,8 @@ float Draw::unit() { return static_cast<float>(bits(24)) * 0x1p-24F; }
 
 float Draw::uniform(float lo, float hi) {
   assert(lo <= hi);
-  // Every operation is one IEEE rounding, so the same everywhere; the last may reach hi.
+  // Every operation is rounded once (IEEE), so results are the same everywhere. The last rounding
+  // may reach hi.
   const double t = double{unit()};
   const double value = double{lo} + t * (double{hi} - double{lo});
   return std::clamp(static_cast<float>(value), lo, hi);

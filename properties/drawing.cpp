@@ -7,7 +7,7 @@
 namespace rastercheck::properties {
 namespace {
 
-/// Whether the arrays are as long as each other and have the case's attributes.
+/// True if the arrays' lengths fit each other and the case's attributes.
 bool is_well_formed(const cases::Fragments& drawn, const cases::Case& c) {
   const std::size_t size = drawn.size();
   return drawn.attribute_count == c.attributes.size() && drawn.x.size() == size &&
@@ -21,7 +21,7 @@ bool is_well_formed(const backends::Drawn& drawn, const cases::Case& c) {
   return is_well_formed(drawn.fragments, c);
 }
 
-/// The same of a picture; textures have four channels.
+/// The same for a picture; textured and vertex-coloured pictures have four channels.
 bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
                     const cases::Pipeline& pipeline) {
   cases::FramebufferSize size = c.framebuffer;
@@ -46,7 +46,8 @@ Error no_promise() {
           Failure::unsupported};
 }
 
-/// What `call()` draws of a case without a camera, watched.
+/// Runs `call()`, which draws a case without a camera, and checks its result and the floating-point
+/// modes.
 template <typename Call>
 auto drawn_by(const cases::Case& c, const Call& call) -> decltype(call()) {
   assert(!c.camera);
@@ -65,7 +66,7 @@ void amend(const cases::Case& c, const backends::Backend& backend, cases::Fragme
   if (backend.amendment()) backend.amendment()(c, drawn);
 }
 
-/// What the backend draws by itself, watched and amended.
+/// Draws with backend.draw(), checks the result, and applies the backend's amendment.
 Result<backends::Drawn> drawn_by(const cases::Case& c, backends::Backend& backend) {
   Result<backends::Drawn> drawn = drawn_by(c, [&] { return backend.draw(c); });
   if (drawn) amend(c, backend, drawn->fragments);

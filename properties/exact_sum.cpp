@@ -34,8 +34,8 @@ bool is_float(double value) {
          static_cast<double>(static_cast<float>(value)) == value;
 }
 
-// Each term is taken into an expansion, whose components do not overlap: the last one that is not 0
-// is larger than all before it together (Shewchuk 1997, Grow-Expansion).
+// Adds the terms one by one to an expansion whose components do not overlap, so that the last
+// nonzero component exceeds the sum of all before it (Shewchuk 1997, Grow-Expansion).
 int sign_of_sum(std::span<const double> terms) {
   assert(terms.size() <= kMostTerms);
   std::array<double, kMostTerms> components{};

@@ -19,7 +19,7 @@ using cases::Case;
 using cases::Feature;
 using cases::Rules;
 
-/// A number is what another one and the weight w make it; nothing where that is no float32.
+/// Computes a depth for other rules from clip z and w; nothing if the result is not a float32.
 using Depth = std::optional<float> (*)(float z, float w);
 
 std::optional<float> to_float_sum(double a, double b) {
@@ -36,7 +36,8 @@ std::optional<float> from_opengl(float z, float w) {
 
 std::optional<float> to_opengl(float z, float w) { return to_float_sum(2 * double{z}, -double{w}); }
 
-/// Changes all clip positions by changing them, or the rows of the projection that make them.
+/// Changes all clip positions, directly or through the projection's rows. False if a new depth is
+/// not a float32.
 bool change_positions(Case& c, Depth depth, bool turns_y) {
   const auto change = [&](float& y, float& z, float w) {
     if (turns_y) y = -y;
@@ -56,7 +57,8 @@ bool change_positions(Case& c, Depth depth, bool turns_y) {
   return true;
 }
 
-/// Turns what is said as displayed, where window y comes to point the other way.
+/// Swaps the fill rule and the front face, which are stated as displayed, after window y has
+/// changed direction.
 void turn_display(Case& c) {
   c.fill_rule = c.fill_rule == cases::TieRule::top_left ? cases::TieRule::bottom_left
                                                         : cases::TieRule::top_left;
@@ -64,7 +66,7 @@ void turn_display(Case& c) {
       c.front_face == cases::FrontFace::ccw ? cases::FrontFace::cw : cases::FrontFace::ccw;
 }
 
-/// The case by other rules; nothing where it cannot be had exactly.
+/// Translates the case to other rules; nothing if that cannot be done exactly.
 std::optional<Case> by_rules(Case c, Rules rules) {
   const bool was_opengl = c.rules == Rules::opengl;
   const bool is_opengl = rules == Rules::opengl;
@@ -74,7 +76,8 @@ std::optional<Case> by_rules(Case c, Rules rules) {
   if (!change_positions(c, depth, turns_y)) return std::nullopt;
   if (was_opengl != is_opengl) {
     turn_display(c);
-    // OpenGL's last vertex provokes, the others' first: it has to be the same one.
+    // The provoking vertex must stay the same: it is the last one in OpenGL and the first under the
+    // other rules.
     for (cases::Triangle& t : c.triangles) {
       std::rotate(t.begin(), t.begin() + (is_opengl ? 1 : 2), t.end());
     }
@@ -95,7 +98,7 @@ bool is_one_of(const std::vector<T>& all, const T& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// The case by the first of the backend's rules that it can be had by.
+/// Translates the case to the first of the backend's rules that allow an exact translation.
 std::optional<Case> by_some_rules(const Capabilities& has, const Case& c) {
   if (is_one_of(has.rules, c.rules)) return c;
   if (is_about(c, "rules")) return std::nullopt;
@@ -113,7 +116,7 @@ cases::Case fitted_case(const Capabilities& capabilities, const Case& c) {
   if (!changed) return c;
   const auto& counts = capabilities.sample_counts;
   if (!is_one_of(counts, changed->framebuffer.samples) && !is_about(c, "samples")) {
-    // The most of those that are fewer, or the least there are.
+    // The largest supported count below the case's, or else the smallest supported count.
     const auto more = std::upper_bound(counts.begin(), counts.end(), changed->framebuffer.samples);
     changed->framebuffer.samples = more == counts.begin() ? *more : *(more - 1);
   }

@@ -20,7 +20,7 @@ T fitting(Draw& draw, const T& chosen, const std::vector<T>& all) {
   return all[static_cast<std::size_t>(draw.between(0, static_cast<int>(all.size()) - 1))];
 }
 
-/// Takes a whole number of pixels in place of a fraction of one; of sizes at least one.
+/// Rounds the viewport down to whole pixels; sizes stay at least one pixel.
 void drop_fractions(cases::Viewport& viewport) {
   viewport.x = std::floor(viewport.x);
   viewport.y = std::floor(viewport.y);
@@ -46,7 +46,8 @@ void fit_viewport(const Capabilities& has, cases::Case& c) {
   }
 }
 
-/// An interpolation that the backend has, of which there is one at least where it has attributes.
+/// Returns an interpolation that the backend supports, preferably `chosen`; `chosen` if the backend
+/// supports none.
 cases::Interpolation fitting_interpolation(Draw& draw, const Capabilities& has,
                                            cases::Interpolation chosen) {
   constexpr std::array kFeatures{Feature::smooth, Feature::noperspective, Feature::flat};
@@ -90,8 +91,8 @@ void drop_clip_distances(const Capabilities& has, cases::Case& c) {
   c.clip_distance_count = most;
 }
 
-/// The number, or one of the same sign and digits whose exponent is within a range of some powers
-/// of two at least.
+/// Returns `number` if it is in range; else a number with the same sign and digits and an exponent
+/// in range (the least magnitude if the range is too narrow).
 float within(const cases::MagnitudeRange& range, float number) {
   if (range.has(number)) return number;
   int exponent = 0;
@@ -104,8 +105,8 @@ float within(const cases::MagnitudeRange& range, float number) {
   return std::ldexp(digits, lowest + offset);
 }
 
-/// A coordinate of a vertex beyond the viewport's sides, mirrored at these until it lies between:
-/// cut off at them, whole triangles would end on a side.
+/// Reflects a vertex's coordinate at the viewport's sides until it is inside. Clamping would put
+/// whole triangles onto a side.
 float folded(float coordinate, float w) {
   if (std::fabs(coordinate) <= w) return coordinate;
   const double turns =
@@ -116,7 +117,7 @@ float folded(float coordinate, float w) {
 void fit_vertices(const Capabilities& has, cases::Case& c) {
   for (float& value : c.attribute_values) value = within(has.numbers, value);
   for (float& distance : c.clip_distances) distance = within(has.numbers, distance);
-  if (c.camera) return;  // whose clip positions are nobody's yet
+  if (c.camera) return;  // its clip positions are not computed yet
   for (cases::ClipVertex& p : c.positions) {
     p = {within(has.numbers, p.x), within(has.numbers, p.y), within(has.numbers, p.z),
          within(has.numbers, p.w)};
@@ -132,7 +133,8 @@ void fit_vertices(const Capabilities& has, cases::Case& c) {
   }
 }
 
-/// Gives attributes of an interpolation that is lacking another one; false where there is none.
+/// Replaces the interpolation that the backend lacks by one that it supports; false if it supports
+/// none.
 bool replace_interpolation(cases::Case& c, Feature lacking, const Capabilities& has) {
   constexpr std::array kFeatures{Feature::smooth, Feature::noperspective, Feature::flat};
   const auto other = std::find_if(kFeatures.begin(), kFeatures.end(),
@@ -149,7 +151,7 @@ bool replace_interpolation(cases::Case& c, Feature lacking, const Capabilities& 
 
 bool leave_out(cases::Case& c, cases::Feature feature, const cases::Capabilities& has) {
   const auto replace = [&c](cases::Location location) {
-    if (c.framebuffer.samples == 1) return;  // where all are the same
+    if (c.framebuffer.samples == 1) return;  // with one sample, all locations are the same
     for (cases::Attribute& a : c.attributes) {
       if (a.location == location) a.location = cases::Location::sample;
     }

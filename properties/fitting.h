@@ -1,8 +1,8 @@
 #pragma once
 
-// Random cases made for who is judged: what a backend does not draw is not asked of it, and what it
-// draws keeps its frequency. Of a backend that draws everything no choice is made here, so that its
-// cases are what they are without it.
+// Adapts random cases to the judged backend: leaves out features that the backend lacks and keeps
+// the frequency of all others. If the backend draws everything, no random choice is made and cases
+// stay as they are.
 
 #include "cases/capabilities.h"
 #include "cases/case.h"
@@ -10,21 +10,21 @@
 
 namespace rastercheck::properties {
 
-/// Rules, or a number of samples, that the backend has: what was chosen, else another one.
+/// Returns `chosen` if the backend supports it, else a random supported value.
 cases::Rules fitting_rules(Draw& draw, cases::Rules chosen);
 int fitting_samples(Draw& draw, int chosen);
 
-/// Leaves a feature out of a case, or replaces it by what a backend has; false where that would be
-/// another picture.
+/// Removes a feature from a case, or replaces it by one that the backend has; false if neither is
+/// possible.
 bool leave_out(cases::Case& c, cases::Feature feature, const cases::Capabilities& has);
 
-/// Fits what a case has besides vertices. Where generators call it, vertices still come out where
-/// they are meant to be of the window.
+/// Fits everything except vertices. Generators call this before they place vertices, so that
+/// vertices land at their intended window positions.
 void fit_state(Draw& draw, cases::Case& c);
 
-/// Fits a whole case: state that was changed since, vertices and values. Vertices behind the eye or
-/// beyond a depth plane that may not be there come before it, and numbers beyond what is promised
-/// get an exponent within it.
+/// Fits a whole case: vertices, values, and state changed since fit_state(). Vertices that the
+/// backend does not support (behind the eye, beyond a side or a depth plane) are moved into view,
+/// and numbers beyond the promised range get an exponent within it.
 void fit_case(Draw& draw, cases::Case& c);
 
 }  // namespace rastercheck::properties

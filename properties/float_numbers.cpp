@@ -3,7 +3,7 @@
 namespace rastercheck::properties {
 namespace {
 
-/// Floats in ascending order as integers; both zeros are 0.
+/// Maps floats to integers in the same order; both zeros map to 0.
 std::int32_t rank_of(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const auto magnitude = static_cast<std::int32_t>(bits & 0x7fffffffU);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Floats as the numbers that they are: the nearest one, its neighbours, and the unit that errors
-// are counted in. No random choice is made here (random_floats.h).
+// Float arithmetic on numbers: the nearest float, its neighbours, and the unit of errors. Makes no
+// random choices (random_floats.h does).
 
 #include <algorithm>
 #include <bit>
@@ -18,7 +18,7 @@ constexpr double power_of_two(int e) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(e + kBias) << kFractionBits);
 }
 
-/// ulp(x) of float32 (RULES §5), and its powers of two beyond those of float32.
+/// ulp(x) of float32 (RULES §5), continued by powers of two beyond the range of float32.
 inline double ulp_of(double x) {
   constexpr int kLeastExponent = -126;
   constexpr int kFractionBits = 23;
@@ -26,18 +26,18 @@ inline double ulp_of(double x) {
   return std::ldexp(1.0, exponent - kFractionBits);
 }
 
-/// A computed value as a number: an infinity stands for 2^128, as it does for the judge
+/// A computed value as a double; infinity counts as 2^128, as it does for the judge
 /// (oracle/judge.h).
 inline double number_of(float value) {
   constexpr double kBeyondFloat = 0x1p128;
   return std::isinf(value) ? std::copysign(kBeyondFloat, double{value}) : double{value};
 }
 
-/// The nearest float32, the largest one of its sign where it is beyond them.
+/// The nearest float32; beyond the range, the largest finite float32 with that sign.
 float to_float(double value);
 
-/// The float32 that lies `steps` floats above (below, where negative) a finite `value`; ±0 count as
-/// one. Held at the largest floats.
+/// The float32 `steps` floats above (if negative, below) a finite `value`; ±0 count as one float.
+/// The result is clamped to the finite floats.
 float stepped(float value, int steps);
 
 }  // namespace rastercheck::properties

@@ -14,8 +14,8 @@ std::vector<Generator>& generator_registry() {
 }  // namespace
 
 GeneratorRegistration::GeneratorRegistration(const Generator& generator) {
-  // The order in which files register is the linker's; which of them a random number picks must
-  // not depend on it.
+  // Files register in an order that the linker chooses. Sorting by name makes a random number pick
+  // the same generator in every build.
   const auto after =
       std::find_if(generator_registry().begin(), generator_registry().end(),
                    [&generator](const Generator& other) { return other.name > generator.name; });

@@ -14,18 +14,18 @@
 
 namespace rastercheck::properties {
 
-/// Makes cases of one kind: a stratum of the records.
+/// Makes cases of one kind, which the records call a stratum.
 struct Generator {
   std::string_view name;
   std::string_view summary;
-  /// A valid case of at most 4,096 pixels (64×64, or wider and lower) with clip positions (no
-  /// camera), whose name is empty.
+  /// Makes a valid case of at most 4,096 pixels (64×64, or wider and lower) with clip positions (no
+  /// camera) and an empty name.
   cases::Case (*make)(Draw& draw);
 };
 
 /// All generators, in the order of their names.
 std::span<const Generator> generators();
-/// The generator of a name; nullptr where there is none.
+/// The generator with that name; nullptr if none.
 const Generator* find_generator(std::string_view name);
 
 struct GeneratorRegistration {

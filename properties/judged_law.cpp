@@ -39,7 +39,8 @@ void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
   const auto x = static_cast<int>(sample.place.x);
   const auto y = static_cast<int>(sample.place.y);
   const auto s = static_cast<int>(sample.place.sample);
-  // The judge does not ask why of samples far from the triangle, or drawn once too often.
+  // The judge does not find reasons for samples far from the triangle or drawn once too often, so
+  // the decision is made again here.
   const records::SampleVerdict decision = truth->judge(x, y, s);
   violation.exact = decision_text(decision);
   violation.distance = truth->distance(x, y, s);
@@ -67,8 +68,8 @@ void describe_value(const JudgedSample& sample, const JudgedValue& value,
   }
 }
 
-/// Whether a drawn sample's pixel has a centre that its triangle does not cover, so that attributes
-/// located there are extrapolated: asked of the same triangle with one sample, the centre.
+/// Tells if a drawn sample's triangle leaves the centre of the pixel uncovered, so that attributes
+/// located at the centre are extrapolated. Judges the same triangle with one sample, the centre.
 class CentreQuestion {
  public:
   explicit CentreQuestion(const SceneTruth& scene) {
@@ -83,7 +84,7 @@ class CentreQuestion {
     scene_ = std::make_unique<SceneTruth>(std::move(source), scene.contract());
   }
 
-  /// Whether any answer but no is possible.
+  /// False if the answer is no for every sample.
   bool is_open() const { return scene_ != nullptr; }
 
   bool is_extrapolated(const JudgedSample& sample) {
@@ -103,8 +104,8 @@ class CentreQuestion {
   std::uint32_t triangle_ = 0;
 };
 
-/// What the judged samples of a case reached. Of those strictly inside it has only to see their
-/// triangles, unless asks_of_ordinary().
+/// The labels that a case's judged samples reached. Unless asks_of_ordinary(), see() need not be
+/// called for samples strictly inside: their triangles, passed to labels(), suffice.
 class LabelCollector {
  public:
   explicit LabelCollector(const SceneTruth& scene) : scene_(&scene), centre_(scene) {}
@@ -123,7 +124,7 @@ class LabelCollector {
 
   bool asks_of_ordinary() const { return centre_.is_open(); }
 
-  /// `triangles`: those with a sample that is drawn rightly, or missing.
+  /// `triangles` are those with a correctly drawn or missing sample.
   std::vector<std::string> labels(const std::set<std::uint32_t>& triangles) const {
     std::set<std::string> all;
     for (const records::Reason reason : reasons_) {
@@ -144,7 +145,7 @@ class LabelCollector {
   bool is_extrapolated_ = false;
 };
 
-/// Whether a vertex lies beyond a clip plane, so that something of its triangle is cut away.
+/// True if a vertex lies beyond a clip plane, so that part of its triangle is cut away.
 bool is_beyond_a_plane(const cases::Case& c, std::uint32_t vertex) {
   const cases::ClipVertex& p = c.positions[vertex];
   const auto distances = c.clip_distances_of(vertex);
@@ -204,8 +205,8 @@ bool is_alike(const records::Violation& a, const records::Violation& b) {
   return a.fragment_class == b.fragment_class && a.kind == b.kind && a.attribute == b.attribute;
 }
 
-/// Keeps the first eight. A violation of a new sort takes the place of the last one whose sort is
-/// kept twice, so that what is known of a driver cannot hide what is new.
+/// Keeps the first eight. A violation of a new sort replaces the last violation whose sort is kept
+/// twice, so that a driver's known defects cannot hide new ones.
 void keep(std::vector<records::Violation>& kept, const records::Violation& violation) {
   const auto is_like = [](const records::Violation& one) {
     return [&one](const records::Violation& other) { return is_alike(one, other); };
@@ -214,7 +215,7 @@ void keep(std::vector<records::Violation>& kept, const records::Violation& viola
     if (std::any_of(kept.begin(), kept.end(), is_like(violation))) return;
     auto last = kept.end() - 1;
     while (last != kept.begin() && !std::any_of(kept.begin(), last, is_like(*last))) --last;
-    if (last == kept.begin()) return;  // eight sorts
+    if (last == kept.begin()) return;  // eight different sorts
     kept.erase(last);
   }
   kept.push_back(violation);
@@ -266,7 +267,7 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   oracle::JudgeOptions judge_options;
   judge_options.judges_values = request.judges_values;
   judge_options.case_index = index;
-  // Of small cases more, as there are other costs.
+  // More often than by default: for small cases, other costs dominate.
   judge_options.self_check_one_in = 1024;
   judge_options.shows_ordinary = labels.asks_of_ordinary();
   oracle::JudgedDrawing judged = oracle::judge(scene, drawn, judge_options, see);

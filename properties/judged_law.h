@@ -1,6 +1,6 @@
 #pragma once
 
-// What laws have in common: a framebuffer held against the contract, and findings put together.
+// Shared parts of laws: judging a framebuffer by the contract, and collecting findings.
 
 #include <cstdint>
 #include <functional>
@@ -15,35 +15,36 @@
 
 namespace rastercheck::properties {
 
-/// What of a judged framebuffer is a violation. Statistics cover all that was judged either way.
+/// Selects the kinds of errors that count as violations in a judged framebuffer. Statistics cover
+/// everything that is judged.
 struct JudgeRequest {
-  bool judges_values = true;    ///< whether values are judged, and violations where not correct
-  bool counts_coverage = true;  ///< whether missing, extra and hidden samples are violations
+  bool judges_values = true;    ///< judges values; incorrect ones are violations
+  bool counts_coverage = true;  ///< missing, extra and wrongly visible samples are violations
 };
 
-/// Judges what was drawn of `truth_of`, a case without a camera, or of another case with the same
-/// triangles, by the contract.
+/// Judges, by the contract, a drawing of `truth_of` (a case without a camera) or of another case
+/// with the same triangles.
 Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
                   const cases::Fragments& drawn, const JudgeRequest& request, std::uint64_t index);
 
-/// Draws the case and judges that. Fails where the backend cannot draw it.
+/// Draws the case and judges the drawing. Fails if the backend cannot draw the case.
 Result<Check> check_judged(const cases::ClipCase& c, backends::Backend& backend,
                            const JudgeRequest& request, std::uint64_t index);
 
-/// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
+/// Draws the case and returns what `find` finds. Fails if the backend cannot draw the case.
 Result<Check> check_drawn(
     const cases::ClipCase& c, backends::Backend& backend,
     const std::function<Check(const cases::ClipCase&, const backends::Drawn&)>& find);
 
-/// What a law finds of a case that it says nothing of; why, unless it is plain from `exceptions` or
-/// from what the law is about (Check::why_not).
+/// The result for a case to which the law does not apply. `why` (Check::why_not) may be empty if
+/// `exceptions` or the law's subject make the reason plain.
 Check not_applicable(std::string_view why = "");
 
-/// Whether a place is of a pixel and a sample that the case's target has.
+/// True if the case's framebuffer has that pixel and sample.
 bool is_sample_of(const cases::Case& c, const cases::SamplePlace& place);
 
-/// The violation that a judged sample, or one value of it, is. `value` is nullptr where coverage is
-/// meant; `truth` is nullptr where the case has no such triangle.
+/// Makes a violation from a judged sample or one of its values. `value` is nullptr for coverage;
+/// `truth` is nullptr if the case has no such triangle.
 records::Violation to_violation(const oracle::JudgedSample& sample,
                                 const oracle::JudgedValue* value,
                                 const oracle::TriangleTruth* truth,
@@ -52,20 +53,22 @@ records::Violation to_violation(const oracle::JudgedSample& sample,
 /// A computed value for readers: decimal and hex float, or "nan", "inf", "-inf".
 std::string value_text(float value);
 
-/// Adds a violation that the judge has counted in its class: counted always, kept while few.
+/// Adds a violation that the judge already counted in its class. Counts every violation, but keeps
+/// only a limited number.
 void add_judged_violation(Check& check, const records::Violation& violation);
 
-/// Adds a violation that a law found itself, and counts it in its class, too.
+/// Like add_judged_violation(), and also counts the violation in its class; for violations that a
+/// law found itself.
 void add_violation(Check& check, const records::Violation& violation);
 
-/// Adds a label that the case reached; they stay in order, each once.
+/// Adds a label that the case reached; labels stay sorted and unique.
 void add_label(Check& check, std::string_view label);
 
-/// Adds what another drawing of the same case gave: statistics, violations, labels.
+/// Adds the results of another drawing of the same case: statistics, violations, labels.
 void merge(Check& into, const Check& from);
 
-/// The labels of a case's state, of its triangles that drew something: "several samples", "depth
-/// test", "w <= 0", "clipped".
+/// Adds the labels of a case's state and of its triangles that drew something: "several samples",
+/// "depth test", "w <= 0", "clipped".
 void add_state_labels(const cases::Case& c, const std::set<std::uint32_t>& drawn_triangles,
                       std::set<std::string>& labels);
 

@@ -35,8 +35,8 @@ const Law* find_law(std::string_view id) {
 
 namespace {
 
-/// Laws were known by their sentences before they had ids: with spaces for hyphens, all but four
-/// keep the cases that these gave them.
+/// Before laws had ids, their random cases depended on their sentences. For all but four laws, the
+/// id with spaces for hyphens is the old sentence, so that their cases stay the same.
 std::string stream_of(const Law& law) {
   std::string stream(law.id);
   std::replace(stream.begin(), stream.end(), '-', ' ');
@@ -59,15 +59,15 @@ Generated random_case(const Law& law, std::uint64_t seed, std::uint64_t index,
 
 cases::Capabilities capabilities_of(const backends::Backend& backend) {
   cases::Capabilities capabilities = backend.about().capabilities;
-  // A contract file may promise numbers without 1, for which no case can be made.
+  // A contract file may promise a range of numbers without 1, for which no case can be made.
   const cases::MagnitudeRange numbers = backend.contract({}).numbers;
   if (numbers.has(1)) capabilities.numbers = numbers;
   return capabilities;
 }
 
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked) {
-  // Chernoff: of a binomial with mean μ, P(X <= μ − t) <= exp(−t² / 2μ), which is 10^-6 where
-  // t² = 2 μ ln 10^6.
+  // Chernoff: of a binomial with mean μ, P(X <= μ − t) <= exp(−t² / 2μ), which is 10^-6 if t² = 2 μ
+  // ln 10^6.
   constexpr double kTwiceLnOfMillion = 27.631021115928547;
   const double mean = static_cast<double>(checked) * cover.percent / 100;
   const double least = mean - std::sqrt(kTwiceLnOfMillion * mean);

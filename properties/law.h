@@ -1,7 +1,7 @@
 #pragma once
 
-// Laws: what has to hold of every case, stated as a sentence. A file in properties/laws/ defines
-// one and registers it:
+// Laws: properties that must hold for every case, each stated as a sentence. A file in
+// properties/laws/ defines one and registers it:
 //
 //   const LawRegistration kRegistration({.id = "constants-stay-constant",
 //                                        .sentence = "constants stay constant",
@@ -11,8 +11,8 @@
 //                                        .check = &check,
 //                                        .covers = {cover(5, "clipped")}});
 //
-// docs/adding-a-law.md walks through it. A law is checked on a Case alone, wherever it comes from:
-// its generator, the corpus, or a saved counterexample.
+// docs/adding-a-law.md walks through it. A law needs only a Case, which may come from the law's
+// generator, the corpus, or a saved counterexample.
 
 #include <cstdint>
 #include <optional>
@@ -32,35 +32,37 @@
 
 namespace rastercheck::properties {
 
-/// A case of a law's own making.
+/// A case made by a law's generator.
 struct Generated {
   cases::Case source;
   std::string stratum;
 };
 
-/// What a law found of one case.
+/// The result of checking a law on one case.
 struct Check {
-  bool is_applicable = true;  ///< else the law says nothing of the case, and the rest is empty
-  /// Else why, in a clause of the law's or the backend's own; may be empty. Of few texts: records
-  /// count cases by it, but for numbers after a colon.
+  /// False if the law does not apply; then all members below except `why_not` are empty.
+  bool is_applicable = true;
+  /// Why the law does not apply: a clause from the law or the backend; may be empty. Use few
+  /// different texts: records count cases by the text up to the first colon.
   std::string why_not = {};
   records::Judgement judgement;
   std::uint64_t violation_count = 0;
-  std::vector<records::Violation> violations;  ///< records::kMostViolations, of each sort the first
-  std::vector<std::string> labels;             ///< what the case reached, each once
-  /// A fault of the oracle itself (oracle::JudgedDrawing::fault), or of the harness: nothing else
-  /// counts.
+  /// At most records::kMostViolations; a new sort replaces a repeated one.
+  std::vector<records::Violation> violations;
+  std::vector<std::string> labels;  ///< the labels that the case reached, each once
+  /// A fault of the oracle itself (oracle::JudgedDrawing::fault) or of the harness; if set, nothing
+  /// else counts.
   std::optional<std::string> fault;
-  /// Entries of what is known of the driver that all violations kept are of; else empty.
+  /// Ids of known-defect entries, if these explain all kept violations; else empty.
   std::vector<std::string> known = {};
 };
 
-/// A label that the law's own cases have to reach, or it has not tested what it claims to.
+/// A label that the law's own cases must reach for the law to have tested what it claims.
 struct Cover {
-  int percent = 0;  ///< of the cases checked, at least
+  int percent = 0;  ///< least share of the cases checked
   std::string_view label;
-  /// Whether it says how something was decided that a contract may leave open: it is asked only of
-  /// backends that draw what the case asks for (draws_what_is_asked_for).
+  /// True if the label depends on a decision that a contract may leave open. If so, it is required
+  /// only of backends that draw what the case asks for (draws_what_is_asked_for).
   bool is_decided = false;
 };
 
@@ -70,82 +72,83 @@ constexpr Cover cover_decided(int percent, std::string_view label) {
 }
 
 struct Law {
-  /// Never changes: cases are drawn from it, and records, baselines, lists of known defects and
-  /// --property know the law by it. Lower-case letters, digits and hyphens.
+  /// Never changes: random cases depend on the id, and records, baselines, known-defect lists and
+  /// --property refer to it. Lower-case letters, digits and hyphens.
   std::string_view id;
-  /// What has to hold, for readers; may be said better at any time.
+  /// What must hold, for readers; may be reworded at any time.
   std::string_view sentence;
   /// Why it holds, for readers of docs/properties.md; the file's opening comment has the proof.
   std::string_view reason;
-  /// What it says nothing of: cases, samples, attributes, backends.
+  /// Cases, samples, attributes and backends to which the law does not apply.
   std::string_view exceptions;
   Generated (*generate)(Draw& draw) = nullptr;
-  /// Draws the case, perhaps changed ones too, and says what is wrong. Fails where the backend
-  /// cannot draw it. `index` is the case's, for the records.
+  /// Draws the case, perhaps changed versions too, and returns what is wrong. Fails if the backend
+  /// cannot draw the case. `index` is the case's index, for the records.
   Result<Check> (*check)(const cases::ClipCase& c, backends::Backend& backend,
                          std::uint64_t index) = nullptr;
-  /// In place of `check` of a law that is about cameras, or about what a vertex stage does: takes
-  /// the case with its camera, also where clip positions are beyond float32.
+  /// Replaces `check` for laws about cameras or the vertex stage: takes the case with its camera,
+  /// even if clip positions are beyond float32.
   Result<Check> (*check_given)(const cases::Case& c, backends::Backend& backend,
                                std::uint64_t index) = nullptr;
-  /// Whether a backend promises at all what the law is about; nullptr: every backend does. Where it
-  /// does not, the law says nothing of any case, and that is no fault of a run.
+  /// Returns true if a backend promises what the law is about; nullptr if every backend does.
+  /// Without that promise the law applies to no case, which does not make a run fail.
   bool (*is_promised)(backends::Backend& backend) = nullptr;
-  /// Of one that does not, what it lacks: the reason that reports give. A clause.
+  /// A clause that says what a backend without that promise lacks; reports give it as the reason.
   std::string_view unpromised = {};
-  /// What its random cases have to reach.
+  /// Labels that the law's random cases must reach.
   std::vector<Cover> covers = {};
 };
 
-/// The least number of `checked` cases that have to reach a label: the chance that independent
-/// cases which reach it with the probability that its Cover states are fewer is below 10^-6. Never
-/// more than that share of them; 0 of few cases.
+/// Returns how many of `checked` cases must reach a label. If cases are independent and reach the
+/// label with the Cover's stated probability, the chance of fewer is below 10^-6. Never more than
+/// the stated share; 0 for few cases.
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked);
 
-/// Whether a backend promises the coverage, basis and tie rule that a case names (asked of each
-/// API's own ones), and values in perspective: not one that rounds positions in its own way, or
-/// leaves ties open.
+/// True if a backend promises the coverage, basis and tie rule that a case names (tested with each
+/// API's defaults) and perspective-correct values. False if the backend rounds positions in its own
+/// way or leaves ties open.
 bool draws_what_is_asked_for(backends::Backend& backend);
 
-/// Whether a backend promises that what has no say in a fragment leaves its bits alone
+/// True if a backend promises that irrelevant changes leave a fragment's bits unchanged
 /// (cases::Contract::is_invariant).
 bool draws_invariantly(backends::Backend& backend);
 
-/// What a law finds of a case, which may have a camera. Fails where the backend cannot draw it, and
-/// where it cannot be handed over, as clip positions are beyond float32.
+/// Checks a law on a case, which may have a camera. Fails if the backend cannot draw the case, or
+/// if the case cannot be passed to the law because clip positions are beyond float32.
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
                         std::uint64_t index);
 
-/// Whether the law has something to say of a backend.
+/// True if the backend promises what the law is about.
 bool is_promised(const Law& law, backends::Backend& backend);
 
-/// What a backend promises of these laws; `name` is its own in the records. Of nullptr, a backend
-/// that cannot be made: all laws, and to draw in a way of its own.
+/// Returns which of these laws the backend makes promises for; `name` is the backend's name in the
+/// records. For nullptr (a backend that cannot be made): assumes that all laws are promised, but
+/// not that cases are drawn as they ask.
 records::BackendPromises promises_of(const std::string& name, backends::Backend* backend,
                                      std::span<const std::string> laws);
 
 /// All laws, in the order of their ids.
 std::span<const Law> laws();
-/// The law of an id; nullptr where there is none.
+/// The law with that id; nullptr if none.
 const Law* find_law(std::string_view id);
 
-/// The choices that a law's random case is made by, for a backend that draws everything: generate()
-/// takes them.
+/// The choices for a law's random case, to pass to generate(), for a backend that draws everything.
 Draw draw_of(const Law& law, std::uint64_t seed, std::uint64_t index);
 
-/// A law's random case, made for a backend that draws so much.
+/// Makes a law's random case for a backend with these capabilities.
 Generated random_case(const Law& law, std::uint64_t seed, std::uint64_t index,
                       const cases::Capabilities& capabilities);
 
-/// Says what random cases of a backend are made for: what it draws, and the numbers that it makes
-/// promises of.
+/// Returns the capabilities that random cases for a backend must respect: the features that it
+/// draws and the range of numbers for which it makes promises.
 cases::Capabilities capabilities_of(const backends::Backend& backend);
 
 struct LawRegistration {
   explicit LawRegistration(const Law& law);
 };
 
-/// A case by one of all generators, each as likely as another; the stratum is the generator's name.
+/// Makes a case with a random generator (all are equally likely); the stratum is the generator's
+/// name.
 Generated generate_any(Draw& draw);
 
 }  // namespace rastercheck::properties

@@ -12,7 +12,8 @@ namespace {
 
 using cases::Case;
 
-/// Pixels of a side that hold about as many samples as `side` pixels of one sample do.
+/// Returns the side of a square framebuffer with about as many samples as one of `side` pixels with
+/// a single sample each.
 int side_with_samples(int side, int samples) {
   switch (samples) {
     case 1:
@@ -38,7 +39,7 @@ int random_side(Draw& draw, const StateRequest& request, int samples) {
   return std::max(4, side_with_samples(side, samples));
 }
 
-/// More than a block of 64 pixels in a row, and about as many samples as other cases have.
+/// Makes rows longer than a block of 64 pixels, but about as many samples as in other cases.
 void set_wide_size(Draw& draw, cases::FramebufferSize& size) {
   const int most_width = size.samples == 1 ? 200 : (size.samples <= 4 ? 128 : 80);
   const int most_height = size.samples == 1 ? 12 : (size.samples <= 4 ? 6 : 4);
@@ -46,13 +47,14 @@ void set_wide_size(Draw& draw, cases::FramebufferSize& size) {
   size.height = draw.between(4, most_height);
 }
 
-/// A viewport that mirrors the picture: what it covers stays.
+/// Mirrors the picture; the viewport still covers the same pixels.
 void turn_width(cases::Viewport& viewport) {
   viewport.x += viewport.width;
   viewport.width = -viewport.width;
 }
 
-/// A viewport on the 2^-4 grid with sides that are powers of two.
+/// Sets a viewport of the framebuffer's size; in half of the calls, its origin moves on the 2^-4
+/// grid, its width may double and its height may halve.
 void set_grid_viewport(Draw& draw, Case& c) {
   cases::Viewport& viewport = c.viewport;
   viewport.width = static_cast<float>(c.framebuffer.width);
@@ -66,8 +68,8 @@ void set_grid_viewport(Draw& draw, Case& c) {
   if (draw.one_in(4)) viewport.height /= 2;
 }
 
-/// A viewport many times the framebuffer, with odd or fractional sides, which shows a part of it
-/// far from its origin.
+/// Sets a viewport many times larger than the framebuffer, with arbitrary whole or fractional
+/// sides. The framebuffer shows a part of the viewport far from the viewport's origin.
 void set_distant_viewport(Draw& draw, Case& c) {
   cases::Viewport& viewport = c.viewport;
   const int width = draw.between(257, cases::kMaxSize);
@@ -81,7 +83,7 @@ void set_distant_viewport(Draw& draw, Case& c) {
   viewport.y = -part_y * (viewport.height - static_cast<float>(c.framebuffer.height));
 }
 
-/// A viewport that may begin and end anywhere, but leaves something of the framebuffer to draw in.
+/// Sets a viewport that may begin and end anywhere but covers part of the framebuffer.
 void set_free_viewport(Draw& draw, Case& c) {
   const auto width = static_cast<float>(c.framebuffer.width);
   const auto height = static_cast<float>(c.framebuffer.height);
@@ -108,7 +110,7 @@ void set_free_viewport(Draw& draw, Case& c) {
       viewport.height = height + static_cast<float>(more_height);
       return;
     }
-    case 4: {  // in sixteenths: borders on samples
+    case 4: {  // in sixteenths, so that borders may lie on samples
       const int x = draw.between(-32, 32);
       const int y = draw.between(-32, 32);
       const int less_width = draw.between(0, 40);
@@ -319,7 +321,8 @@ void add_clip_distances(Draw& draw, Case& c) {
   const std::size_t count = c.positions.size() * c.clip_distance_count;
   c.clip_distances.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    // Of many distances each is inside more often, or nothing would be.
+    // With three or more distances, each is negative less often; otherwise little would be left
+    // inside.
     const int chances = c.clip_distance_count > 2 ? 16 : 6;
     switch (draw.between(0, chances - 1)) {
       case 0:

@@ -16,7 +16,8 @@ struct Box {
   WindowPoint hi;
 };
 
-/// The part of [0, size] between `from` and `from + extent`; all of it where that is empty.
+/// Returns the part of [0, size] between `from` and `from + extent`; if that part is empty, [0,
+/// size].
 std::pair<double, double> overlap(double from, double extent, int size) {
   const double lo = std::max(0.0, std::min(from, from + extent));
   const double hi = std::min(static_cast<double>(size), std::max(from, from + extent));
@@ -38,8 +39,8 @@ WindowPoint point_of(Draw& draw, const Box& box) {
   return {box.lo.u + s * (box.hi.u - box.lo.u), box.lo.v + t * (box.hi.v - box.lo.v)};
 }
 
-/// Whether from + (1 + ndc/w) size/2 = at: ndc · size + w (size + 2 from − 2 at) = 0. Products of
-/// two floats are exact in double.
+/// True if from + (1 + ndc/w) size/2 = at. Multiplied by 2 w: ndc · size + w (size + 2 from − 2 at)
+/// = 0. Products of two floats are exact in double.
 bool is_coordinate(double ndc, double w, double from, double size, double at) {
   return sign_of_sum(std::array{ndc * size, w * size, w * (2 * from), -(w * (2 * at))}) == 0;
 }
@@ -100,7 +101,7 @@ WindowPoint sample_in_pixel(Draw& draw, const cases::Case& c, const WindowPoint&
   const auto pattern = cases::standard_pattern(c.framebuffer.samples);
   const int sample = draw.between(0, static_cast<int>(pattern.size()) - 1);
   const cases::SamplePosition at = pattern[static_cast<std::size_t>(sample)];
-  // Not negative, so truncation is rounding down.
+  // The coordinates are not negative, so truncation rounds down.
   const auto x = static_cast<double>(static_cast<int>(p.u));
   const auto y = static_cast<double>(static_cast<int>(p.v));
   return {x + at.x / 16.0, y + at.y / 16.0};
@@ -117,8 +118,8 @@ WindowPoint point_about(Draw& draw, const cases::Case& c) {
 
 std::array<cases::ClipVertex, 2> edge_through(Draw& draw, const cases::Case& c,
                                               const WindowPoint& p, float depth) {
-  // b = k q − a in homogeneous coordinates, where q is p's: so p is where (a + b)/k is. With 9 bits
-  // in a, and 11 behind the point in q, all of it is exact in float32.
+  // In homogeneous coordinates b = k q − a, where q is the position of p, so p = (a + b)/k. As a
+  // has 9 bits and q has 11 bits behind the point, all numbers are exact in float32.
   const cases::ClipVertex q = at_window(c, p, depth, 1);
   const int w = draw.between(33, 255);
   const int x = draw.between(-w, w);

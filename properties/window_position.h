@@ -1,8 +1,7 @@
 #pragma once
 
-// From where a vertex is to appear to the clip position that puts it there. Window positions are in
-// pixels; all arithmetic is +, −, ×, / in double and one rounding to float32 (to_float()), so that
-// a position comes out the same everywhere.
+// Computes clip positions from intended window positions, in pixels. All arithmetic is +, −, ×, /
+// in double and one rounding to float32 (to_float()), so results are the same everywhere.
 
 #include <array>
 #include <cstdint>
@@ -18,43 +17,47 @@ struct WindowPoint {
   double v = 0;
 };
 
-/// The clip position of weight `w` (not 0) that appears at `p` in the case's viewport, whose sizes
-/// are not 0, with z/w = `depth`. Exact where w and the viewport's sizes are powers of two and the
-/// numbers short; beyond float32 it is held at the largest one.
+/// Returns the clip position with weight `w` and z/w = `depth` that appears at `p` in the case's
+/// viewport. `w` and the viewport's sizes must not be 0. The result is exact if w and the
+/// viewport's sizes are powers of two and the numbers are short; coordinates are clamped to finite
+/// floats.
 cases::ClipVertex at_window(const cases::Case& c, const WindowPoint& p, float depth, float w);
 
-/// Whether a vertex, w not 0, appears exactly at `p` in the case's viewport, without any rounding.
-/// The coordinates of `p` have at most 29 bits, as all samples' have: times a float32 they are a
-/// double.
+/// True if a vertex (w not 0) appears exactly at `p` in the case's viewport; decided without
+/// rounding. The coordinates of `p` must have at most 29 bits, as those of samples do, so that
+/// their products with a float32 are exact in double.
 bool is_exactly_at(const cases::Case& c, const cases::ClipVertex& vertex, const WindowPoint& p);
 
-/// Appends a vertex and says its index.
+/// Appends a vertex and returns its index.
 std::uint32_t add_vertex(cases::Case& c, const cases::ClipVertex& position);
-/// The same with the attributes and clip distances of another vertex.
+/// Appends a vertex with the attributes and clip distances of vertex `like` and returns its index.
 std::uint32_t add_vertex_like(cases::Case& c, std::uint32_t like, cases::ClipVertex position);
-/// Appends three vertices and a triangle of them.
+/// Appends three vertices and their triangle.
 void add_triangle(cases::Case& c, const cases::ClipVertex& first, const cases::ClipVertex& second,
                   const cases::ClipVertex& third);
 
 /// The middle of the part of the framebuffer that the viewport covers.
 WindowPoint visible_middle(const cases::Case& c);
-/// A point of the part of the framebuffer that the viewport covers; of the whole framebuffer where
-/// it covers none.
+/// A random point in the part of the framebuffer that the viewport covers; in the whole framebuffer
+/// if it covers none.
 WindowPoint visible_point(Draw& draw, const cases::Case& c);
-/// Exactly where a sample of such a pixel lies.
+/// The exact position of a random sample in the same part as visible_point().
 WindowPoint visible_sample(Draw& draw, const cases::Case& c);
-/// Where one of the samples lies of the pixel that holds `p`, which is not negative.
+/// The exact position of a random sample in the pixel that contains `p`, which must not be
+/// negative.
 WindowPoint sample_in_pixel(Draw& draw, const cases::Case& c, const WindowPoint& p);
-/// A point of that part made larger by a quarter of its size on every side.
+/// A random point in the same part as visible_point(), extended by a quarter of its size on every
+/// side.
 WindowPoint point_about(Draw& draw, const cases::Case& c);
 
-/// Two vertices of different weights, no powers of two, between which exactly `p` lies: an edge on
-/// which a sample ties although neither end has window coordinates that a double could hold. `p` is
-/// a multiple of 1/16 pixel, the case's viewport one that StateRequest::is_on_grid gives.
+/// Makes two vertices with `p` exactly on the line through them. The weights differ and are not
+/// powers of two, so a sample ties on the edge although no double holds the window coordinates of
+/// either end. `p` must be a multiple of 1/16 pixel, and the viewport must be made with
+/// StateRequest::is_on_grid.
 std::array<cases::ClipVertex, 2> edge_through(Draw& draw, const cases::Case& c,
                                               const WindowPoint& p, float depth);
 
-/// z/w of a vertex that the depth planes leave alone.
+/// A random z/w that the depth planes do not clip.
 float random_depth(Draw& draw, const cases::Case& c);
 
 }  // namespace rastercheck::properties

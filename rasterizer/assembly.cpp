@@ -10,7 +10,7 @@ namespace {
 
 using Indices = std::span<const std::uint32_t>;
 
-/// Calls for each list, strip or fan, in their order.
+/// Calls `call` for each list, strip or fan, in order.
 template <typename Call>
 void for_each_run(Indices indices, const Call& call) {
   while (!indices.empty()) {
@@ -26,7 +26,7 @@ std::size_t triangle_count(Topology topology, std::size_t indices) {
   return indices < 3 ? 0 : indices - 2;
 }
 
-/// Triangle i of a list, strip or fan.
+/// Returns triangle i of a list, strip or fan.
 glm::uvec3 triangle(Topology topology, Convention convention, Indices run, std::size_t i) {
   const bool is_last_provoking = convention == Convention::opengl;
   switch (topology) {
@@ -34,7 +34,7 @@ glm::uvec3 triangle(Topology topology, Convention convention, Indices run, std::
       return {run[3 * i], run[3 * i + 1], run[3 * i + 2]};
     case Topology::strip:
       if (i % 2 == 0) return {run[i], run[i + 1], run[i + 2]};
-      // Two of the three change places, but not the provoking one.
+      // Swaps two vertices and leaves the provoking vertex in its place.
       if (is_last_provoking) return {run[i + 1], run[i], run[i + 2]};
       return {run[i], run[i + 2], run[i + 1]};
     case Topology::fan:

@@ -1,18 +1,18 @@
 #pragma once
 
-// Strips and fans: from indices to the triangles of a Mesh, in the order of vertices that the API
-// has them in, so that facing and the provoking vertex (rasterizer.h) are its own. Of the vertices
-// 0, 1, 2, … of a strip or fan triangle i is
+// Turns the indices of strips and fans into triangles of a Mesh. Each triangle has the vertex order
+// of the API, so facing and the provoking vertex (rasterizer.h) match the API. For a strip or fan
+// with vertices 0, 1, 2, …, triangle i is
 //
 //   | | vulkan, d3d: vertex 0 provokes | opengl: vertex 2 provokes |
 //   | strip, i even | i, i + 1, i + 2 | i, i + 1, i + 2 |
 //   | strip, i odd | i, i + 2, i + 1 | i + 1, i, i + 2 |
 //   | fan | i + 1, i + 2, 0 | 0, i + 1, i + 2 |
 //
-// as the specifications of OpenGL and Vulkan and the documentation of Direct3D 9 say (later ones
-// have no fans). All triangles of a strip are wound as its first. Flat values of triangle i of a
-// strip come from vertex i, in OpenGL i + 2; of a fan from i + 1, in OpenGL i + 2; never from the
-// hub.
+// as the specifications of OpenGL and Vulkan and the documentation of Direct3D 9 say (later
+// versions have no fans). All triangles of a strip wind like its first. Triangle i of a strip takes
+// flat values from vertex i (OpenGL: i + 2); triangle i of a fan takes them from vertex i + 1
+// (OpenGL: i + 2), never from the hub.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -24,16 +24,16 @@
 
 namespace rastercheck::rasterizer {
 
-/// How indices become triangles. `triangles`: three by three.
+/// How indices become triangles. `triangles`: every three indices make one.
 enum class Topology { triangles, strip, fan };
 
-/// An index that is no vertex: with the next begins a new list, strip or fan.
+/// Restart index: names no vertex; the next index begins a new list, strip or fan.
 inline constexpr std::uint32_t kRestart = 0xffffffff;
 
-/// Appends the triangles of indices, in their order. Indices that are left over, one or two of a
-/// list, or a strip or fan of less than three, make none. An error, with `triangles` as before,
-/// where there would be more than kMaxTriangles, or where memory runs out. Whether vertices of
-/// these indices exist is for the draw to say.
+/// Appends the triangles of the indices, in order. Ignores left-over indices: one or two at the end
+/// of a list, or a strip or fan of fewer than three. Returns an error, with `triangles` unchanged,
+/// if `triangles` would grow beyond kMaxTriangles or memory runs out. Does not check that the
+/// vertices exist; the draw checks that.
 std::optional<Error> assemble(Topology topology, std::span<const std::uint32_t> indices,
                               Convention convention, std::vector<glm::uvec3>& triangles);
 

@@ -4,7 +4,7 @@
 
 #include "rasterizer/internal/checked_draw.h"
 #include "rasterizer/internal/checked_frame.h"
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/fragment_drawing.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {

@@ -10,7 +10,7 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// out[pixel][channel], the means of in[pixel][sample][channel].
+/// Writes the means of in[pixel][sample][channel] to out[pixel][channel].
 template <typename Values, typename Mean>
 void put_means(const Values& in, std::size_t samples, std::size_t channels, const Mean& mean,
                Values& out) {

@@ -13,7 +13,7 @@
 //   };
 //   draw(state, mesh, Red(), framebuffer);
 //
-// Shaders that are ready to use, and textures, are in texture.h and below.
+// Ready-made shaders are below and, with textures, in texture.h.
 
 #include <concepts>
 #include <cstddef>
@@ -24,24 +24,25 @@
 
 namespace rastercheck::rasterizer {
 
-/// What exact arithmetic says of a batch's attributes, for where double leaves a doubt.
+/// Gives exact values of a batch's attributes, for cases that double cannot decide.
 class ExactAttributes {
  public:
   virtual ~ExactAttributes() = default;
-  /// ⌊scale · r⌋ modulo `period`, r the attribute at a covered lane as it is before any rounding:
-  /// some number that differs from it by a multiple, exactly, less than 2 · period from 0. `period`
-  /// is a whole number below 2^51, or infinite: then it is ⌊scale · r⌋, beyond 2^53 a double next
-  /// to it.
+  /// Returns ⌊scale · r⌋ modulo `period`, where r is the attribute at a covered lane before any
+  /// rounding. The result has a magnitude below 2 · period and differs from ⌊scale · r⌋ by an exact
+  /// multiple of `period`. `period` must be a whole number below 2^51, or infinite. If `period` is
+  /// infinite, returns ⌊scale · r⌋ itself or, beyond 2^53, a neighbouring double.
   virtual double floor(std::size_t attribute, std::size_t lane, double scale, double period) = 0;
 };
 
-/// Samples that are shaded at once: cells of 8×2 pixels, each of one triangle and one sample index.
-/// A cell begins at an even column and an even row, so that it is four quads of 2×2 pixels. Lanes
-/// that are not covered are helpers: their values are those of the triangle's plane beyond it, so
-/// that differences within a quad can be had; anything where 1/w <= 0, or next to that.
+/// Samples that are shaded together, in cells of 8×2 pixels. All samples of a cell have the same
+/// triangle and sample index. A cell begins at an even column and an even row, so it consists of
+/// four quads of 2×2 pixels. Lanes that are not covered are helpers: they hold values of the
+/// triangle's plane outside the triangle, for differences within a quad. Where 1/w <= 0, or next to
+/// such a place, a helper's values are arbitrary.
 ///
-/// Lane l is in cell l / 16, at the pixel (x + l % 8, y + l / 8 % 2) of it; its neighbours in its
-/// quad are l ^ 1 along x and l ^ 8 along y.
+/// Lane l belongs to cell l / 16 and to its pixel (x + l % 8, y + l / 8 % 2). The lane's neighbours
+/// in its quad are l ^ 1 along x and l ^ 8 along y.
 struct FragmentBatch {
   static constexpr std::size_t kCellWidth = 8;
   static constexpr std::size_t kCellLanes = 16;
@@ -50,32 +51,35 @@ struct FragmentBatch {
 
   struct Cell {
     std::uint32_t triangle = 0;
-    std::uint16_t covered = 0;  ///< bit l % 16: the lane is no helper
+    std::uint16_t covered = 0;  ///< bit l % 16 is set if lane l is covered, not a helper
     std::uint16_t x = 0;
     std::uint16_t y = 0;
     std::uint16_t sample = 0;
   };
 
-  std::size_t lanes = 0;  ///< kCellLanes for each cell
+  std::size_t lanes = 0;  ///< kCellLanes times the number of cells
   std::span<const Cell> cells;
-  /// [attribute][lane], aligned to 64 bytes: in double, before any rounding to float32. NaNs are
-  /// quiet.
+  /// [attribute][lane], aligned to 64 bytes: values in double, before any rounding to float32.
+  /// Every NaN is quiet.
   std::span<const double* const> values;
-  /// ∂r/∂u and ∂r/∂v per pixel of the window, [attribute][lane]; with `uses_derivatives` alone.
+  /// [attribute][lane]: ∂r/∂u and ∂r/∂v per pixel of the window. Filled only if the shader has
+  /// `uses_derivatives`.
   std::span<const double* const> along_u;
   std::span<const double* const> along_v;
-  /// [attribute]: no value of a covered lane is off by more than this and more than kErrorShare of
-  /// itself, which is the greater only beyond the triangle that it comes from: at Location::center
-  /// with several samples, and with Basis::ideal where snapping moves an edge over a sample.
+  /// [attribute]: a covered lane's value has an error of at most this or kErrorShare times the
+  /// value, whichever is greater. The latter can be greater only outside the triangle: at
+  /// Location::center with several samples, and with Basis::ideal if snapping moves an edge over a
+  /// sample.
   std::span<const double> errors;
   static constexpr double kErrorShare = 0x1p-31;
-  ExactAttributes* exact = nullptr;  ///< never nullptr where a shader is called
+  ExactAttributes* exact = nullptr;  ///< never nullptr when a shader is called
 };
 
-/// What a shader makes of a batch.
+/// A shader's output for a batch.
 struct ShadedBatch {
-  std::span<float* const> color;       ///< [output][lane], aligned to 64 bytes; to be filled in
-  std::span<std::uint16_t> discarded;  ///< [cell]: bits as FragmentBatch::Cell::covered; 0 at first
+  std::span<float* const> color;  ///< [output][lane], aligned to 64 bytes; the shader fills it
+  std::span<std::uint16_t>
+      discarded;  ///< [cell]: bits as in FragmentBatch::Cell::covered; 0 at first
 
   void discard(std::size_t lane) {
     discarded[lane / FragmentBatch::kCellLanes] |=
@@ -83,20 +87,20 @@ struct ShadedBatch {
   }
 };
 
-/// `outputs()`: the channels that it fills in, as many as the framebuffer has. It may be called on
-/// several threads at once, in any order. `uses_derivatives()`, where there is one, says whether it
-/// wants along_u and along_v.
+/// A functor that shades batches. It may be called on several threads at once, in any order.
+/// `outputs()` returns the number of channels that it fills; this must equal the framebuffer's. The
+/// optional `uses_derivatives()` returns true if the functor needs along_u and along_v.
 ///
-/// `discards()`, where there is one, says whether it ever discards; whoever has none may. Of one
-/// that says false only what is seen in the end is shaded, unless it is blended, and discarding has
-/// no effect.
+/// The optional `discards()` returns true if the functor may discard fragments; a functor without
+/// `discards()` may. If discards() returns false, only finally visible fragments are shaded (unless
+/// they are blended), and discarding has no effect.
 template <typename Shader>
 concept FragmentShader = requires(const Shader& shader, const FragmentBatch& in, ShadedBatch& out) {
   shader(in, out);
   { shader.outputs() } -> std::convertible_to<std::size_t>;
 };
 
-/// Any FragmentShader.
+/// Type-erased reference to any FragmentShader.
 struct ShaderView {
   const void* shader = nullptr;
   void (*shade)(const void* shader, const FragmentBatch& in, ShadedBatch& out) = nullptr;
@@ -120,7 +124,8 @@ ShaderView view_of(const Shader& shader) {
   return view;
 }
 
-/// draw() of what a shader makes of the attributes. The shader must outlive the call.
+/// Like draw(), but draws the shader's outputs instead of the attributes. The shader must outlive
+/// the call.
 DrawResult draw_by(const ShaderView& shader, const State& state, const Mesh& mesh,
                    Picture& framebuffer, unsigned threads = 1);
 DrawResult clear_and_draw_by(const ShaderView& shader, const State& state, const Mesh& mesh,
@@ -140,10 +145,11 @@ DrawResult clear_and_draw(const State& state, const Mesh& mesh, const Shader& sh
   return clear_and_draw_by(view_of(shader), state, mesh, size, depth, framebuffer, threads);
 }
 
-/// An attribute of all lanes, each rounded once: out[lane], aligned to 64 bytes.
+/// Writes an attribute of all lanes, each value rounded once, to out[lane]. `out` must be aligned
+/// to 64 bytes.
 void round_values(const FragmentBatch& in, std::size_t attribute, float* out);
 
-/// The attributes as they are, each rounded once.
+/// Outputs the attributes unchanged, each rounded once.
 struct AttributesShader {
   std::size_t count = 0;
   std::size_t outputs() const { return count; }
@@ -151,8 +157,8 @@ struct AttributesShader {
   void operator()(const FragmentBatch& in, ShadedBatch& out) const;
 };
 
-/// Gouraud's: the first four attributes are red, green, blue and alpha; alpha is 1 where there are
-/// three.
+/// Gouraud shading: the first four attributes are red, green, blue and alpha. If the vertices have
+/// only three, alpha is 1.
 struct GouraudShader {
   std::size_t outputs() const { return 4; }
   bool discards() const { return false; }

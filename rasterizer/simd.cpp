@@ -9,7 +9,8 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Highway's targets are bits of this, the best ones the lowest; the highest is no target.
+/// Highway gives each target one bit of a number. Better targets have lower bits, and the highest
+/// bit is not a target.
 constexpr int kTargetBits = 63;
 
 std::string name_of(std::int64_t target) {
@@ -19,13 +20,13 @@ std::string name_of(std::int64_t target) {
   return name;
 }
 
-/// What this processor has. It is asked once: on virtual machines the question takes long.
+/// The targets of this processor. Queried only once, because on virtual machines this is slow.
 std::int64_t supported_targets() {
   static const std::int64_t supported = HWY_SUPPORTED_TARGETS;
   return supported;
 }
 
-/// The target of a name that can run here; 0 where there is none.
+/// The target with this name, if it can run here; otherwise 0.
 std::int64_t find_target(std::string_view name) {
   const std::int64_t usable = HWY_TARGETS & supported_targets();
   for (int bit = 0; bit < kTargetBits; ++bit) {
@@ -35,8 +36,8 @@ std::int64_t find_target(std::string_view name) {
   return 0;
 }
 
-/// Of these the kernels take the best. Where they are compiled for one only they call it directly,
-/// and there is nothing to choose.
+/// Makes the kernels use the best of these targets. Does nothing if the kernels are compiled for
+/// one target only, because they are then called directly.
 void choose([[maybe_unused]] std::int64_t targets) {
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0
   hwy::GetChosenTarget().Update(targets);

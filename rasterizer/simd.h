@@ -1,7 +1,7 @@
 #pragma once
 
-// Which kind of vectors the kernels run on. By default it is the best that the processor has; the
-// pictures are the same on all, to the bit.
+// Chooses the SIMD target that the kernels run on. The default is the best target that the
+// processor supports. Pictures are identical, to the bit, on all targets.
 
 #include <mutex>
 #include <string>
@@ -10,31 +10,31 @@
 
 namespace rastercheck::rasterizer {
 
-/// A kind of vectors, by its name in small letters: "sse4", "avx2", "avx3" (AVX-512), …; "emu128"
-/// and "scalar" are what every processor has.
+/// A SIMD target, by its lower-case name: "sse4", "avx2", "avx3" (AVX-512), …. Every processor
+/// supports "emu128" and "scalar".
 struct SimdTarget {
   std::string name;
-  bool is_compiled = false;   ///< whether the kernels are compiled for it
-  bool is_supported = false;  ///< whether, besides, this processor has it
+  bool is_compiled = false;   ///< true if the kernels are compiled for this target
+  bool is_supported = false;  ///< true if this processor also supports it
 };
 
-/// Those of this kind of processors, and those of all; the best first.
+/// Returns the targets of this processor architecture and the portable targets, best first.
 std::vector<SimdTarget> simd_targets();
 
-/// While it is there, draws run on one kind of vectors. The choice is the whole process's: a draw
-/// of another thread runs, meanwhile or from some point on, on the same vectors, and comes out the
-/// same as ever. One waits for the other where two are made at once, so that a thread can have no
-/// more than one.
+/// Makes draws run on one SIMD target while the object exists. The choice applies to the whole
+/// process: draws of other threads use the same target, from now or from some later point on, with
+/// unchanged results. A second object waits until the first is destroyed, so no thread may hold
+/// two.
 class OnSimdTarget {
  public:
-  /// Without a name, or with that of no target that is supported, nothing changes.
+  /// Changes nothing if `name` is empty or does not name a supported target.
   explicit OnSimdTarget(std::string_view name);
   OnSimdTarget(const OnSimdTarget&) = delete;
   OnSimdTarget& operator=(const OnSimdTarget&) = delete;
-  ~OnSimdTarget() noexcept(false);  // Highway does not say that choosing cannot fail
+  ~OnSimdTarget() noexcept(false);  // Highway does not promise that choosing cannot fail
 
  private:
-  std::unique_lock<std::mutex> lock_;  ///< held where something was changed
+  std::unique_lock<std::mutex> lock_;  ///< held if the constructor changed the target
 };
 
 }  // namespace rastercheck::rasterizer

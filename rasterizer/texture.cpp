@@ -14,9 +14,10 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// What a texel of a level covers of the level before, along one axis. Half of 2m texels are pairs.
-/// Of 2m + 1, texel j covers [j (2m + 1) / m, (j + 1) (2m + 1) / m): m − j parts of 2m + 1 of the
-/// first of three, m of the second, j + 1 of the third.
+/// The texels of the previous level that one texel of this level covers, along one axis. If the
+/// previous size is 2m, two texels are covered. If it is 2m + 1, texel j covers [j (2m + 1) / m,
+/// (j + 1) (2m + 1) / m), which are three texels with the weights (m − j), m and (j + 1), each
+/// divided by 2m + 1.
 struct Cover {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -39,8 +40,8 @@ std::uint64_t weight_of(int size) {
   return size == 1 ? 1 : size % 2 == 0 ? 2 : static_cast<std::uint64_t>(size);
 }
 
-/// The mean of what two covers have in common, each channel rounded once, halves up. A channel's
-/// sum is below 2^8 2^14 2^14.
+/// The mean of the texels in these columns and rows. Each channel is rounded once, halves up. A
+/// channel's sum is below 2^8 2^14 2^14.
 std::uint32_t mean(std::span<const std::uint32_t> texels, std::size_t width, const Cover& columns,
                    const Cover& rows, std::uint64_t weight) {
   std::array<std::uint64_t, 4> sums{};
@@ -59,7 +60,7 @@ std::uint32_t mean(std::span<const std::uint32_t> texels, std::size_t width, con
   return result;
 }
 
-/// The same of two pairs of texels, two channels at a time in 16 bits each.
+/// The same mean of two pairs of texels. Computes two channels at a time, in 16 bits each.
 std::uint32_t mean_of_four(std::span<const std::uint32_t, 2> above,
                            std::span<const std::uint32_t, 2> below) {
   constexpr std::uint32_t kChannels = 0x00ff00ff;
@@ -73,7 +74,7 @@ std::uint32_t mean_of_four(std::span<const std::uint32_t, 2> above,
   return sum(0) | sum(8) << 8;
 }
 
-/// The next level.
+/// Computes the next level.
 void halve(std::span<const std::uint32_t> texels, int width, int height,
            std::span<std::uint32_t> half) {
   const auto pitch = static_cast<std::size_t>(width);
@@ -100,13 +101,13 @@ std::uint32_t texel_of(std::span<const std::uint8_t, 4> bytes) {
   return texel;
 }
 
-/// After how many texels a wrap begins anew.
+/// The number of texels after which wrapped coordinates repeat.
 double period_of(double size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::numeric_limits<double>::infinity();
   return wrap == Wrap::repeat ? size : 2 * size;
 }
 
-/// A whole number of texels, wrapped, without any rounding.
+/// Wraps a texel index, which must be a whole number, without any rounding.
 double wrapped(double index, double size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(index, 0.0, size - 1);
   if (!std::isfinite(index)) return 0;
@@ -116,7 +117,8 @@ double wrapped(double index, double size, Wrap wrap) {
   return within < size ? within : period - 1 - within;
 }
 
-/// The columns, or the rows, that the coordinates are in, as exact arithmetic has it.
+/// Finds the columns (or rows) in which the coordinates lie. For covered lanes, the result is that
+/// of exact arithmetic.
 void find_exact_texels(const FragmentBatch& in, std::size_t attribute, const TextureAxis& axis,
                        std::int32_t* at) {
   const LaneMask open = find_texels(axis, in.errors[attribute], in.lanes, at);
@@ -133,7 +135,7 @@ void find_exact_texels(const FragmentBatch& in, std::size_t attribute, const Tex
   }
 }
 
-/// The lanes of quads with a covered one.
+/// All lanes of the quads that have at least one covered lane.
 LaneMask seen_quads(const FragmentBatch& in) {
   LaneMask lanes{};
   for (std::size_t i = 0; i < in.lanes / FragmentBatch::kCellLanes; ++i) {
@@ -148,7 +150,7 @@ LaneMask seen_quads(const FragmentBatch& in) {
   return lanes;
 }
 
-/// Level 0.
+/// The data of level 0.
 TexelLevels first_level(const Texture& texture, const std::array<TextureAxis, 2>& axes) {
   TexelLevels level;
   level.texels = texture.texels().data();

@@ -1,8 +1,8 @@
 #pragma once
 
-// How one sample of a draw came about, stage by stage: for reports that split an error by stages,
-// and for whoever asks why. What a stage handed on is there where there is such a stage, and
-// otherwise not. Numbers are those that the drawing computed with, to the bit.
+// Traces how the value of one sample of a draw was computed, stage by stage, for reports that split
+// an error by stage. Fields of a stage that did not run are empty. The numbers are, to the bit,
+// those that the drawing used.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// A sample of a triangle.
+/// A triangle, and a sample of a pixel.
 struct SamplePlace {
   std::uint32_t triangle = 0;
   int x = 0;
@@ -22,18 +22,19 @@ struct SamplePlace {
   int sample = 0;
 };
 
-/// A corner of what is drawn of a triangle: a vertex, or one that clipping made.
+/// A corner of the drawn part of a triangle: a vertex, or a point that clipping made.
 struct TracedCorner {
-  double x = 0;  ///< window position, pixels; where `is_homogeneous` times w
+  double x = 0;  ///< window position in pixels; times w if `is_homogeneous`
   double y = 0;
-  double z = 0;  ///< of clip space, as w
+  double z = 0;  ///< z and w are in clip space
   double w = 0;
   bool is_homogeneous = false;
-  /// How much of each vertex is in it, r = Σ share_v r_v.
+  /// Share of each vertex in this corner: r = Σ share_v r_v.
   std::array<double, 3> share{};
 };
 
-/// A window coordinate for lines and planes: scale · (2 at − shift), `at` in pixels.
+/// A coordinate U or V of lines and planes: scale · (2 at − shift), where `at` is a window
+/// coordinate in pixels.
 struct TracedAxis {
   double scale = 0;
   double shift = 0;
@@ -44,73 +45,75 @@ struct TracedFrame {
   double t = 0;
 };
 
-/// a U + (b V + c), each operation rounded to double; of a line a U + (b V + c T).
+/// The plane a U + (b V + c), each operation rounded to double. For a line: a U + (b V + c T).
 struct TracedPlane {
   double a = 0;
   double b = 0;
   double c = 0;
 };
 
-/// What double knows of the weights (rasterizer/internal/certificates.h).
+/// Error bounds of the weights in double (rasterizer/internal/certificates.h).
 struct TracedCertificate {
-  std::array<double, 3> bands{};   ///< how far an evaluated line may be off
-  double least_sum = 0;            ///< Σ E_i from which on double is enough for smooth values
-  bool affine_is_certain = false;  ///< whether it is for values that are linear in the window
+  std::array<double, 3> bands{};   ///< maximum error of each evaluated line
+  double least_sum = 0;            ///< double suffices for smooth values if Σ E_i is at least this
+  bool affine_is_certain = false;  ///< true if double suffices for values linear in the window
   bool depth_is_certain = false;
 };
 
-/// How it was found out whether a sample is covered.
+/// How the coverage of the sample was decided.
 enum class Decision {
-  outside,           ///< beyond viewport, scissor, or the box that the triangle touches
-  in_double,         ///< farther from every edge than double is off
+  outside,           ///< outside the viewport, the scissor, or the triangle's bounding box
+  in_double,         ///< farther from every edge than the error of double
   exactly,           ///< by a sum without rounding, or the fill rule
-  in_whole_numbers,  ///< on the subpixel grid
-  clipped,           ///< inside the edges, and beyond a clip plane
+  in_whole_numbers,  ///< in integers, on the subpixel grid
+  clipped,           ///< inside the edges but beyond a clip plane
   by_span,  ///< between the ends of its row's span (rasterizer/methods/internal/convex_scan.h)
 };
 
-/// An attribute, or depth. It comes from planes, from the lines of the trace, or from neither: then
-/// it is copied, comes from sums without rounding, or from the formula of a method.
+/// How an attribute or depth was computed: from planes, from the trace's lines, or from neither (a
+/// copy, a sum without rounding, or a method's own formula).
 struct TracedValue {
-  double u = 0;  ///< where it was evaluated, pixels
+  double u = 0;  ///< where it was evaluated, in pixels
   double v = 0;
-  /// Whether it belongs to the clip positions as they are, past `corners` and `snapped`.
+  /// True if the value comes from the original clip positions rather than `corners` and `snapped`.
   bool is_from_vertices = false;
-  /// The corners that it comes from, where they are of another part than the sample's.
+  /// The corners that the value comes from, if they belong to another part than the sample does.
   std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
   std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
-  /// The value is numerator / denominator, or the numerator alone, and both at (u, v) are these.
+  /// The value is numerator / denominator, or only the numerator. `…_at` holds their values at
+  /// (u, v).
   std::optional<TracedPlane> numerator = std::nullopt;
   std::optional<TracedPlane> denominator = std::nullopt;
   std::optional<double> numerator_at = std::nullopt;
   std::optional<double> denominator_at = std::nullopt;
   bool is_from_lines = false;
-  /// Of such a value the lines at (u, v), or, in float32, the shares of the corners in it, which
-  /// belong to Σ share_c r_c / Σ share_c.
+  /// If `is_from_lines`: either the lines at (u, v) or, in float32, the corners' shares in the
+  /// value Σ share_c r_c / Σ share_c.
   std::optional<std::array<double, 3>> weights = std::nullopt;
   std::optional<std::array<double, 3>> shares = std::nullopt;
-  bool is_exact = false;  ///< from sums without rounding, as double was not enough
-  /// Before it was rounded to float32; nothing where that was the last operation.
+  bool is_exact = false;  ///< from sums without rounding, because double did not suffice
+  /// The value before it was rounded to float32; empty if it was computed in float32.
   std::optional<double> evaluated = std::nullopt;
   float value = 0;
 };
 
 struct Trace {
-  bool is_drawn = false;                 ///< else there are no values
-  std::array<glm::vec4, 3> positions{};  ///< received, clip space
-  /// Of a triangle that is clipped the corners of the part that the sample is of, before they were
-  /// snapped: vertices among them rounded to double. Of a method its window coordinates of the
-  /// vertices.
+  bool is_drawn = false;                 ///< if false, the trace has no values
+  std::array<glm::vec4, 3> positions{};  ///< as the draw received them, in clip space
+  /// For a clipped triangle, the corners, before snapping, of the part that the sample lies in;
+  /// those that are vertices are rounded to double. For a method, the window coordinates that it
+  /// computed for the vertices.
   std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
-  /// Where vertices are snapped the same on the grid: what is covered comes from them.
+  /// With snapping, the same corners on the grid; these decide coverage.
   std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
-  /// E_i of the part's corners, or of the clip positions (Basis::ideal).
+  /// The coordinates U, V and T, and the lines E_i of the part's corners or (Basis::ideal) of the
+  /// clip positions.
   std::optional<TracedFrame> frame = std::nullopt;
   std::optional<std::array<TracedPlane, 3>> lines = std::nullopt;
   std::optional<TracedCertificate> certificate = std::nullopt;
-  double u = 0;  ///< where the sample was taken to be, pixels
+  double u = 0;  ///< assumed location of the sample, in pixels
   double v = 0;
-  std::optional<std::array<double, 3>> edges = std::nullopt;  ///< E_i there
+  std::optional<std::array<double, 3>> edges = std::nullopt;  ///< E_i at (u, v)
   Decision decision = Decision::outside;
   TracedValue depth;
   std::vector<TracedValue> attributes;
@@ -118,13 +121,13 @@ struct Trace {
 
 struct TraceResult {
   std::optional<Error> error;
-  /// Nothing where the triangle was not set up (culled, hidden, without area, not finite), or the
-  /// sample is not of the target.
+  /// Empty if the triangle was not set up (culled, hidden, without area, not finite) or the sample
+  /// lies outside the target.
   std::optional<Trace> trace;
 };
 
-/// Draws one triangle as draw_fragments does and says how a sample of it came about, or that it is
-/// not drawn. A triangle that the mesh does not have is Error::index.
+/// Draws one triangle as draw_fragments does and traces one of its samples, drawn or not. Returns
+/// Error::index if the mesh does not have the triangle.
 TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,
                          const SamplePlace& address);
 

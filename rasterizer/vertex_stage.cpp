@@ -14,7 +14,8 @@ namespace {
 using Column = std::array<double, 4>;
 using Matrix = std::array<Column, 4>;  ///< [column][row]
 
-/// The product of a row and a column, by pairs: two roundings of each term beside the products'.
+/// The product of a row and a column. Because terms are summed in pairs, the sums add only two
+/// roundings to each term.
 double sum_of_products(const Column& row, const Column& column) {
   return (row[0] * column[0] + row[1] * column[1]) + (row[2] * column[2] + row[3] * column[3]);
 }
@@ -48,7 +49,7 @@ Column in_double(const glm::vec4& p) {
 }
 Column in_double(const glm::vec3& p) { return {double{p.x}, double{p.y}, double{p.z}, 1}; }
 
-/// Makes room behind what is there; an error where memory runs out, and all is as it was.
+/// Enlarges `all` by `count` elements. Returns an error, with `all` unchanged, if memory runs out.
 template <typename T>
 std::optional<Error> append_room(std::vector<T>& all, std::size_t count) {
   return try_allocating([&] { all.resize(all.size() + count); });
@@ -75,12 +76,12 @@ std::optional<Error> transform_any(const Camera& camera, std::span<const Positio
 using Vector = std::array<double, 3>;
 using Matrix3 = std::array<Vector, 3>;  ///< [row][column]
 
-/// Of the upper left 3×3 part, indices that go round.
+/// An element of the upper left 3×3 part, with cyclic indices.
 double element(const glm::mat4& model, std::size_t row, std::size_t column) {
   return double{model[static_cast<glm::length_t>(column % 3)][static_cast<glm::length_t>(row % 3)]};
 }
 
-/// The sign of the determinant of the upper left 3×3 part; nothing where that is not finite.
+/// The sign of the determinant of the upper left 3×3 part; empty if an element is not finite.
 std::optional<int> orientation(const glm::mat4& model) {
   const auto column = [&model](glm::length_t c) {
     return glm::vec4(model[c].x, model[c].y, 0, model[c].z);
@@ -118,7 +119,7 @@ Vector image(const Matrix3& matrix, const glm::vec3& n) {
   return m;
 }
 
-/// C n, summed without rounding; all is finite.
+/// C n for the cofactors C, summed without rounding. All numbers must be finite.
 Vector exact_image(const glm::mat4& model, const glm::vec3& n) {
   const auto a = [&model](std::size_t row, std::size_t column) {
     return element(model, row, column);
@@ -139,7 +140,7 @@ Vector exact_image(const glm::mat4& model, const glm::vec3& n) {
 
 glm::vec3 unit(const Vector& m) {
   const double squares = (m[0] * m[0] + m[1] * m[1]) + m[2] * m[2];
-  // Something that is not finite comes into two components at least.
+  // A model element that is not finite affects at least two components of m.
   if (squares == 0 || !std::isfinite(squares)) return {0, 0, 0};
   const double length = std::sqrt(squares);
   return {static_cast<float>(m[0] / length), static_cast<float>(m[1] / length),
@@ -167,7 +168,7 @@ std::optional<Error> transform_normals(const glm::mat4& model, std::span<const g
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const glm::vec3& n = normals[i];
     const bool is_finite = std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z);
-    // Of a singular model sums may be exactly zero, of which rounding must not leave a direction.
+    // For a singular model sums may be exactly zero; rounding errors must not become a direction.
     const bool is_summed_exactly = sign == 0 && is_finite;
     world[first + i] = unit(is_summed_exactly ? exact_image(model, n) : image(matrix, n));
   }

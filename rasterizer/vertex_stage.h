@@ -1,42 +1,44 @@
 #pragma once
 
-// The vertex stage: object space to clip space, and normals to world space.
+// The vertex stage: transforms positions from object space to clip space, and normals to world
+// space.
 //
-// Conventions. GLM's: a matrix is [column][row] and multiplies column vectors from the left. Below
-// u = 2^-53, and ulp(f) = 2^(max(floor(log2 |f|), −126) − 23) of float32, ulp(0) = 2^-149.
+// Conventions. As in GLM, a matrix is indexed [column][row] and multiplies column vectors from the
+// left. u = 2^-53 is the unit roundoff of double. ulp(f) = 2^(max(floor(log2 |f|), −126) − 23) is
+// the ulp of float32, with ulp(0) = 2^-149.
 //
-// Clip positions. clip = P V M p, computed as (P (V M)) p in double and rounded to float32 once. A
-// product of two float32 is exact in double; a sum of four, by pairs, rounds each term twice. Of
-// each of the 64 terms P_ka V_ab M_bc p_c of clip_k,
+// Clip positions. clip = P V M p is computed as (P (V M)) p in double and rounded to float32 once.
+// A product of two float32 numbers is exact in double. A sum of four terms, added by pairs, rounds
+// each term twice. Each of the 64 terms P_ka V_ab M_bc p_c of clip_k is rounded as follows:
 //
-//   V M        is rounded 2 times    (products exact)
+//   V M                  2 times    (products exact)
 //   P (V M)              3 times
 //   (P V M) p            3 times
 //
-// and the terms' sizes add up to S = |P| |V| |M| |p|, so that the double is off by at most
-// ((1 + u)^8 − 1) S_k = (8 u + 28 u² + …) S_k < 8 (1 + 2^-23) u S_k, and the float32 f by
+// The terms' magnitudes add up to S = |P| |V| |M| |p|. The double therefore has an error of at most
+// ((1 + u)^8 − 1) S_k = (8 u + 28 u² + …) S_k < 8 (1 + 2^-23) u S_k, and the float32 f satisfies
 //
 //   |f − clip_k| <= kTransformBound · 2^-53 · S_k + ulp(f) / 2.
 //
-// That holds of all finite inputs, subnormals and subnormal results included. Numbers in double are
-// multiples of 2^-596 and at most 64 · 2^512, so that none of them is subnormal or overflows.
-// Beyond float32 f is infinite and stands for ±2^128, with half an ulp of 2^103.
+// This holds for all finite inputs, including subnormals, and for subnormal results. The numbers in
+// double are multiples of 2^-596 and at most 64 · 2^512, so none of them is subnormal or overflows.
+// Beyond the range of float32, f is infinite and stands for ±2^128, with 2^103 as its half ulp.
 //
-// Normals. n' = s m / ‖m‖ with m = C n, C the cofactors of the model's upper left 3×3 part A and s
-// the sign of det A: the inverse transpose is C / det A, of which a unit vector keeps the sign. s
-// is exact, so a mirrored model keeps outward normals outward. In double each cofactor is rounded
-// once, its product with n once and the sum of three twice, so that m is off by
-// |δ_i| <= ((1 + u)^4 − 1) (|C| |n|)_i; and two vectors that differ by δ have directions that
-// differ by at most 2 ‖δ‖ / ‖m‖. Of the unit vector, whose components are at most 1, length and
-// quotient are off by 3 1/2 roundings: squares and sums 3, halved by the root, the root and the
-// division. Together, with ‖·‖ Euclid's,
+// Normals. n' = s m / ‖m‖ with m = C n, where C holds the cofactors of the model's upper left 3×3
+// part A and s is the sign of det A. (The inverse transpose is C / det A; after normalization, only
+// the sign of det A matters.) s is exact, so a mirrored model keeps outward normals outward. In
+// double, each cofactor is rounded once, its product with n once and the sum of three twice, so m
+// has an error of |δ_i| <= ((1 + u)^4 − 1) (|C| |n|)_i. Two vectors that differ by δ have
+// directions that differ by at most 2 ‖δ‖ / ‖m‖. The unit vector has components of at most 1. Its
+// length and quotient add 3 1/2 roundings: 3 of squares and sums, halved by the root; the root; and
+// the division. Together, with the Euclidean norm ‖·‖,
 //
 //   |f_i − n'_i| <= kNormalBound · 2^-53 · K + 4 · 2^-53 + ulp(f_i) / 2,   K = ‖|C| |n|‖ / ‖C n‖.
 //
-// K is 1 where nothing cancels, as for rotations and scales along the axes of a normal along an
-// axis, and at most √3 cond(A) always. Where det A = 0 m may be zero, K infinite and what roundings
-// leave of m a direction of no meaning: there it is summed without rounding. Squares are multiples
-// of 2^-894 and at most 2^780: neither subnormal nor infinite.
+// K is 1 if nothing cancels: for rotations, and for scales along the axes if the normal lies along
+// an axis. K is always at most √3 cond(A). If det A = 0, m may be zero, K infinite, and rounding
+// errors may give m a meaningless direction; m is then summed without rounding. Squares are
+// multiples of 2^-894 and at most 2^780, so none is subnormal or infinite.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -49,32 +51,33 @@
 
 namespace rastercheck::rasterizer {
 
-/// Object space to world, eye and clip space. The clip space is that of State::convention, which
-/// the projection has to know.
+/// Matrices from object space to world, eye and clip space. The projection must map to the clip
+/// space of State::convention.
 struct Camera {
   glm::mat4 model{1};
   glm::mat4 view{1};
   glm::mat4 projection{1};
 };
 
-/// How far clip coordinates may be off besides half an ulp, in 2^-53 (|P| |V| |M| |p|)_k.
+/// Error bound of clip coordinates, in addition to half an ulp, in units of 2^-53 (|P| |V| |M|
+/// |p|)_k.
 inline constexpr float kTransformBound = 8 + 0x1p-20F;
-/// How far components of normals may be off besides 2^-51 and half an ulp, in 2^-53 K.
+/// Error bound of normals' components, in addition to 2^-51 and half an ulp, in units of 2^-53 K.
 inline constexpr float kNormalBound = 8 + 0x1p-20F;
 
-/// Appends the clip positions of object positions, one for each; w of a vec3 is 1. What is beyond
-/// float32 becomes infinite, and inputs that are not finite make positions that are not: a draw
-/// discards and counts their triangles. `positions` is no part of `clip`, which stays as it was
-/// where memory runs out.
+/// Appends the clip position of each object position; a vec3 has w = 1. Results beyond float32
+/// become infinite. Inputs that are not finite give positions that are not finite; a draw discards
+/// and counts their triangles. `positions` must not be part of `clip`. If memory runs out, `clip`
+/// is left unchanged.
 std::optional<Error> transform(const Camera& camera, std::span<const glm::vec4> positions,
                                std::vector<glm::vec4>& clip);
 std::optional<Error> transform(const Camera& camera, std::span<const glm::vec3> positions,
                                std::vector<glm::vec4>& clip);
 
-/// Appends the unit normals in world space of normals in object space of any length, one for each.
-/// Zero where there is no direction: the normal is zero or its image is, or something is not
-/// finite. A model with determinant 0 has no inverse; its cofactors count as they are. `normals` is
-/// no part of `world`, which stays as it was where memory runs out.
+/// Appends the unit normal in world space of each normal in object space. Normals in object space
+/// may have any length. The result is zero if the normal or its image is zero, or if any number is
+/// not finite. A model with determinant 0 has no inverse; its cofactors are used as they are.
+/// `normals` must not be part of `world`. If memory runs out, `world` is left unchanged.
 std::optional<Error> transform_normals(const glm::mat4& model, std::span<const glm::vec3> normals,
                                        std::vector<glm::vec3>& world);
 

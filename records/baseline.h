@@ -1,10 +1,10 @@
 #pragma once
 
-// The baseline of the regression gate: what a run found of its frozen cases, kept to hold later
-// runs against. As plain data; baseline_json.h reads and writes the file.
+// The baseline of the regression gate: the results of a run's frozen cases, kept for comparison
+// with later runs. Plain data; baseline_json.h reads and writes the file.
 //
-// A section is made from a run (gate/sections.h), and a baseline is sections. Comparing is one
-// section against another, so that runs and baseline files stand on either side alike.
+// A baseline consists of sections, each made from a run (gate/sections.h). A comparison takes two
+// sections, so either side may come from a run or from a baseline file.
 
 #include <compare>
 #include <cstdint>
@@ -29,34 +29,35 @@ namespace rastercheck::records {
 inline constexpr std::uint64_t kBaselineVersion = 2;
 inline constexpr const char* kBaselineFile = "rastercheck-baseline.json";
 
-/// What a section is of.
+/// Identifies a section.
 struct BaselineKey {
-  std::string backend;          ///< section_name() of it, or a name given instead
+  std::string backend;          ///< section_name() of the backend, or a name that the user gave
+                                ///< instead
   std::string architecture;     ///< "x86_64"
-  std::string instruction_set;  ///< "avx2"; empty: of any
-  std::string compiler;         ///< "GNU 12.2.0"; empty: of any
+  std::string instruction_set;  ///< "avx2"; empty: any
+  std::string compiler;         ///< "GNU 12.2.0"; empty: any
   auto operator<=>(const BaselineKey&) const = default;
 };
 
-/// What one line of figures is of.
+/// Identifies one line of figures.
 struct EntryKey {
   std::string law;
   AttributeKind kind = AttributeKind::coverage;
-  std::optional<Stratum> stratum;  ///< of fragments; nothing: all of the kind
+  std::optional<Stratum> stratum;  ///< the fragments' stratum; empty: all strata of the kind
   auto operator<=>(const EntryKey&) const = default;
 };
 
-/// Certified figures of the frozen cases; all else (quantiles, shares) follows from them.
+/// Certified figures of the frozen cases; everything else (quantiles, shares) follows from these.
 struct EntryFigures {
-  CaseCounts cases;     ///< of the law; of kind `coverage` only
-  Noticed power;        ///< of all defects together; likewise
-  ClassCounts classes;  ///< of all strata together only
-  /// Fragments or values of the kind that were drawn and not judged, of all strata together only.
-  /// Files from before they were counted have none.
+  CaseCounts cases;     ///< the law's cases; only for kind `coverage`
+  Noticed power;        ///< all defects together; only for kind `coverage`
+  ClassCounts classes;  ///< only in the entry for all strata together
+  /// Counts fragments or values of the kind that were drawn but not judged; only for all strata
+  /// together. Absent in files written before such fragments and values were counted.
   std::optional<std::uint64_t> not_judged = std::nullopt;
-  Histogram histogram;  ///< of magnitudes of errors against the exact triangle
-  Enclosure worst;      ///< the largest magnitude; 0 without one
-  /// Magnitudes of the parts of errors; of laws that split them.
+  Histogram histogram;  ///< histogram of |error| against the exact triangle
+  Enclosure worst;      ///< the largest |error|; 0 if none
+  /// By stage, the sum of |part| over all errors; only for laws that split errors.
   std::map<Stage, SignedSum> stages;
   bool operator==(const EntryFigures&) const = default;
 };
@@ -64,35 +65,37 @@ struct EntryFigures {
 /// A case within its law.
 using CaseNumber = std::pair<Origin, std::uint64_t>;
 
-/// What one case gave (CaseRecord has what each member is).
+/// The result of one case (CaseRecord explains each member).
 struct CaseFigures {
   std::uint64_t found_digest = 0;
   std::uint64_t mismatches = 0;
   WorstOfCase worst;
-  /// `held` of all cases of a law in files from before it was kept, too (are_outcomes_known).
+  /// Also `held` for every case of a law in files that did not keep outcomes yet
+  /// (are_outcomes_known).
   CaseOutcome outcome = CaseOutcome::held;
   bool operator==(const CaseFigures&) const = default;
 };
 
 /// The cases of one law.
 struct LawCases {
-  std::uint64_t count = 0;   ///< those that the law says nothing of among them
-  std::uint64_t digest = 0;  ///< of (origin, index, digest of the case file) of all, in order
-  std::map<CaseNumber, CaseFigures> cases;  ///< without those that the law says nothing of
+  std::uint64_t count = 0;  ///< number of cases, including not applicable ones
+  /// Digest of (origin, index, digest of the case file) of every case, in order
+  std::uint64_t digest = 0;
+  std::map<CaseNumber, CaseFigures> cases;  ///< the applicable cases only
   bool operator==(const LawCases&) const = default;
 };
 
-/// Where a section comes from: recorded, and not compared.
+/// The provenance of a section: recorded, never compared.
 struct Taken {
   std::string backend;          ///< as given on the command line, whatever the key calls it
-  std::string version;          ///< of this program
-  std::string commit;           ///< empty where that is not known
-  std::string instruction_set;  ///< of the machine, whatever the key says of it
+  std::string version;          ///< the program's version
+  std::string commit;           ///< empty if unknown
+  std::string instruction_set;  ///< the machine's, whatever the key says
   std::string compiler;         ///< likewise
   bool operator==(const Taken&) const = default;
 };
 
-/// Why figures were taken over.
+/// Why changed figures were accepted into the baseline.
 struct Approval {
   std::string reason;
   std::string version;
@@ -105,31 +108,32 @@ struct BaselineSection {
   BaselineKey key;
   std::uint64_t records_version = kRecordsVersion;
   std::uint64_t rules_version = kRulesVersion;
-  Plan plan;  ///< what of it decides which cases are frozen and how they are judged (frozen)
+  Plan plan;  ///< only the members that decide which cases are frozen and how they are judged
+              ///< (frozen())
   Taken taken;
-  std::vector<Approval> approvals;  ///< in the order in which they were given
+  std::vector<Approval> approvals;  ///< in the order given
   std::map<EntryKey, EntryFigures> entries;
-  std::map<std::string, LawCases> laws;         ///< all that were run, by id
-  std::map<std::uint64_t, std::string> corpus;  ///< index → name of the case, the same in all laws
-  /// What was drawn of parts of some cases: to be shown, and not compared.
+  std::map<std::string, LawCases> laws;         ///< every law that was run, by id
+  std::map<std::uint64_t, std::string> corpus;  ///< index → case name, the same for all laws
+  /// Drawn parts of some cases: for display, never compared.
   std::vector<Specimen> specimens = {};
   bool operator==(const BaselineSection&) const = default;
 };
 
 struct Baseline {
-  std::vector<BaselineSection> sections;  ///< ordered by key, one of each
+  std::vector<BaselineSection> sections;  ///< ordered by key, one per key
   bool operator==(const Baseline&) const = default;
 };
 
-/// A backend's name in baselines: of a plugin with its path in lexically normal form, so that
-/// "plugin:./a.so" and "plugin:a.so" are one.
+/// Returns a backend's name in baselines. A plugin's path is put in lexically normal form, so that
+/// "plugin:./a.so" and "plugin:a.so" are the same.
 std::string section_name(const std::string& backend);
 
-/// Whether outcomes of a law's cases were kept: as many are violated, and known, as its figures
-/// say.
+/// True if the outcomes of a law's cases were kept, that is, if the counts of violated and of known
+/// cases match the law's figures.
 bool are_outcomes_known(const BaselineSection& section, const std::string& law);
 
-/// Puts a section in the place of that of its key, or where none is of its key.
+/// Inserts a section, replacing any section with the same key.
 void put(Baseline& baseline, BaselineSection section);
 
 /// "cpu on x86_64", "cpu on x86_64, avx2, GNU 12.2.0".

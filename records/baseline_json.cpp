@@ -71,7 +71,7 @@ void members(Archive& archive, Key& key, T& figures) {
   });
 }
 
-/// "laws": what of them is not of single cases.
+/// "laws": the members of a law that do not belong to single cases.
 template <typename Archive, Either<std::string> Key, Either<LawCases> T>
 void members(Archive& archive, Key& law, T& of) {
   archive.required("law", law);
@@ -79,7 +79,8 @@ void members(Archive& archive, Key& law, T& of) {
   archive.required("digest", DigestText{of.digest});
 }
 
-/// A reader has to know the number's origin, which is a key.
+/// When reading, `number` must already have its origin, because the number's key is the origin's
+/// name.
 template <typename Archive, Either<CaseNumber> Key, Either<CaseFigures> T>
 void members(Archive& archive, Key& number, T& figures) {
   archive.required(to_string(number.first), number.second);
@@ -96,7 +97,7 @@ void members(Archive& archive, Key& number, T& figures) {
 
 namespace {
 
-/// "corpus": [index, name] of its cases.
+/// "corpus": [index, name] of each corpus case.
 template <typename T>
 struct CorpusNames {
   T& names;
@@ -133,7 +134,8 @@ void read_case(const JsonNode& node, const BaselineSection& section, LawCases& l
   }
 }
 
-/// "cases": the single cases of a section that has its laws and the corpus.
+/// "cases": the single cases of each law. When reading, the section must already have its laws and
+/// its corpus.
 template <typename T>
 struct CasesByLaw {
   T& section;
@@ -168,7 +170,7 @@ CasesByLaw(T&) -> CasesByLaw<T>;
 
 }  // namespace
 
-/// In the order of the file.
+/// The members in the order of the file.
 template <typename Archive, Either<BaselineSection> T>
 void members(Archive& archive, T& section) {
   archive.required("backend", section.key.backend);
@@ -197,7 +199,7 @@ Baseline read_baseline_document(const JsonNode& root) {
   });
   Baseline baseline;
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    // Files from before had names in the same form.
+    // Older files may have names that are not in normal form.
     sections[i].key.backend = section_name(sections[i].key.backend);
     put(baseline, std::move(sections[i]));
     if (baseline.sections.size() == i) {

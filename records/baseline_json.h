@@ -1,13 +1,13 @@
 #pragma once
 
-// The baseline file: what is read by people comes before what only is compared.
+// The baseline file: parts for people come before parts that are only compared.
 //
 //   {
 //     "format": "rastercheck-baseline",
 //     "version": 2,
 //     "sections": [{
 //       "backend": "cpu", "architecture": "x86_64",
-//       "instruction_set": "avx2", "compiler": "GNU 12.2.0",   only of a section so specific
+//       "instruction_set": "avx2", "compiler": "GNU 12.2.0",   only if the section is so specific
 //       "records_version": 3, "rules_version": 1,
 //       "plan": {"seed": 1, "cases_per_law": 100, "properties": ["*edge*"]},   plan_json.h
 //       "taken": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx512",
@@ -27,11 +27,11 @@
 //     }]
 //   }
 //
-// An entry, a law, a case and an approval take a line each, in the order of their keys. Classes
-// without a fragment, empty histograms, a worst error of 0 and all else that is empty or 0 are left
-// out. "histogram" and the sums of "stages" are as in records (records/record_json.h), "worst" of a
-// case as in case records (records/case_record_json.h). A case is numbered within its "corpus" or
-// of the "random" ones.
+// Each entry, law, case and approval takes one line, in the order of the keys. Classes without a
+// fragment, empty histograms, a worst error of 0 and other empty or zero members are left out.
+// "histogram" and the sums of "stages" are as in records (records/record_json.h), "worst" of a case
+// as in case records (records/case_record_json.h). A case is numbered within "corpus" or within
+// "random".
 
 #include <string>
 #include <string_view>
@@ -41,14 +41,14 @@
 
 namespace rastercheck::records {
 
-/// The file's text. Texts that are not UTF-8 come out with U+FFFD.
+/// Formats the file. Bytes that are not UTF-8 become U+FFFD.
 std::string to_json(const Baseline& baseline);
 
-/// Refuses unknown and missing keys, two sections, entries, laws or cases of one key, and numbers
-/// that their members cannot hold exactly. `file` names the source in errors.
+/// Refuses unknown and missing keys, duplicate keys of sections, entries, laws or cases, and
+/// numbers that their members cannot hold exactly. `file` names the source in errors.
 Result<Baseline> parse_baseline(std::string_view text, const std::string& file);
 
-/// The same from a file, or from standard input for "-".
+/// Parses a file, or standard input for "-".
 Result<Baseline> read_baseline(const std::string& file);
 
 }  // namespace rastercheck::records

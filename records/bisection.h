@@ -10,34 +10,35 @@
 
 namespace rastercheck::records {
 
-/// What people know a commit by.
+/// Identifies a commit for people.
 struct CommitTitle {
   std::string hash;
-  std::string date;  ///< of its author, "2026-11-23"
+  std::string date;  ///< the author's date, "2026-11-23"
   std::string author;
   std::string subject;
   bool operator==(const CommitTitle&) const = default;
 };
 
 struct BisectOutcome {
-  bool is_interrupted = false;  ///< nothing else is known then
+  bool is_interrupted = false;  ///< if true, no other member is known
   CommitTitle good;
   CommitTitle bad;
-  /// What is worse of `bad`; of all laws that were asked for.
+  /// The figures that are worse in `bad`, over all requested laws.
   std::vector<Comparison> of_bad;
-  /// The first commit that is worse; several where it is one of them, as those between cannot be
-  /// judged, the newest first; none where `bad` is not worse.
+  /// The first commit that is worse. Several candidates, newest first, if the commits between
+  /// cannot be judged. Empty if `bad` is not worse.
   std::vector<CommitTitle> first;
-  /// What is worse of it; of the laws that are worse of `bad`. Nothing where it is one of several.
+  /// The figures that are worse in that commit, over the laws that are worse in `bad`. Empty if
+  /// `first` has several candidates.
   std::vector<Comparison> of_first;
-  /// Files of the runs of `good` and of the first, where the plan's folder has a name.
+  /// Files of the runs of `good` and of the first worse commit; only if the plan names a folder.
   std::string good_run;
   std::string first_run;
-  /// Folder in which the cases of `of_first` are saved (reports/compare_format.h); empty where they
-  /// are not.
+  /// Folder that holds the saved cases of `of_first` (reports/compare_format.h); empty if not
+  /// saved.
   std::string comparison;
-  std::uint64_t commits = 0;  ///< after `good` up to `bad`
-  std::uint64_t tried = 0;    ///< drawn and judged, `good` and `bad` among them
+  std::uint64_t commits = 0;  ///< number of commits after `good` up to `bad`
+  std::uint64_t tried = 0;    ///< drawn and judged, including `good` and `bad`
   std::uint64_t skipped = 0;
 };
 

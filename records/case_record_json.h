@@ -9,8 +9,8 @@
 //                                    "triangle": 0, "x": 3, "y": 5, "sample": 0,
 //                                    "attribute": 0}}}}
 //
-// "name", "mismatches" and "worst" are absent where there are none. Digests have 16 hexadecimal
-// digits. A worst error is as in records (record_json.h), but for its "case".
+// "name", "mismatches" and "worst" are absent if empty or 0. Digests have 16 hexadecimal digits. A
+// worst error is as in records (record_json.h), without "case".
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -22,18 +22,18 @@
 namespace rastercheck::records {
 
 void write_value(nlohmann::json& to, const CaseRecordSet::value_type& one);
-/// An array of such objects, in the order of their keys. Refuses two of one key.
+/// An array of such objects in key order. Reading refuses duplicate keys.
 void write_value(nlohmann::json& to, const CaseRecordSet& records);
 void read_value(const cases::JsonNode& node, CaseRecordSet& records);
 
-/// Notes in the errors which case they are of, as files do not repeat it.
+/// Sets case index and name in the errors; files do not repeat them.
 void name_case(WorstOfCase& worst, std::uint64_t index, const std::string& name);
 
-/// A digest as text, and back.
+/// Converts a digest to text and back.
 std::string digest_text(std::uint64_t digest);
 std::uint64_t digest_from_json(const cases::JsonNode& node);
 
-/// A digest among the members of a record.
+/// Reads and writes a digest member of a record.
 template <typename T>
 struct DigestText {
   T& digest;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A case that came out otherwise than in a baseline, drawn again and looked at: plain data of
-// comparisons' reports.
+// A case whose result differs from the baseline, drawn again and inspected: plain data for
+// comparison reports.
 
 #include <cstdint>
 #include <optional>
@@ -14,16 +14,15 @@
 namespace rastercheck::records {
 
 struct CloserLook {
-  CaseKey key;                 ///< the backend is that which drew it again
-  std::string case_name;       ///< empty where the case has none
+  CaseKey key;                 ///< `backend` is the one that drew the case again
+  std::string case_name;       ///< empty if unnamed
   std::uint32_t triangle = 0;  ///< index into the case's triangles
-  /// Of the error that grew; nothing where it is looked at as its pixels are others.
+  /// Kind of the error that grew; empty if the case is listed only because its pixels changed.
   std::optional<AttributeKind> kind;
   std::optional<Stratum> stratum;
-  /// As it is drawn now. Its `source` may be the triangle alone, as triangle 0.
+  /// The present drawing. Its `source` may hold the triangle alone, as triangle 0.
   Inspection inspection;
-  /// What the baseline kept of that triangle, with the sample looked at within; nothing where it
-  /// did not.
+  /// The baseline's drawing of that triangle, including the inspected sample; empty if not kept.
   std::optional<Specimen> before;
   bool operator==(const CloserLook&) const = default;
 };

@@ -37,6 +37,8 @@ void members(Archive& archive, T& explanation) {
   archive.required("needs", explanation.needs);
   archive.required("inherent", explanation.inherent);
   archive.required("indifferent", explanation.indifferent);
+  archive.optional("hints", explanation.hints);
+  archive.optional("fails_again", explanation.fails_again, true);
 }
 
 template <typename Archive, cases::Either<Counterexample> T>

@@ -10,8 +10,8 @@
 //    "explanation": {"parts": ["values"], "wrong": [], "also_violates": [], "needs": ["samples"],
 //                    "inherent": [], "indifferent": ["tie"]}, "close_up": ["…"]}
 //
-// "attribute", "error", "bound" and "distance" are absent where a violation has none, "shrinking",
-// "explanation" and "close_up" where the counterexample has none. Texts are UTF-8.
+// "attribute", "error", "bound" and "distance" are absent if the violation has none; "shrinking",
+// "explanation" and "close_up" if the counterexample has none. Texts are UTF-8.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -24,8 +24,8 @@ void write_value(nlohmann::json& to, const Violation& violation);
 void read_value(const cases::JsonNode& node, Violation& violation);
 
 void write_value(nlohmann::json& to, const Counterexample& counterexample);
-/// Refuses unknown and missing keys, and whatever a case file may not have. Older files have no
-/// "origin": random.
+/// Refuses unknown and missing keys, and anything a case file may not contain. A missing "origin",
+/// as in older files, means random.
 void read_value(const cases::JsonNode& node, Counterexample& counterexample);
 
 }  // namespace rastercheck::records

@@ -1,7 +1,6 @@
 #pragma once
 
-// Defects that right drawings are given on purpose, to see what of them the laws notice, and how
-// many of them they noticed.
+// Defects put into correct drawings on purpose, and counts of how many the laws noticed.
 
 #include <array>
 #include <cstdint>
@@ -12,31 +11,31 @@
 
 namespace rastercheck::records {
 
-/// Names a way in which a drawing is made wrong. A scale ULP is the unit of errors (RULES §5).
+/// A way to make a drawing wrong. A scale ULP is the unit of errors (RULES §5).
 enum class Defect {
   moved_half,  ///< all vertices moved right
   moved_16th,
   moved_64th,
   moved_256th,
   moved_1024th,
-  extra_pixel,  ///< one sample more, so far outside its triangle or nearer
+  extra_pixel,  ///< one extra sample, at most this far outside its triangle
   extra_16th,
   extra_256th,
-  missing_pixel,  ///< one sample less, so far inside its triangle or nearer
+  missing_pixel,  ///< one missing sample, at most this far inside its triangle
   missing_16th,
   missing_256th,
   crack,         ///< the samples beside an edge that two triangles share are missing
-  sample_order,  ///< samples in each other's places
+  sample_order,  ///< the samples are permuted
   values_97,     ///< multiplied by 0.97
   values_99,
   values_999,
   values_99999,
-  values_8_ulp,  ///< larger by 8 scale ULP
+  values_8_ulp,  ///< increased by 8 scale ULP
   values_2_ulp,
-  values_half_pixel,  ///< of half a pixel to the right and above
-  values_affine,      ///< of smooth attributes the noperspective value
-  values_of_another,  ///< the next triangle's plane
-  values_centroid,    ///< of attributes at the centre the value at the centroid
+  values_half_pixel,  ///< taken half a pixel to the right and above
+  values_affine,      ///< smooth attributes get the noperspective value
+  values_of_another,  ///< computed from the next triangle's plane
+  values_centroid,    ///< attributes at the centre get the value at the centroid
   values_nan,
   values_12345,
   depth_90,
@@ -85,17 +84,17 @@ constexpr auto names_of(Defect /*type*/) {
 }
 constexpr std::string_view to_string(Defect defect) { return cases::name_of(defect); }
 
-/// Counts drawings that were given a defect which changed them, and those where it was noticed.
+/// Counts drawings that a defect changed, and how many of these a law noticed.
 struct Noticed {
   std::uint64_t drawings = 0;
   std::uint64_t noticed = 0;
   bool operator==(const Noticed&) const = default;
 };
 
-/// Fewer drawings say little of how often a defect is noticed.
+/// Least number of drawings for a meaningful detection rate.
 inline constexpr std::uint64_t kEnoughDrawings = 30;
 
-/// Has only defects that changed a drawing.
+/// Detection counts by defect; only defects that changed a drawing.
 using Power = std::map<Defect, Noticed>;
 
 inline void merge(Noticed& into, const Noticed& from) {
@@ -107,7 +106,7 @@ inline void merge(Power& into, const Power& from) {
   for (const auto& [defect, noticed] : from) merge(into[defect], noticed);
 }
 
-/// Over all defects.
+/// The sum of the counts over all defects.
 inline Noticed total(const Power& power) {
   Noticed all;
   for (const auto& [defect, noticed] : power) merge(all, noticed);

@@ -10,7 +10,7 @@ namespace rastercheck::records {
 /// [lo, hi], each a number that reads back as the same double, or "inf" or "-inf".
 void write_value(nlohmann::json& to, const Enclosure& enclosure);
 
-/// Refuses what is no array of two doubles, and ends in the wrong order.
+/// Refuses anything but an array of two doubles in ascending order.
 void read_value(const cases::JsonNode& node, Enclosure& enclosure);
 
 }  // namespace rastercheck::records

@@ -37,8 +37,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kSpace) + 1);
 }
 
-/// A line's name, without comment and status; empty where it has none. A backend's own name may
-/// have commas and slashes, and a law's has neither.
+/// The name in a line, without comment and status; empty if the line has no name. A backend's name
+/// may contain commas and slashes; a law's name contains neither.
 std::string_view name_in(std::string_view line) {
   line = trimmed(line);
   if (line.starts_with('#')) return "";
@@ -47,7 +47,7 @@ std::string_view name_in(std::string_view line) {
   return trimmed(line.substr(0, line.find(',', slash == std::string_view::npos ? 0 : slash)));
 }
 
-/// A name as a pattern that matches it alone.
+/// Turns a name into a pattern that matches only this name.
 std::string escaped(const std::string& name) {
   std::string text;
   for (const char c : name) {
@@ -71,13 +71,13 @@ KnownEntry entry_of(std::string_view name, Expected expected) {
   return entry;
 }
 
-/// How a law came out on a backend in several runs.
+/// The results of a law on a backend in several runs.
 struct Outcomes {
   std::size_t violated = 0;
   std::size_t checked = 0;
 };
 
-/// Whether it was violated, be it in ways that are known.
+/// True if the law was violated, in known ways or others.
 bool is_violated(const LawSummary& row) {
   return row.verdict == LawVerdict::violated || row.cases.known > 0;
 }

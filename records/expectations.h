@@ -1,15 +1,14 @@
 #pragma once
 
-// The expectation lists that CI of drivers keeps, one name a line, as entries of what is known:
+// Reads and writes expectation lists, as drivers' CI keeps them, one name per line:
 //
-//   NAME-fails.txt    laws that are violated: no violation is new, and one that holds is told of
-//   NAME-flakes.txt   laws that are violated at times
+//   NAME-fails.txt    laws that are violated: no violation is new, and a law that holds is reported
+//   NAME-flakes.txt   laws that are sometimes violated
 //   NAME-skips.txt    laws that are not checked at all
 //
-// A name is a law's id, a pattern of ids as of the shell, or either of one backend, BACKEND/LAW.
-// "#" at the beginning, or after a space, begins a comment. A status after a comma, as lists of
-// deqp-runner have it ("name,Fail"), is read over: what it says of a test is said of all its
-// violations here.
+// A name is a law's id or a shell pattern of ids, optionally limited to one backend: BACKEND/LAW.
+// "#" at the beginning, or after a space, begins a comment. A status after a comma, as in lists of
+// deqp-runner ("name,Fail"), is ignored: the list applies to every violation of the law.
 
 #include <optional>
 #include <string>
@@ -22,12 +21,12 @@
 
 namespace rastercheck::records {
 
-/// Tells by a file's name what it expects of the laws in it; nothing where it is no expectation
+/// Returns the expectation that a file's name implies; empty if the file is not an expectation
 /// list.
 std::optional<Expected> expected_by(std::string_view file);
 
-/// The names as entries, each of its own law, whose id is the name. Fails where a name is there
-/// twice.
+/// Parses the names into entries; each entry's id and law pattern are the name. Fails on a
+/// duplicate name.
 Result<KnownList> parse_expectations(std::string_view text, Expected expected,
                                      const std::string& file);
 
@@ -38,9 +37,9 @@ struct ExpectationTexts {
   std::string skips;
 };
 
-/// The lists that would expect what these runs found: laws that were violated in each run that
-/// checked them, laws that were in some, and laws that one was told to skip. Names have their
-/// backend where the runs are of several.
+/// Returns the lists that expect exactly what these runs found: laws violated in each run that
+/// checked them (fails), laws violated in some (flakes), and laws that were skipped (skips). Names
+/// include the backend if the runs have several.
 ExpectationTexts expectations_of(const std::vector<Run>& runs);
 
 }  // namespace rastercheck::records

@@ -9,10 +9,10 @@
 namespace rastercheck::records {
 namespace {
 
-/// 2^(k/8), k = 0…7, by square roots, of which IEEE 754 has every one correctly rounded:
-/// 2^(1/2) = √2, 2^(1/4) = √2^(1/2), 2^(3/4) = √(2·2^(1/2)), and the odd eighths in the same way
-/// from 2^(1/4) and 2^(3/4). A root halves the relative error of what it is taken of, so that less
-/// than one unit in the last place remains.
+/// 2^(k/8), k = 0…7, by square roots, which IEEE 754 rounds correctly: 2^(1/2) = √2, 2^(1/4) =
+/// √2^(1/2), 2^(3/4) = √(2·2^(1/2)), and the odd eighths in the same way from 2^(1/4) and 2^(3/4).
+/// A root halves the relative error of its argument, so less than one unit in the last place
+/// remains.
 constexpr std::array<double, Histogram::kBucketsPerOctave> kEighthPowers{
     1.0,
     0x1.172b83c7d517bp+0,  // √2^(1/4)
@@ -41,11 +41,11 @@ constexpr Borders kMadeBorders = make_borders();
 static_assert(kMadeBorders.front() == 0x1p-20 && kMadeBorders.back() == 0x1p40);
 static_assert(std::is_sorted(kMadeBorders.begin(), kMadeBorders.end()));
 
-/// ceil(p·count), at least 1 and at most `count`, which is not 0.
+/// ceil(p·count), limited to 1 … `count`; `count` must not be 0.
 std::uint64_t rank_of(double p, std::uint64_t count) {
   const double rank = std::ceil(p * static_cast<double>(count));
   if (!(rank >= 1)) return 1;
-  // Counts beyond 2^53 round to doubles that may lie above them.
+  // A count beyond 2^53 may be rounded up when it becomes a double.
   if (rank >= static_cast<double>(count)) return count;
   return static_cast<std::uint64_t>(rank);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// How often errors of which size were seen. The buckets are the same in every histogram, so that
-// any two merge by adding counts, exactly and in any order.
+// Counts errors by size. The buckets are the same in every histogram, so that any two merge by
+// adding counts, exactly and in any order.
 //
 // Borders. With b_k = 2^(k/8 - 20), k = 0…480, eight to an octave from 2^-20 to 2^40:
 //
@@ -10,14 +10,14 @@
 //   bucket 1 + k   b_(k-1) < m <= b_k      k = 1…480
 //   bucket 482     b_480 < m
 //
-// and a count for what is not finite. A border that is no power of two is the double that chains of
-// correctly rounded square roots give, within one unit in the last place of the true one; the eight
-// of an octave stand in a table, and all others are these times a power of two, which is exact. No
-// pow or log of a library is asked, and so the borders are the same on all machines.
+// and a separate count of non-finite values. A border that is not a power of two is a double
+// obtained by chains of correctly rounded square roots, within one unit in the last place of the
+// true border. A table holds the eight borders of one octave; all others are these times a power of
+// two, which is exact. No library pow or log is used, so the borders are the same on all machines.
 //
-// A bucket holds its upper border, not its lower one: the errors of correctly rounded values end at
-// 1/2 ULP, and their quantiles then do too. It also makes counting exact: as borders are doubles, a
-// magnitude and the least double that is not below it lie in the same bucket.
+// A bucket includes its upper border, not its lower one, so that for correctly rounded values the
+// quantiles end at 1/2 ULP, as the errors do. This also makes counting exact: because borders are
+// doubles, a magnitude and the least double not below it lie in the same bucket.
 
 #include <array>
 #include <bit>
@@ -43,13 +43,13 @@ class Histogram {
   static constexpr std::size_t kOverflowBucket = 1 + kBorderCount;
   static constexpr std::size_t kBucketCount = kOverflowBucket + 1;
 
-  /// Of the steps by which buckets are found (bucket_of): the bits of a double below a step's, and
-  /// the step from 2^kLeastExponent.
+  /// For the steps used by bucket_of: the number of a double's bits below a step's bits, and the
+  /// step that begins at 2^kLeastExponent.
   static constexpr int kBitsBelowStep = std::numeric_limits<double>::digits - 1 - 3;
   static constexpr std::uint64_t kFirstStep =
       std::bit_cast<std::uint64_t>(0x1p-20) >> kBitsBelowStep;
   static_assert(kLeastExponent == -20 && kBucketsPerOctave == 8);
-  /// b_0; the others follow.
+  /// Points to b_0; the other borders follow.
   static const double* borders_begin() { return kBorders.data(); }
 
   /// The bucket of a finite magnitude; its sign is ignored.
@@ -58,26 +58,27 @@ class Histogram {
     if (size == 0) return kZeroBucket;
     if (size <= kBorders.front()) return 1;
     if (size > kBorders.back()) return kOverflowBucket;
-    // An octave in eight equal steps, each without its lower end, by the exponent and the first
-    // three bits. As 2^(i/8) <= 1 + i/8 <= 2^((i+1)/8) for i = 0…8, step i reaches from bucket i of
-    // the octave into the next at most, and the border between is the one to ask.
+    // The exponent and the first three bits of the fraction cut each octave into eight equal steps,
+    // which exclude their lower ends. As 2^(i/8) <= 1 + i/8 <= 2^((i+1)/8) for i = 0…8, step i
+    // reaches from bucket i of the octave at most into the next, so one comparison with the border
+    // between decides.
     const std::uint64_t from_zero = (std::bit_cast<std::uint64_t>(size) - 1) >> kBitsBelowStep;
     const auto step = static_cast<std::size_t>(from_zero - kFirstStep);
     return size <= kBorders[step + 1] ? step + 2 : step + 3;
   }
-  /// Whether two magnitudes, the first not above the second, share a bucket.
+  /// True if two magnitudes share a bucket. Needs less <= more.
   static bool share_bucket(double less, double more) {
     const std::size_t bucket = bucket_of(more);
     return bucket < 2 ? less == more || (bucket == 1 && less > 0) : less > kBorders[bucket - 2];
   }
-  /// A bucket's borders. Magnitudes in it are at most `hi` and, but for the zero bucket, above
-  /// `lo`; `hi` of the overflow bucket is infinite.
+  /// A bucket's borders. Magnitudes in the bucket are at most `hi` and, except in the zero bucket,
+  /// above `lo`; `hi` of the overflow bucket is infinite.
   static Enclosure borders(std::size_t bucket);
 
   /// Counts one magnitude, given exactly or rounded up (magnitude_bound of an error's enclosure);
   /// its sign is ignored. NaN and infinities go to non_finite().
   void add(double magnitude);
-  /// Counts `times` magnitudes of a bucket below kBucketCount, or of none that is finite.
+  /// Adds `times` magnitudes to a bucket (below kBucketCount), or to the non-finite count.
   void add_to_bucket(std::size_t bucket, std::uint64_t times) { counts_[bucket] += times; }
   void add_non_finite(std::uint64_t times);
 
@@ -87,17 +88,17 @@ class Histogram {
   /// How many finite magnitudes were counted.
   std::uint64_t count() const;
   std::uint64_t count_in(std::size_t bucket) const { return counts_[bucket]; }
-  /// How many were counted that are not finite. No quantile sees them: they have no size.
+  /// Number of counted non-finite magnitudes. Quantiles ignore these, as they have no size.
   std::uint64_t non_finite() const { return non_finite_; }
-  /// How many were counted above `border`, which is 0 or the upper border of a bucket: exact, as no
-  /// bucket lies on both sides of it. Those that are not finite are among them, for nothing says
-  /// that they are at most the border.
+  /// Number of magnitudes above `border`, which must be 0 or a bucket's upper border. Exact, as no
+  /// bucket lies on both sides of the border. Includes non-finite magnitudes, which are not known
+  /// to be at most the border.
   std::uint64_t count_above(double border) const;
 
-  /// The borders of the bucket that holds the p-quantile of the finite magnitudes: the least of
-  /// them that a share p of all does not exceed, which is the one of rank max(1, ceil(p·count()))
-  /// with the product rounded to double. Exact, [0, 0], where it is zero. p is in [0, 1]; 1 asks
-  /// for the largest. Nothing where nothing finite was counted.
+  /// The borders of the bucket that holds the p-quantile of the finite magnitudes; [0, 0] if the
+  /// quantile is 0; empty if no finite magnitude was counted. p is in [0, 1]; 1 asks for the
+  /// largest. The p-quantile is the magnitude of rank max(1, ceil(p·count())), with the product
+  /// rounded to double: the least magnitude that a share p of all magnitudes does not exceed.
   std::optional<Enclosure> quantile(double p) const;
 
   bool operator==(const Histogram&) const = default;
@@ -109,7 +110,7 @@ class Histogram {
   std::uint64_t non_finite_ = 0;
 };
 
-/// The least double known not to be below |x|, x the enclosed number: what Histogram::add takes.
+/// The least double known to be at least |x| for the enclosed x: the argument for Histogram::add.
 double magnitude_bound(const Enclosure& enclosure);
 
 }  // namespace rastercheck::records

@@ -30,7 +30,7 @@ void members(Archive& archive, T& value) {
   archive.optional("kappa_d", value.kappa_d);
 }
 
-/// Its triangle is the inspection's.
+/// Without the sample's triangle, which is the inspection's.
 template <typename Archive, cases::Either<InspectedSample> T>
 void members(Archive& archive, T& sample) {
   archive.required("x", sample.place.x);
@@ -60,7 +60,7 @@ void members(Archive& archive, T& split) {
 
 namespace {
 
-/// Refuses a sample outside of what is inspected, of which a report would have no picture.
+/// Refuses a sample outside the inspected part, because a report would have no picture of it.
 void check_place(const cases::JsonNode& node, const InspectedSample& sample,
                  const Inspection& whole) {
   const bool is_within = sample.place.x >= whole.left &&

@@ -17,9 +17,9 @@
 //                "total": [0.7, 0.7], "is_traced": true}],
 //    "coverage_stage": "snap"}
 //
-// Keys are the members of records/inspection.h, but for "case", its source. What an inspection does
-// not have is absent, "values" where there are none included. Exact values are texts; "actual" is a
-// hex float, "nan", "inf" or "-inf". Texts are UTF-8.
+// Keys are the members of records/inspection.h, except "case" for `source`. Empty members are
+// absent, including empty "values". Exact values are texts; "actual" is a hex float, "nan", "inf"
+// or "-inf". Texts are UTF-8.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -29,8 +29,8 @@
 namespace rastercheck::records {
 
 void write_value(nlohmann::json& to, const Inspection& inspection);
-/// Refuses unknown and missing keys, whatever a case file may not have, and samples that are not
-/// within the part that is inspected.
+/// Refuses unknown and missing keys, anything a case file may not contain, and samples outside the
+/// inspected part.
 void read_value(const cases::JsonNode& node, Inspection& inspection);
 
 }  // namespace rastercheck::records

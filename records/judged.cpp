@@ -7,7 +7,7 @@
 namespace rastercheck::records {
 namespace {
 
-/// With a comma between thousands.
+/// Formats a count with commas between thousands.
 std::string grouped(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
@@ -46,7 +46,7 @@ void add(Judged& judged, AttributeKind kind, const ErrorStatistics& errors) {
     }
     return;
   }
-  // Fragments that are not judged are in a class as well.
+  // The classes also count fragments that are not judged, so these are subtracted.
   judged.fragments += all;
   for (const auto& [why, count] : errors.not_judged) {
     judged.fragments -= count;

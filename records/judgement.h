@@ -1,6 +1,6 @@
 #pragma once
 
-// What holding one framebuffer against the truth gives, as plain data.
+// The result of judging one framebuffer against the exact answer, as plain data.
 
 #include <array>
 #include <cstddef>
@@ -20,8 +20,8 @@
 
 namespace rastercheck::records {
 
-/// What was judged of the fragments: whether they are there at all, or one of their values, by the
-/// way it varies. The kind decides the unit of its errors (RULES §5).
+/// The judged aspect of a fragment: its presence, or one of its values, by interpolation. The kind
+/// decides the unit of its errors (RULES §5).
 enum class AttributeKind {
   coverage,       ///< samples drawn or not; has no errors, only classes
   depth,          ///< ULP of max(|n|, |f|), or steps of a fixed-point target
@@ -43,25 +43,25 @@ constexpr AttributeKind kind_of(cases::Interpolation interpolation) {
   return AttributeKind::flat;
 }
 
-/// How one fragment, or one value of it, came out. Those that are no numbers are classes of their
-/// own and have no error. Infinity stands for 2^128, the number after the largest float32: it is
-/// correct where the exact value lies beyond that or within the bound of it.
+/// The class of one fragment, or of one of its values. NaN and wrong infinities are classes of
+/// their own and have no error. Infinity stands for 2^128, the number after the largest float32: an
+/// infinite value is correct if the exact value lies beyond that or within the bound of it.
 enum class FragmentClass {
-  correct,             ///< drawn rightly; the value is within the bound
+  correct,             ///< correctly drawn; the value is within the bound
   beyond_bound,        ///< a number, but farther from the exact value than the bound
   missing,             ///< required and not drawn
   extra,               ///< drawn and forbidden
   wrong_triangle,      ///< drawn, but not from the nearest triangle (depth test only)
   not_a_number,        ///< NaN
-  infinite,            ///< infinite where float32 holds the exact value, or of the wrong sign
-  wrong_sign_of_zero,  ///< the other zero, where all vertex values are the same zero
-  // Of drawings that there are not; no fragment is counted so.
-  failed,  ///< the backend says why it did not draw, or what it gave is no drawing
-  crash,   ///< its process ended
-  hang,    ///< it did not answer in time
+  infinite,            ///< infinite although float32 holds the exact value, or of the wrong sign
+  wrong_sign_of_zero,  ///< the other zero, although all vertex values are the same zero
+  // Classes of failed drawings; never counted for a fragment.
+  failed,  ///< the backend reported an error, or its answer is not a drawing
+  crash,   ///< the backend's process ended
+  hang,    ///< the backend did not answer in time
 };
 
-/// Of JSON output and tables.
+/// The names in JSON output and tables.
 constexpr auto names_of(AttributeKind /*type*/) {
   return std::to_array<std::string_view>({"coverage", "depth", "smooth", "noperspective", "flat"});
 }
@@ -75,12 +75,12 @@ constexpr std::string_view to_string(FragmentClass fragment_class) {
   return cases::name_of(fragment_class);
 }
 
-/// Why what was drawn is judged by no law: of coverage a fragment, else a value of one.
+/// Why a drawn fragment (for coverage) or one of its values is not judged.
 enum class NotJudged {
-  not_promised,   ///< the triangle, or the attribute, has numbers that no promise is made of
-  without_bound,  ///< its bound would let any number pass
-  left_free,      ///< the rules let it be any number
-  undefined,      ///< the rules say nothing of it: 1/w <= 0 where it is evaluated
+  not_promised,   ///< the triangle or the attribute has numbers that the contract excludes
+  without_bound,  ///< the bound allows any number
+  left_free,      ///< the rules allow any number
+  undefined,      ///< the rules do not define the value: 1/w <= 0 at its place
 };
 constexpr auto names_of(NotJudged /*type*/) {
   return std::to_array<std::string_view>(
@@ -88,9 +88,9 @@ constexpr auto names_of(NotJudged /*type*/) {
 }
 constexpr std::string_view to_string(NotJudged why) { return cases::name_of(why); }
 
-/// How many fragments, or values of them, came out in each class.
+/// Counts fragments, or their values, by class.
 struct ClassCounts {
-  /// [FragmentClass], up to those that fragments have
+  /// [FragmentClass], only classes that fragments can have
   std::array<std::uint64_t, static_cast<std::size_t>(FragmentClass::failed)> counts{};
 
   std::uint64_t& operator[](FragmentClass fragment_class) {
@@ -102,34 +102,34 @@ struct ClassCounts {
   bool operator==(const ClassCounts&) const = default;
 };
 
-/// One error that was seen, where, and of what.
+/// One observed error, with its place and value.
 struct WorstError {
-  /// (actual − exact) in the unit of its kind, signed. It is to depend on nothing but the fragment
-  /// (so: as narrow as doubles get, not as narrow as some comparison needed), or records of
-  /// different splits of the work would differ.
+  /// (actual − exact) in the unit of its kind, signed. Must be the narrowest enclosure in doubles,
+  /// which depends only on the fragment. If it were only as narrow as some comparison needed,
+  /// records of different splits of the work would differ.
   Enclosure error;
-  /// The exact value: a fraction in lowest terms, "84/5", or a range of two where the contract
-  /// leaves it open.
+  /// The exact value: a fraction in lowest terms, "84/5", or a range of two if the contract leaves
+  /// it open.
   std::string exact;
-  /// What the backend gave; finite, as all that is not is a class.
+  /// The backend's value; finite, because NaN and infinities have a class instead of an error.
   float actual = 0;
-  std::uint64_t case_index = 0;  ///< of its law and seed
-  std::string case_name;         ///< empty where the case has none
+  std::uint64_t case_index = 0;  ///< within its law and seed
+  std::string case_name;         ///< empty if unnamed
   cases::SamplePlace place = {};
-  /// Index into the case's attributes; nothing for depth.
+  /// Index into the case's attributes; empty for depth.
   std::optional<std::uint32_t> attribute;
   bool operator==(const WorstError&) const = default;
 };
 
-/// The largest error below and above the exact values; nothing where there was none on that side.
+/// The largest errors below and above the exact values; empty if no error is on that side.
 struct Extremes {
   std::optional<WorstError> most_negative;
   std::optional<WorstError> most_positive;
   bool operator==(const Extremes&) const = default;
 };
 
-/// Samples by verdict. `undecided` is what the oracle could not answer; a run prints it, and it is
-/// zero.
+/// Samples by verdict. `undecided` counts samples that the oracle could not decide; a run prints
+/// this count, which is zero.
 struct Counts {
   std::uint64_t required = 0;
   std::uint64_t forbidden = 0;
@@ -138,8 +138,9 @@ struct Counts {
   bool operator==(const Counts&) const = default;
 };
 
-/// What makes a fragment's values hard, the first that holds of its triangle and case. Errors are
-/// kept apart by it, so that many easy fragments do not hide what few hard ones show.
+/// The condition that makes a fragment's values hard: the first in this list that its triangle and
+/// case meet. Errors are kept apart by stratum, so that many easy fragments do not hide the few
+/// hard ones.
 enum class Stratum {
   clipped,       ///< a vertex lies beyond a clip plane or clip distance, or has w <= 0
   near_horizon,  ///< the greatest w is more than 16 times the least
@@ -161,17 +162,17 @@ struct LevelCounts {
   bool operator==(const LevelCounts&) const = default;
 };
 
-/// What answered: of each sample that was looked at, its verdict; of each judged value, all that
-/// was asked of its error.
+/// The answers of the levels. A sample counts at the level that gave its verdict; a judged value
+/// counts at the level that answered every question about its error.
 struct Levels {
   LevelCounts samples;
   LevelCounts values;
   bool operator==(const Levels&) const = default;
 };
 
-/// How large errors of one sort were.
+/// Sizes of a set of errors.
 struct ErrorSizes {
-  Histogram histogram;  ///< of |error|
+  Histogram histogram;  ///< histogram of |error|
   Extremes extremes;
   SignedSum sum;
   bool operator==(const ErrorSizes&) const = default;
@@ -179,25 +180,25 @@ struct ErrorSizes {
 
 /// The errors of one attribute kind, in its unit.
 struct ErrorStatistics {
-  /// Beyond what the contract leaves open, 0 within it: what the bound is held against.
+  /// Errors beyond what the contract leaves open, 0 within; these are compared with the bound.
   ErrorSizes excess;
-  /// Against the value of the exact triangle, or of the snapped one where values come from that
-  /// (oracle/judge.h), whatever the contract leaves open: how precise it is. Not of fragments where
-  /// that triangle has no value.
+  /// Errors against the exact triangle, or against the snapped triangle if values come from that
+  /// (oracle/judge.h), whatever the contract leaves open. These errors measure the precision.
+  /// Excludes fragments for which that triangle has no value.
   ErrorSizes ideal;
   ClassCounts classes;
-  /// How many were drawn and not judged, by why; these are in no class and have no errors. Only
-  /// fragments of coverage are in a class all the same, as `correct`.
+  /// Drawn but not judged, by reason; these have no errors and no class, except that fragments of
+  /// kind coverage are still in class `correct`.
   std::map<NotJudged, std::uint64_t> not_judged;
-  /// `ideal` by what makes a fragment hard; only strata that have one.
+  /// `ideal` by stratum; only strata with an error.
   std::map<Stratum, ErrorSizes> strata;
-  /// Magnitudes of the parts of errors, by what makes a fragment hard and the stage that made them
-  /// (stage_split.h); of laws that split errors.
+  /// By stratum and stage, the sum of |part| over all errors (stage_split.h); only for laws that
+  /// split errors.
   std::map<Stratum, std::map<Stage, SignedSum>> stages;
   bool operator==(const ErrorStatistics&) const = default;
 };
 
-/// What judging one framebuffer gives; only kinds that the case has appear.
+/// The result of judging one framebuffer; only kinds that the case has.
 struct Judgement {
   Counts counts;
   Levels levels;

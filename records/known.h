@@ -1,11 +1,11 @@
 #pragma once
 
-// What is known to be wrong with a backend, as plain data: backends/DRIVER/known.json of a driver,
-// known.json beside a plugin, or a file of any name; and what a run found of it.
-// docs/known-defects.md says how such a list is kept.
+// A backend's known defects, as plain data, and the results of a run for them. A list comes from
+// backends/DRIVER/known.json, from known.json beside a plugin, or from any other file.
+// docs/known-defects.md explains how to maintain one.
 //
-// An entry has conditions, as narrow as the defect is: what does not meet them is a new defect and
-// stands out as before.
+// An entry's conditions must be as narrow as the defect: a violation that does not meet them is a
+// new defect and is reported as such.
 
 #include <array>
 #include <cstdint>
@@ -20,26 +20,26 @@
 
 namespace rastercheck::records {
 
-/// What may be asked of a violation's triangle, or of its case: whether it is so. Of a violation
-/// without a place, as a crash, some triangle of the case has to be so.
+/// A yes/no condition on a violation's triangle or case. If the violation has no place (a crash),
+/// one triangle of the case must meet the condition.
 enum class KnownFact {
   nonpositive_w,         ///< some vertex has w <= 0
   clipped,               ///< some vertex is outside the clip volume or the clip distances
-  depth_clipped,         ///< some vertex is beyond the near or far plane; none with depth clamp
+  depth_clipped,         ///< some vertex is beyond the near or far plane; false with depth clamp
   before_near,           ///< some vertex with w > 0 is before the near plane, depth clamp or not
-  beyond_far,            ///< the same of the far plane
+  beyond_far,            ///< some vertex with w > 0 is beyond the far plane, depth clamp or not
   perspective,           ///< w differs between vertices
-  tie,                   ///< of coverage: the sample lies exactly on the boundary that decided
-  degenerate,            ///< of coverage: the triangle has no area, or is seen edge-on
-  clip_distances,        ///< the case has some
-  depth_clamp,           ///< the case asks for it
-  depth_test,            ///< the case has one
-  depth_clear,           ///< the case says what the depth buffer begins with
+  tie,                   ///< for coverage: the sample lies exactly on the deciding boundary
+  degenerate,            ///< for coverage: the triangle has no area, or is seen edge-on
+  clip_distances,        ///< the case has clip distances
+  depth_clamp,           ///< the case asks for depth clamp
+  depth_test,            ///< the case has a depth test
+  depth_clear,           ///< the case sets the initial depth
   snapped,               ///< the case asks for positions on a grid
-  scissor,               ///< the case has one
+  scissor,               ///< the case has a scissor
   culling,               ///< the case culls front or back faces
   reversed_depth_range,  ///< the viewport's min_depth is above its max_depth
-  negative_height,       ///< the viewport's is
+  negative_height,       ///< the viewport's height is negative
   fractional_viewport,   ///< some edge of the viewport is between two pixels
 };
 constexpr auto names_of(KnownFact /*type*/) {
@@ -49,116 +49,121 @@ constexpr auto names_of(KnownFact /*type*/) {
        "scissor", "culling", "reversed_depth_range", "negative_height", "fractional_viewport"});
 }
 
-/// What may be measured, and on which side of a number it has to be; both inclusive. What has no
-/// such measure, as an attribute of a violation that is of none, is on neither.
+/// A measure, and the side of a number on which it must lie, inclusive. A violation that lacks the
+/// measure (an attribute's, say) matches neither side.
 enum class KnownLimit {
-  error_at_most,                ///< of the violation, in scale ULP; numbers only
-  distance_at_most,             ///< of coverage: to the boundary that decided, in pixels
-  largest_coordinate_at_least,  ///< of the vertices' window positions, in pixels; infinite for w =
-                                ///< 0
-  w_ratio_at_least,             ///< largest |w| of the vertices to their least
+  error_at_most,                ///< error of the violation, in scale ULP; never met if the value is
+                                ///< not a number
+  distance_at_most,             ///< for coverage: distance to the deciding boundary, in pixels
+  largest_coordinate_at_least,  ///< largest coordinate of the vertices' window positions, in
+                                ///< pixels; infinite if w = 0
+  w_ratio_at_least,             ///< ratio of the vertices' largest |w| to their least
   height_at_most,          ///< least height of the triangle in the window, in pixels; all w > 0
   largest_value_at_least,  ///< largest magnitude of the attribute at the vertices
-  least_value_at_most,     ///< least magnitude above 0 of it
+  least_value_at_most,     ///< least nonzero magnitude of the attribute
 };
 constexpr auto names_of(KnownLimit /*type*/) {
   return std::to_array<std::string_view>(
       {"error_at_most", "distance_at_most", "largest_coordinate_at_least", "w_ratio_at_least",
        "height_at_most", "largest_value_at_least", "least_value_at_most"});
 }
-/// Of a limit: whether it is a least.
+/// True if the limit is a lower bound.
 constexpr bool is_least(KnownLimit limit) { return cases::name_of(limit).ends_with("_at_least"); }
 
-/// All have to be met; of a list, one of its members. What is empty asks for nothing.
+/// A violation must meet every member; of a list, one element is enough. An empty member imposes
+/// nothing.
 struct KnownConditions {
   std::vector<cases::Rules> rules;
   std::vector<int> samples;
-  std::vector<AttributeKind> attribute_kinds;        ///< of the violation
-  std::vector<cases::Interpolation> interpolations;  ///< of the violation's attribute
-  std::vector<cases::Location> locations;            ///< of the violation's attribute
-  std::map<KnownFact, bool> facts;                   ///< fact → whether it has to be so
+  std::vector<AttributeKind> attribute_kinds;        ///< the violation's kind
+  std::vector<cases::Interpolation> interpolations;  ///< interpolation of the violation's attribute
+  std::vector<cases::Location> locations;            ///< location of the violation's attribute
+  std::map<KnownFact, bool> facts;                   ///< fact → required value
   std::map<KnownLimit, double> limits;
-  std::string note;  ///< a part of the violation's note
+  std::string note;  ///< must be part of the violation's note
   bool operator==(const KnownConditions&) const = default;
 };
 
-/// How a law that an expectation list names is to come out (expectations.h).
+/// The expected result of a law named in an expectation list (expectations.h).
 enum class Expected {
-  fail,   ///< it is violated
-  flake,  ///< it is violated at times
-  skip,   ///< it is not to be checked at all
+  fail,   ///< the law is violated
+  flake,  ///< the law is sometimes violated
+  skip,   ///< the law is not checked at all
 };
 constexpr auto names_of(Expected /*type*/) {
   return std::to_array<std::string_view>({"fail", "flake", "skip"});
 }
 
 struct KnownEntry {
-  std::string id;            ///< "llvmpipe-3"
-  std::string reason;        ///< one sentence
-  std::string rule = {};     ///< the section of the specification that it breaks; may be empty
+  std::string id;         ///< "llvmpipe-3"
+  std::string reason;     ///< one sentence
+  std::string rule = {};  ///< the section of the specification that the defect breaks; may be empty
   std::string finding = {};  ///< anchor in docs/findings.md; may be empty
-  /// Backends that it is of: specifications, of a plugin with the file's name in place of its path,
-  /// or patterns as of the shell. None: all that the list is read for.
+  /// Backends that the entry applies to: specifications (for a plugin, the file's name without its
+  /// path) or shell patterns. Empty: every backend that the list is read for.
   std::vector<std::string> backends = {};
-  /// Ids of laws, or patterns as of the shell. None: it is of what is drawn, whatever law notices.
+  /// Law ids or shell patterns. Empty: the entry describes the drawing, and applies to every law.
   std::vector<std::string> laws = {};
-  std::vector<FragmentClass> verdicts = {};  ///< classes that its violations have
+  std::vector<FragmentClass> verdicts = {};  ///< classes of its violations
   KnownConditions when = {};
-  std::string case_file = {};  ///< that shows it, relative to the list's folder
-  std::string until = {};      ///< its last day, "2027-01-31", UTC; empty: it has none
-  /// Set for a line of an expectation list: all violations of its laws are of it, and it has no
-  /// verdicts, conditions or case.
+  std::string case_file = {};  ///< a case that shows the defect, relative to the list's folder
+  std::string until = {};      ///< last day, "2027-01-31", UTC; empty: no end
+  /// Set for a line of an expectation list: the entry matches every violation of its laws and has
+  /// no verdicts, conditions or case.
   std::optional<Expected> expected = std::nullopt;
   bool operator==(const KnownEntry&) const = default;
 };
 
-/// A driver that a list is of.
+/// The driver that a list describes.
 struct KnownDriver {
   std::string name;     ///< "llvmpipe"
-  std::string version;  ///< that the list was made for
+  std::string version;  ///< the version that the list describes
   bool operator==(const KnownDriver&) const = default;
 };
 
 struct KnownList {
-  std::optional<KnownDriver> driver;  ///< nothing: it is of whatever backend it is read for
+  std::optional<KnownDriver> driver;  ///< empty: applies to any backend that the list is read for
   std::vector<KnownEntry> entries;
   bool operator==(const KnownList&) const = default;
 };
 
-/// A list that a run held a backend's violations against.
+/// A list that a run compared a backend's violations with.
 struct KnownOfBackend {
   std::string backend;  ///< specification
-  std::string file;     ///< of the list
-  std::string version;  ///< of the backend's driver, which need not be the list's; empty: of none
-  KnownList list;       ///< with those entries that are of the backend
-  std::vector<std::string> run_out = {};  ///< ids of entries whose last day was over
+  std::string file;     ///< the list's file
+  /// The driver's version, which may differ from the list's; empty: no driver.
+  std::string version;
+  KnownList list;                         ///< only entries that apply to the backend
+  std::vector<std::string> run_out = {};  ///< ids of entries past their last day
   bool operator==(const KnownOfBackend&) const = default;
 };
 
-/// Tells what it means that an entry no longer shows.
+/// How to treat an entry whose defect no longer shows.
 enum class Staleness {
-  wrong_list,     ///< the driver is of the list's version: counts as a violation
-  other_version,  ///< the driver may have been mended
-  waiver,         ///< of no driver: whoever wrote it may drop it
+  wrong_list,     ///< the driver has the list's version: counts as a violation
+  other_version,  ///< the driver may have been fixed
+  waiver,         ///< the list is not a driver's: the author may drop the entry
 };
 constexpr auto names_of(Staleness /*type*/) {
   return std::to_array<std::string_view>({"wrong list", "other version", "waiver"});
 }
 
-/// An entry whose own case did not violate its law, or whose laws all held.
+/// An entry whose defect no longer shows: its own case did not violate its law, or all its laws
+/// held.
 struct UnexpectedPass {
   std::string backend;
   std::string id;
-  std::string law;  ///< a pattern, of an expectation list that has one
+  std::string law;  ///< a pattern if the expectation list has one
   Staleness staleness = Staleness::wrong_list;
   auto operator<=>(const UnexpectedPass&) const = default;
 };
 
-/// Whether an entry of a list has its laws skipped.
+/// True if the entry makes the run skip its laws.
 bool is_skipped_by(const KnownOfBackend& known, const KnownEntry& entry);
-/// Whether an entry is of a law: one of its patterns is the law's id, or it has none.
+/// True if the entry applies to the law: one of its patterns matches the law's id, or it has no
+/// patterns.
 bool is_of_law(const KnownEntry& entry, std::string_view law);
-/// Whether it is of a backend that is called by one of these names.
+/// True if the entry applies to a backend known by one of these names.
 bool is_of_backend(const KnownEntry& entry, const std::vector<std::string>& names);
 
 }  // namespace rastercheck::records

@@ -21,7 +21,7 @@ void check_line(const JsonNode& node) {
   if (text.find('\n') != std::string::npos) node.refuse("must be one line");
 }
 
-/// A text of one line that is not empty.
+/// A text of one line, which must not be empty.
 template <typename T>
 struct Line {
   T& text;
@@ -35,7 +35,7 @@ struct Line {
 template <typename T>
 Line(T&) -> Line<T>;
 
-/// The elements of a list, of which there has to be one.
+/// The elements of a list, which must not be empty.
 std::vector<JsonNode> some_of(const JsonNode& node, std::string_view what) {
   return node.elements(1, kMostInList, what);
 }
@@ -78,7 +78,7 @@ bool is_day(std::string_view text) {
       .ok();
 }
 
-/// An entry of an expectation list, as run.json has them.
+/// Checks an entry of an expectation list, as run.json contains it.
 void check_expectation(const JsonNode& node, const KnownEntry& entry) {
   if (entry.laws.empty()) node.refuse("must name a law");
   const bool has_more =
@@ -118,7 +118,7 @@ void check_entries(const JsonNode& node, const KnownList& list) {
     const JsonNode entry = node["entries"].elements()[i];
     if (!ids.insert(list.entries[i].id).second) entry["id"].refuse("is another entry's, too");
     if (!list.driver) continue;
-    // A driver's list is read by people who have not seen its defects.
+    // A driver's list must say more, because people who have not seen its defects read it.
     for (const char* const key : {"rule", "finding", "laws"}) {
       if (!entry.has(key)) entry.refuse(std::string("lacks \"") + key + "\"");
     }

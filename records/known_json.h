@@ -10,11 +10,12 @@
 //                 "when": {"nonpositive_w": true, "samples": [2, 4], "error_at_most": 1000},
 //                 "case": "known/llvmpipe-1.json"}]}
 //
-// A list of no driver lacks "driver", and its entries may lack "rule", "finding" and "laws", and
-// have "backends": ["plugin:libmine.so"] and "until": "2027-01-31".
+// A list without a driver lacks "driver"; its entries may lack "rule", "finding" and "laws", and
+// may have "backends": ["plugin:libmine.so"] and "until": "2027-01-31".
 //
-// Of run.json: what was known of a run's backends, and which entries no longer show.
-// cases/schema/known.schema.json says the same; known.h says what conditions mean.
+// Also reads and writes the parts of run.json: known lists of the run's backends, and entries whose
+// defects no longer show. cases/schema/known.schema.json defines the same format; known.h explains
+// the conditions.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -24,14 +25,14 @@
 
 namespace rastercheck::records {
 
-/// Refuses unknown and missing keys, two entries of one id, entries without a verdict or a
-/// condition, days that there are not, case files outside the list's folder, and in a driver's list
-/// entries without a rule, a finding or a law.
+/// Refuses unknown and missing keys, duplicate ids, entries without a verdict or a condition,
+/// invalid dates, and case files outside the list's folder; in a driver's list also entries without
+/// a rule, a finding or a law.
 void read_value(const cases::JsonNode& node, KnownList& list);
 void write_value(nlohmann::json& to, const KnownList& list);
 Result<KnownList> parse_known(std::string_view text, const std::string& file);
 
-/// Of run.json: a list is written whole.
+/// For run.json: writes the whole list.
 void write_value(nlohmann::json& to, const KnownOfBackend& known);
 void read_value(const cases::JsonNode& node, KnownOfBackend& known);
 void write_value(nlohmann::json& to, const UnexpectedPass& pass);

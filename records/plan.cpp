@@ -7,7 +7,7 @@
 namespace rastercheck::records {
 namespace {
 
-/// Words of a command line, of all that is not as usual.
+/// Collects the command-line words for all settings that differ from their defaults.
 class Words {
  public:
   void flag(bool is_given, const char* name) {
@@ -113,7 +113,7 @@ std::vector<std::string> contract_words(const Plan& plan) {
 std::vector<std::string> replay_words(const Plan& plan) {
   Words words;
   add_contract(words, plan);
-  // A frame's case has its depth test already.
+  // A case drawn by `frame` was saved with its depth test, so it needs no option.
   if (plan.draw_by != cases::DrawBy::frame) add_draw_by(words, plan);
   add_known(words, plan);
   add_timeout(words, plan);

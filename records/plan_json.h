@@ -5,11 +5,11 @@
 //   {"seed": 1, "cases_per_law": 1000, "backends": ["cpu"], "laws": ["…"], "properties":
 //   ["*edge*"],
 //    "scene": "bunny.obj", "scene_size": 512, "contract": {"file": "…", "terms": {a contract
-//    file}}, "corpus": "…", "known": "…", "ignores_known": true, "shrink_tries": 1000,
+//    file}}, "corpus": "…", "known": ["…"], "ignores_known": true, "shrink_tries": 1000,
 //    "shrink_seconds": 5, "power": 5, "require_cases": 20, "keeps_cases": true, "timeout": 10,
 //    "shard": {"index": 2, "count": 7}}
 //
-// All but seed and cases are absent where they are what they usually are (plan.h).
+// All keys except seed and cases are absent for default values (plan.h).
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,7 +19,7 @@
 namespace rastercheck::records {
 
 void write_value(nlohmann::json& to, const Plan& plan);
-/// Refuses unknown and missing keys, and what no plan has.
+/// Refuses unknown and missing keys, and invalid values.
 void read_value(const cases::JsonNode& node, Plan& plan);
 
 }  // namespace rastercheck::records

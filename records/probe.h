@@ -1,6 +1,6 @@
 #pragma once
 
-// What a probe found of a backend, as plain data (properties/probing/probe.h).
+// What a probe found out about a backend, as plain data (properties/probing/probe.h).
 
 #include <cstdint>
 #include <string>
@@ -10,12 +10,13 @@
 
 namespace rastercheck::records {
 
-/// One thing that was measured, in words.
+/// One measurement, in words.
 struct Measured {
-  std::string what;      ///< "subpixel grid"
-  std::string declared;  ///< by the backend's own contract; "–" where contracts say nothing of it
+  std::string what;  ///< "subpixel grid"
+  /// The value in the backend's own contract; "–" if contracts do not cover the quantity.
+  std::string declared;
   std::string measured;
-  std::string detail;  ///< how sure, of how many samples; may be empty
+  std::string detail;  ///< certainty, number of samples; may be empty
   bool operator==(const Measured&) const = default;
 };
 
@@ -25,10 +26,10 @@ struct Probe {
   std::uint64_t seed = 0;
   std::vector<Measured> rows;
   std::uint64_t drawings = 0;     ///< cases drawn
-  std::uint64_t unsupported = 0;  ///< cases that the backend does not draw, and says so
-  std::uint64_t failed = 0;       ///< drawings that failed otherwise
-  std::string failure;            ///< why the first of these did
-  /// What was measured, as promises.
+  std::uint64_t unsupported = 0;  ///< cases that the backend reports as unsupported
+  std::uint64_t failed = 0;       ///< drawings that failed for another reason
+  std::string failure;            ///< why the first of these failed
+  /// The measurements as contract terms.
   cases::ContractTerms terms;
   bool operator==(const Probe&) const = default;
 };

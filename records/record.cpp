@@ -6,16 +6,16 @@
 namespace rastercheck::records {
 namespace {
 
-/// Both ends of an error's magnitude, the one farther from zero first: of two errors, that with the
-/// larger pair is the larger. Of enclosures as narrow as doubles get, either end alone never
-/// contradicts the exact order.
+/// Both ends of an error's magnitude, the end farther from zero first. Of two errors, the error
+/// with the larger pair counts as larger. If enclosures are as narrow as doubles allow, neither end
+/// alone contradicts the exact order.
 struct Extent {
   double far;
   double near;
 };
 
 std::strong_ordering operator<=>(const Extent& a, const Extent& b) {
-  // std::strong_order is IEEE 754's total order: it leaves no two doubles incomparable.
+  // std::strong_order is IEEE 754's total order, which leaves no two doubles incomparable.
   const auto by_far = std::strong_order(a.far, b.far);
   return by_far != 0 ? by_far : std::strong_order(a.near, b.near);
 }
@@ -30,8 +30,8 @@ auto place_of(const WorstError& error) {
   return std::tie(error.case_index, error.case_name, error.place, error.attribute, error.exact);
 }
 
-/// Whether `a` is to be kept rather than `b`. A strict total order: neither of two is only where
-/// they are the same, bit by bit.
+/// True if `a` is kept rather than `b`. A strict total order: two errors are equivalent only if
+/// they are equal bit for bit.
 bool goes_before(const WorstError& a, const WorstError& b, Side side) {
   const auto by_size = extent_of(a.error, side) <=> extent_of(b.error, side);
   if (by_size != 0) return by_size > 0;
@@ -45,7 +45,7 @@ void keep(std::optional<WorstError>& kept, const WorstError& error, Side side) {
 }
 
 bool may_keep(const std::optional<WorstError>& kept, const Enclosure& error, Side side) {
-  // Of a rough enclosure the near end says nothing yet.
+  // Compares far ends only, because the near end of a rough enclosure says too little.
   return !kept || extent_of(error, side).far >= extent_of(kept->error, side).far;
 }
 
@@ -106,7 +106,7 @@ void merge(ClassCounts& into, const ClassCounts& from) {
 }
 
 void merge(Extremes& into, const Extremes& from) {
-  // Side by side: an enclosure may hold zero, and then belongs to one side only by choice.
+  // Merges each side by itself, because an enclosure that contains zero does not tell its side.
   if (from.most_negative) keep(into.most_negative, *from.most_negative, Side::negative);
   if (from.most_positive) keep(into.most_positive, *from.most_positive, Side::positive);
 }

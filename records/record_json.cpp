@@ -18,7 +18,7 @@ using nlohmann::json;
 
 }  // namespace
 
-// --- Forms of their own --------------------------------------------------------------------------
+// --- Types with their own form -------------------------------------------------------------------
 
 void write_value(json& to, const Histogram& histogram) {
   json buckets = json::array();
@@ -45,9 +45,9 @@ void read_value(const JsonNode& node, Histogram& histogram) {
 
 namespace {
 
-/// A whole number as decimal text: no sign but '-', no leading zeros.
+/// Reads an integer from decimal text, with no sign but '-' and no leading zeros.
 SignedSum::Units read_units(const JsonNode& node) {
-  // 10^38 < 2^127, so that no such number overflows, and the largest sum, 2^126, has 38 digits.
+  // As 10^38 < 2^127, no number of 38 digits overflows; the largest sum, 2^126, has 38 digits.
   constexpr std::size_t kMostDigits = 38;
   const std::string text = node.text();
   const bool is_negative = text.starts_with('-');
@@ -57,7 +57,7 @@ SignedSum::Units read_units(const JsonNode& node) {
     for (const char digit : digits) units = units * 10 + (digit - '0');
     if (is_negative) units = -units;
   }
-  // Also where nothing was read, as of "" and of what has other characters.
+  // Also refuses texts from which nothing was read: "" and texts with other characters.
   if (fmt::format("{}", units) != text) {
     node.refuse(fmt::format("must be a whole number of at most {} digits as text", kMostDigits));
   }
@@ -79,7 +79,7 @@ void read_value(const JsonNode& node, SignedSum& sum) {
   const SignedSum::Units hi = read_units(node["hi"]);
   const std::uint64_t count = node["count"].count(SignedSum::kMostTerms);
   if (lo > hi) node.refuse("the lower end must not be above the upper");
-  // Merging relies on this: sums that no terms have might overflow.
+  // Merging relies on this check: sums that are larger than their terms allow might overflow.
   const SignedSum::Units most = SignedSum::kMostOfTerm * count;
   if (lo < -most) node["lo"].refuse("the sum of so few errors cannot be as low");
   if (hi > most) node["hi"].refuse("the sum of so few errors cannot be as high");
@@ -88,7 +88,7 @@ void read_value(const JsonNode& node, SignedSum& sum) {
 
 // --- Lists of members ----------------------------------------------------------------------------
 
-/// All but the case, for whoever says that elsewhere.
+/// All members but the case, for records that give the case elsewhere.
 template <typename Archive, Either<WorstError> T>
 void members(Archive& archive, T& worst) {
   archive.required("error", worst.error);
@@ -104,7 +104,7 @@ void members(Archive& archive, T& worst) {
 void write_value(json& to, const WorstError& worst) { cases::write_members(to, worst); }
 void read_value(const JsonNode& node, WorstError& worst) { cases::read_members(node, worst); }
 
-/// Each on the side of zero that its name says.
+/// Each extreme must be on the side of zero that its name says.
 template <typename Archive, Either<Extremes> T>
 void members(Archive& archive, T& extremes) {
   const auto with_case = [](auto& inner, auto& worst) {

@@ -17,22 +17,21 @@
 //     "labels": {"tie": 4}, "decided_at": {"samples by filter": 100}}]
 //
 // The array is ordered by key. A bucket is [its number (histogram.h), its count]; empty ones are
-// left out. "most_negative" and "most_positive" are absent where there is no such error, and its
-// "attribute" for depth. The doubles of "error" are numbers in decimals that read back as the same
+// left out. "most_negative" and "most_positive" are absent if no such error exists, and "attribute"
+// is absent for depth. The doubles of "error" are numbers in decimals that read back as the same
 // double (nlohmann writes no more than 17 digits, without asking the locale); an infinite end is
 // "inf" or "-inf". A "sum" lies from "lo" to "hi" times 2^-32, whole numbers of up to 127 bits as
-// decimal text; it is of "count" errors, and "beyond" more were too large to be summed
-// (signed_sum.h). "decided_at" is the Levels, by what was asked and which level answered; those
-// that answered nothing are left out. Means, quantiles and rates follow from these and are not
-// written. A "sum" of nothing, and "strata" and "stages" without one, are left out; so they are in
-// files from before there were any, which say nothing of them. "stages" sums the magnitudes of the
-// parts of errors by the stage that made them (judgement.h). "cases" has "known" where some were
-// violated in known ways only; "known": {"llvmpipe-3": 5} says of which entries (known.h). Why a
-// law says nothing of cases is in "not_applicable_because": {"its contract lacks 8 samples": 7}.
-// "power" has how many drawings of its cases were made wrong, and of how many that was noticed:
-// {"values NaN": {"drawings": 4, "noticed": 4}}. All four are absent where there are none. The
-// float32 of "actual" is a hex float, as in all files. Objects list their keys alphabetically, so
-// that equal records give equal bytes.
+// decimal text; "count" errors were summed, and "beyond" more were too large for the sum
+// (signed_sum.h). "decided_at" holds the Levels, by question and answering level; levels without an
+// answer are left out. Means, quantiles and rates follow from these and are not written. Empty
+// "sum", "strata" and "stages" are left out; older files lack them as well. "stages" sums the
+// magnitudes of the parts of errors by stage (judgement.h). "cases" has "known" if some cases were
+// violated in known ways only; "known": {"llvmpipe-3": 5} names the entries (known.h). The reasons
+// why a law does not apply to cases are in "not_applicable_because": {"its contract lacks 8
+// samples": 7}. "power" counts drawings that were made wrong, and how many of these were noticed:
+// {"values NaN": {"drawings": 4, "noticed": 4}}. All four are absent if empty. The float32 of
+// "actual" is a hex float, as in all files. Objects list their keys alphabetically, so that equal
+// records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -44,11 +43,12 @@ namespace rastercheck::records {
 void write_value(nlohmann::json& to, const RecordSet::value_type& one);
 /// The records as a JSON array. Texts are UTF-8 and every `actual` is finite.
 void write_value(nlohmann::json& to, const RecordSet& records);
-/// Refuses unknown and missing keys, numbers that their members cannot hold exactly and two records
-/// of one key.
+/// Refuses unknown and missing keys, numbers that their members cannot hold exactly, and duplicate
+/// record keys.
 void read_value(const cases::JsonNode& node, RecordSet& records);
 
-/// The parts of records that other files keep as well: a "histogram", a "sum", what was noticed.
+/// Parts of records that other files use as well: a "histogram", a "sum", counts of noticed
+/// defects.
 void write_value(nlohmann::json& to, const Histogram& histogram);
 void read_value(const cases::JsonNode& node, Histogram& histogram);
 void write_value(nlohmann::json& to, const SignedSum& sum);
@@ -56,7 +56,7 @@ void read_value(const cases::JsonNode& node, SignedSum& sum);
 void write_value(nlohmann::json& to, const Noticed& noticed);
 void read_value(const cases::JsonNode& node, Noticed& noticed);
 
-/// A worst error without its "case", for whoever says that elsewhere.
+/// A worst error without its "case", for files that give the case elsewhere.
 void write_value(nlohmann::json& to, const WorstError& worst);
 void read_value(const cases::JsonNode& node, WorstError& worst);
 

@@ -19,7 +19,7 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// Of a shard: what is not in it.
+/// Says that the run is only a shard, and how to merge the shards.
 std::string shard_sentence(const Run& run) {
   const ShardNumber& number = *run.plan.shard;
   const std::string rest =
@@ -60,7 +60,7 @@ const char* meaning_of(Staleness staleness) {
 }  // namespace
 
 std::string unexpected_sentence(const UnexpectedPass& pass) {
-  // A line of an expectation list is called by its laws (expectations.h).
+  // The id of an entry from an expectation list names its law (expectations.h).
   if (pass.id == pass.law || pass.id.ends_with("/" + pass.law)) {
     return fmt::format(
         "Unexpected pass: {} was expected to fail on {}, and nothing violates it; "
@@ -100,8 +100,8 @@ const char* words_of(cases::DriverPromise promise) {
   return "float32 arithmetic, which no API promises: what is violated is worse than that";
 }
 
-/// Says which lists are of another version of the driver, which entries have run out, and which
-/// laws were skipped.
+/// Adds sentences about lists for another version of the driver, about entries past their last day,
+/// and about skipped laws.
 void add_known_caveats(const Run& run, std::vector<std::string>& all) {
   for (const KnownOfBackend& known : run.known) {
     if (known.list.driver && known.version != known.list.driver->version) {
@@ -166,7 +166,8 @@ std::vector<std::string> caveats(const Run& run) {
 }
 
 std::string file_word(std::string_view text) {
-  // ASCII only, whatever the locale: a file name that every system and archive takes as it is.
+  // ASCII only, whatever the locale, so that every system and archive accepts the file name
+  // unchanged.
   std::string word;
   for (const char c : text) word += is_letter_or_digit(c) ? c : '-';
   return word;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything a run found: what run.json holds, and all that reports are made from.
+// Everything a run found: the content of run.json and the only input of reports.
 
 #include <cstdint>
 #include <map>
@@ -24,7 +24,7 @@ namespace rastercheck::records {
 
 /// A picture of the run, PNG.
 struct Picture {
-  std::string name;     ///< file name without extension, as "bunny-cpu"
+  std::string name;     ///< file name without extension, such as "bunny-cpu"
   std::string caption;  ///< one sentence
   int width = 0;        ///< pixels
   int height = 0;       ///< pixels
@@ -32,96 +32,93 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-/// A label that a law's random cases had to reach, and did too seldom: the law has not tested what
-/// it claims to.
+/// A label that a law's random cases reached too seldom: the law has not tested what it claims to.
 struct UnreachedLabel {
   std::string law;
   std::string backend;
   std::string label;
-  std::uint64_t reached = 0;  ///< cases
-  std::uint64_t least = 0;    ///< cases that had to, of those checked
+  std::uint64_t reached = 0;  ///< cases that reached the label
+  std::uint64_t least = 0;    ///< required number of cases, out of `checked`
   std::uint64_t checked = 0;
   bool operator==(const UnreachedLabel&) const = default;
 };
 
-/// The version of what is exactly true and of how errors are counted: another one where the same
-/// drawing may be judged otherwise. Figures of two versions are not compared.
+/// The version of the exact rules and of error counting. Changes whenever the same drawing may be
+/// judged differently; figures of two versions are never compared.
 inline constexpr std::uint64_t kRulesVersion = 1;
-/// The version of the form in which records are kept.
+/// The version of the record format.
 inline constexpr std::uint64_t kRecordsVersion = 3;
 
 struct Run {
   std::uint64_t rules_version = kRulesVersion;
   Plan plan;
-  /// What the plan's laws state, by id.
+  /// The sentences of the plan's laws, by id.
   std::map<std::string, std::string> sentences = {};
-  /// Of a run that is one part of its campaign (Plan::shard). Nobody says of it which labels it had
-  /// to reach.
+  /// Set if the run is one part of a campaign (Plan::shard). A shard has no required labels.
   std::optional<Shard> shard = std::nullopt;
-  std::uint64_t cases_left = 0;  ///< not checked, as the run was interrupted
+  std::uint64_t cases_left = 0;  ///< cases not checked because the run was interrupted
   RecordSet records;
-  /// What each case gave; nothing where that was not kept.
+  /// Each case's result; empty if not kept.
   std::optional<CaseRecordSet> cases = std::nullopt;
-  /// What was drawn of parts of some cases, ordered by backend, key and triangle; of runs that keep
-  /// what cases gave.
+  /// Drawn parts of some cases, ordered by backend, key and triangle; only if the run keeps each
+  /// case's result.
   std::vector<Specimen> specimens = {};
-  /// Ordered by (law, backend, verdict), one of each.
+  /// Ordered by (law, backend, verdict), one for each combination.
   std::vector<Counterexample> counterexamples;
-  /// What these have in common, those of most counterexamples first; each of one backend. Every
-  /// counterexample is of one.
+  /// Groups of the counterexamples by likely cause, largest first. Each cause belongs to one
+  /// backend, and each counterexample to one cause.
   std::vector<Cause> causes = {};
   /// Counterexamples in their order, then worst cases by (law, backend, kind, stratum).
   std::vector<Inspection> inspections = {};
   /// Ordered by (law, backend, label).
   std::vector<UnreachedLabel> unreached;
-  /// Which promise of their API drivers were held to, by backend.
+  /// By backend, the promise of the API that a driver was held to.
   std::map<std::string, cases::DriverPromise> held_to = {};
-  /// Lists of what was known of the backends.
+  /// Lists of known defects of the backends.
   std::vector<KnownOfBackend> known;
-  /// Known defects that no longer show; in order.
+  /// Known defects that no longer show, sorted.
   std::vector<UnexpectedPass> unexpected;
-  /// What became of the plan's scene, backend by backend.
+  /// The result of the plan's scene for each backend.
   std::vector<SceneResult> scenes = {};
   std::vector<Picture> pictures;
-  /// All that depends on machine or time: version, compiler, jobs, date, seconds…
+  /// Everything that depends on machine or time: version, compiler, jobs, date, seconds…
   std::map<std::string, std::string> environment;
   bool operator==(const Run&) const = default;
 };
 
-/// What a law of the run states; its id where the run does not say.
+/// Returns the law's sentence, or its id if the run has no sentence for it.
 const std::string& sentence_of(const Run& run, const std::string& law);
 
 /// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
 std::string unreached_sentence(const UnreachedLabel& label);
 
-/// "Unexpected pass: the case of llvmpipe-3 no longer violates LAW on gl:llvmpipe."; what that
-/// means.
+/// "Unexpected pass: the case of llvmpipe-3 no longer violates LAW on gl:llvmpipe.", followed by
+/// what that means.
 std::string unexpected_sentence(const UnexpectedPass& pass);
 
-/// A law that an expectation list had a run leave out on a backend.
+/// A law that a run skipped on a backend because of an expectation list.
 struct SkippedLaw {
   std::string backend;
   std::string law;
   std::string file;  ///< the list
   auto operator<=>(const SkippedLaw&) const = default;
 };
-/// Gives those of a run, in order.
+/// Returns the skipped laws of a run, in order.
 std::vector<SkippedLaw> skipped_laws(const Run& run);
 
-/// The label of cases that were not drawn any more, as their backend was given up: they count as
-/// violations.
+/// The label of cases left undrawn because the backend was given up; these count as violations.
 inline constexpr std::string_view kGivenUp = "not drawn, as the backend was given up";
 
-/// What else a reader has to know of a run: that it is a shard, that it was interrupted, that
-/// shrinking was cut short, that a list of known defects is of another version of the driver, which
-/// entries have run out, which laws were skipped.
+/// Returns sentences on what else a reader must know about a run: it is a shard, it was
+/// interrupted, shrinking was cut short, a list of known defects is for another version of the
+/// driver, entries are past their last day, laws were skipped.
 std::vector<std::string> caveats(const Run& run);
 
-/// A text as part of a file's name: what is neither letter nor digit made '-'.
+/// Makes a text fit for a file's name: replaces all but letters and digits by '-'.
 std::string file_word(std::string_view text);
 
-/// The file that a counterexample is saved as, within the run's folder:
-/// "counterexamples/LAW-BACKEND-VERDICT.json", with what is neither letter nor digit made '-'.
+/// Returns the file of a counterexample within the run's folder:
+/// "counterexamples/LAW-BACKEND-VERDICT.json", each part as by file_word().
 std::string file_of(const Counterexample& counterexample);
 
 }  // namespace rastercheck::records

@@ -7,7 +7,7 @@
 //                  "unpromised": ["…"]}],
 //    "known_digest": "…", "scene_digest": "…", "saved": [{a case file}, …]}
 //
-// The last three are absent where there is nothing of the kind.
+// The last three are absent if empty.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -10,7 +10,7 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-/// units / 10^decimals, without zeros at the end.
+/// Formats units / 10^decimals without trailing zeros.
 std::string units_in_decimals(Wide units, int decimals) {
   std::string digits = fmt::format("{}", units);
   const auto places = static_cast<std::size_t>(decimals);
@@ -29,8 +29,8 @@ std::string share_text(std::uint64_t part, std::uint64_t whole) {
   if (part == 0) return "0%";
   if (part == whole) return "100%";
 
-  // `smaller * all` is at most 500 times `whole` with one decimal and less than 100 times with
-  // more, and `all` as far: nothing comes near 2^128.
+  // `smaller * all` is at most 500 times `whole` with one decimal, and less than 100 times `whole`
+  // with more; `all` is no larger. So nothing comes near 2^128.
   constexpr Wide kTwoDigits = 10;
   const Wide smaller = std::min(part, whole - part);
   int decimals = 1;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The sum of signed errors, for their mean: a certified one that does not depend on the order of
-// its terms, as whole numbers add exactly.
+// The sum of signed errors, for their mean. The sum is certified, and independent of the order of
+// terms because integers add exactly.
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +14,13 @@ class SignedSum {
  public:
   /// Sums count in 2^-32 of the errors' unit, rounded outwards.
   static constexpr double kUnit = 0x1p-32;
-  /// The largest magnitude that is summed, that of the last border of a Histogram: 2^40. What may
-  /// be larger is counted in beyond(), and then there is no mean to speak of.
+  /// The largest magnitude that is summed: 2^40, the last border of a Histogram. Errors that may be
+  /// larger are counted in beyond() instead, and then mean() is empty.
   static constexpr double kMost = 0x1p40;
-  /// Holds kMostTerms: 2^(40 + 32 + 54) < 2^127.
+  /// Holds the sum of kMostTerms terms: 2^(40 + 32 + 54) < 2^127.
   __extension__ using Units = __int128;
   static constexpr std::uint64_t kMostTerms = std::uint64_t{1} << 54;
-  /// What one term is at most, in units.
+  /// Upper bound of one term, in units.
   static constexpr Units kMostOfTerm = Units{1} << 72;
 
   SignedSum() = default;
@@ -38,7 +38,7 @@ class SignedSum {
   std::uint64_t count() const { return count_; }
   std::uint64_t beyond() const { return beyond_; }
 
-  /// The mean of all errors; nothing of none, or where some were too large to be summed.
+  /// The mean of all errors; empty without errors, or if some were too large to be summed.
   std::optional<Enclosure> mean() const;
 
   bool operator==(const SignedSum&) const = default;

@@ -15,7 +15,8 @@ float value_of(const Specimen& specimen, std::size_t at) {
   return std::bit_cast<float>(specimen.bits[at]);
 }
 
-/// Spacings of each value, depth first: at the largest finite magnitude of either drawing.
+/// Returns the float32 spacing for each value, depth first, at its largest finite magnitude in
+/// either drawing.
 std::vector<double> spacings_of(const Specimen& before, const Specimen& after) {
   const std::size_t values = before.values_per_sample();
   std::vector<float> largest(values, 0.0F);
@@ -35,7 +36,7 @@ std::vector<double> spacings_of(const Specimen& before, const Specimen& after) {
   return spacings;
 }
 
-/// Of a value that has other bits.
+/// Returns the size of the change of a value whose bits changed.
 double size_of(float before, float after, double spacing) {
   if (!std::isfinite(before) || !std::isfinite(after)) return kInfinite;
   return std::abs(static_cast<double>(after) - static_cast<double>(before)) / spacing;

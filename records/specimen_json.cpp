@@ -48,7 +48,7 @@ std::string_view take(std::string_view& text, char separator) {
   return taken;
 }
 
-/// Eight lower-case digits; nothing of another text.
+/// Parses eight lower-case hexadecimal digits; empty for any other text.
 std::optional<std::uint32_t> bits_of(const std::string& text) {
   std::uint32_t bits = 0;
   const char* const end = text.data() + text.size();
@@ -57,7 +57,7 @@ std::optional<std::uint32_t> bits_of(const std::string& text) {
   return is_read && fmt::format("{:08x}", bits) == text ? std::optional(bits) : std::nullopt;
 }
 
-/// Appends a sample; false where its text is none.
+/// Appends a sample; returns false if the text is not that of a sample.
 bool read_crop_sample(std::string_view text, Specimen& specimen) {
   const std::size_t values = specimen.values_per_sample();
   specimen.drawn.push_back(text != kUndrawn);
@@ -89,7 +89,7 @@ void read_row(const JsonNode& node, Specimen& specimen) {
                   samples, specimen.values_per_sample()));
 }
 
-/// The rows of a specimen that has all else.
+/// The rows of a specimen. When reading, the specimen must already have all other members.
 template <typename T>
 struct CropRows {
   T& specimen;

@@ -6,9 +6,9 @@
 //    "left": 3, "top": 5, "width": 2, "height": 1, "samples": 1, "attributes": 1,
 //    "rows": ["3f000000:40490fdb -"]}
 //
-// "name" is absent where there is none. A row is a row of pixels; its samples, pixel by pixel, have
-// a space between them. A sample is "-" where it was not drawn, else depth and attributes: eight
-// hexadecimal digits each, the bits of a float32, with a colon between them.
+// "name" is absent if empty. Each row of pixels is one text, with its samples, pixel by pixel,
+// separated by spaces. A sample is "-" if not drawn, else depth and attributes: eight hexadecimal
+// digits each, the bits of a float32, separated by colons.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -18,7 +18,7 @@
 namespace rastercheck::records {
 
 void write_value(nlohmann::json& to, const Specimen& specimen);
-/// Refuses unknown and missing keys, parts larger than are kept, and rows of another form.
+/// Refuses unknown and missing keys, parts above the size limits, and malformed rows.
 void read_value(const cases::JsonNode& node, Specimen& specimen);
 
 }  // namespace rastercheck::records

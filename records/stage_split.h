@@ -1,10 +1,10 @@
 #pragma once
 
-// An error split by the stages that made it, as plain data.
+// An error split into parts by the stage that caused each, as plain data.
 //
-// Let V_0 be the exact value, and V_k what exact arithmetic makes of what stage k really handed on:
-// all later stages without rounding. The part of stage k is V_k − V_(k−1), and the last V is the
-// drawn value, so that the parts add up to the error exactly.
+// Let V_0 be the exact value, and V_k the value that exact arithmetic gets from the actual output
+// of stage k, with all later stages unrounded. The part of stage k is V_k − V_(k−1). The last V is
+// the drawn value, so the parts add up to the error exactly.
 
 #include <array>
 #include <cstdint>
@@ -19,16 +19,16 @@ namespace rastercheck::records {
 
 enum class Stage {
   transform,   ///< object positions to clip positions, float32
-  clip_space,  ///< dividing and viewport, or clipping to new corners
+  clip_space,  ///< division by w and viewport, or clipping to new corners
   snap,        ///< window positions to the subpixel grid
   set_up,      ///< lines or planes of the triangle
-  coverage,    ///< which samples, and where their values are evaluated
+  coverage,    ///< which samples are covered, and where their values are evaluated
   weights,     ///< the lines or planes at one place
-  evaluation,  ///< the value from them
-  rounding,    ///< to float32
-  // Of backends that do not tell how they draw, besides `transform`:
-  left_open,  ///< what the contract leaves open: snapping, say
-  excess,     ///< what is beyond that
+  evaluation,  ///< the value from the weights
+  rounding,    ///< rounding to float32
+  // For backends that do not report their stages, besides `transform`:
+  left_open,  ///< the part that the contract leaves open, e.g. snapping
+  excess,     ///< the rest of the error
 };
 constexpr auto names_of(Stage /*type*/) {
   return std::to_array<std::string_view>({"transform", "clip space", "snap", "set-up", "coverage",
@@ -45,16 +45,18 @@ struct StagePart {
 
 /// The error of one value of one sample.
 struct ErrorSplit {
-  std::optional<std::uint32_t> attribute;  ///< index into the case's attributes; nothing for depth
-  /// In the order of the stages; each at most once. Stages that the backend does not have, or
-  /// cannot tell apart from the next, are left out.
+  std::optional<std::uint32_t> attribute;  ///< index into the case's attributes; empty for depth
+  /// The parts in the order of the stages, each stage at most once. Omits stages that the backend
+  /// lacks or cannot separate from the next.
   std::vector<StagePart> parts;
   Enclosure total;         ///< signed, in scale ULP: the sum of the parts
-  bool is_traced = false;  ///< from a trace, else only what any backend shows
+  bool is_traced = false;  ///< true if computed from a trace; if false, only from what any backend
+                           ///< shows
   bool operator==(const ErrorSplit&) const = default;
 };
 
-/// The part of largest magnitude, the first of equally large ones; nothing where all are 0.
+/// The stage of the part with the largest magnitude; the first such stage if several are equal;
+/// empty if all parts are 0.
 std::optional<Stage> largest_part(const ErrorSplit& split);
 
 }  // namespace rastercheck::records

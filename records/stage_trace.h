@@ -1,8 +1,8 @@
 #pragma once
 
-// How one sample of a drawing came about, stage by stage, as plain data: what a backend that can
-// tell says of itself (backends/backend.h). What a stage handed on is there where there is such a
-// stage and the backend tells it. Numbers are those that it computed with, to the bit.
+// How a backend computed one sample, stage by stage, as plain data. Backends that can trace their
+// stages report it (backends/backend.h). A stage's output is present if the backend has that stage
+// and reports it. Numbers are exactly those the backend computed with.
 
 #include <array>
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace rastercheck::records {
 
-/// A corner of what is drawn of a triangle: a vertex, or one that clipping made.
+/// A corner of the drawn part of a triangle: a vertex, or a corner made by clipping.
 struct TracedCorner {
-  double x = 0;  ///< window position, pixels; where `is_homogeneous` times w
+  double x = 0;  ///< window position, pixels; times w if `is_homogeneous`
   double y = 0;
-  double z = 0;  ///< of the clip volume, times w
+  double z = 0;  ///< position in the clip volume, times w
   double w = 0;
   bool is_homogeneous = false;
-  /// How much of each vertex is in it: r = Σ share_v r_v, and so r w, z and w.
+  /// The share of each vertex in this corner: r = Σ share_v r_v, and likewise r w, z and w.
   std::array<double, 3> share{};
   bool operator==(const TracedCorner&) const = default;
 };
@@ -37,8 +37,8 @@ struct TracedFrame {
   bool operator==(const TracedFrame&) const = default;
 };
 
-/// E_i = a U + (b V + c T) of a corner, a positive multiple of e_i (RULES §1), the same for all
-/// three. In the order in which it is evaluated, each operation rounded to double.
+/// E_i = a U + (b V + c T) for a corner: a positive multiple of e_i (RULES §1), with the same
+/// factor for all three. Evaluated in this order, each operation rounded to double.
 struct TracedLine {
   double a = 0;
   double b = 0;
@@ -46,7 +46,7 @@ struct TracedLine {
   bool operator==(const TracedLine&) const = default;
 };
 
-/// a U + (b V + c), likewise.
+/// a U + (b V + c), evaluated in this order, each operation rounded to double.
 struct TracedPlane {
   double a = 0;
   double b = 0;
@@ -54,54 +54,54 @@ struct TracedPlane {
   bool operator==(const TracedPlane&) const = default;
 };
 
-/// How depth or an attribute came about. What a stage handed on is there where the value comes from
-/// that; what was computed beside it is not. A value with neither planes nor lines nor weights was
-/// copied, comes from sums without rounding, or in a way that the backend does not tell.
+/// How depth or an attribute was computed. A stage's output is present only if the value comes from
+/// it, not if it was merely computed as well. A value without planes, lines and weights was copied,
+/// comes from sums without rounding, or was computed in a way that the backend does not report.
 struct TracedValue {
-  double u = 0;  ///< where it was evaluated, pixels
+  double u = 0;  ///< the place where the value was evaluated, pixels
   double v = 0;
-  /// Whether it belongs to the clip positions as they are: `corners` and `snapped` of the trace are
-  /// what is covered, and no part of how the value came about.
+  /// True if the value comes from the unmodified clip positions; the trace's `corners` and
+  /// `snapped` then decided coverage only.
   bool is_from_vertices = false;
-  /// The stages `clip_space` and `snap` of the part that it is of, where that is another than the
-  /// sample's: of a value at the centre, say.
+  /// The stages `clip_space` and `snap` of the part of the triangle that the value comes from, if
+  /// that is not the part with the sample (for a value at the centre, say).
   std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
   std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
   /// The stage `set_up`: the value is numerator / denominator, or the numerator alone.
   std::optional<TracedPlane> numerator = std::nullopt;
   std::optional<TracedPlane> denominator = std::nullopt;
-  /// Or it comes from SampleTrace::lines.
+  /// Alternatively, the value comes from SampleTrace::lines.
   bool is_from_lines = false;
-  /// The stage `weights`: these planes at (u, v), depth before it is held to its range.
+  /// The stage `weights`: these planes at (u, v); depth before clamping to its range.
   std::optional<double> numerator_at = std::nullopt;
   std::optional<double> denominator_at = std::nullopt;
-  /// Or a multiple of the weights of the corners there; where it is from lines, E_i.
+  /// Alternatively, a multiple of the corners' weights at (u, v); E_i if `is_from_lines`.
   std::optional<std::array<double, 3>> weights = std::nullopt;
-  /// Or a multiple of the shares of the corners in the value, of whatever interpolation: it is
-  /// Σ share_c r_c / Σ share_c.
+  /// Alternatively, a multiple of the corners' shares in the value, for any interpolation: the
+  /// value is Σ share_c r_c / Σ share_c.
   std::optional<std::array<double, 3>> shares = std::nullopt;
-  bool is_exact = false;  ///< from sums without rounding
-  /// The stage `evaluation`: before it was rounded to float32; nothing where that was the last
-  /// operation.
+  bool is_exact = false;  ///< true if the value comes from sums without rounding
+  /// The stage `evaluation`: the value before rounding to float32; empty if that rounding was part
+  /// of the last operation.
   std::optional<double> evaluated = std::nullopt;
   float value = 0;
   bool operator==(const TracedValue&) const = default;
 };
 
 struct SampleTrace {
-  bool is_drawn = true;  ///< else there are no values
+  bool is_drawn = true;  ///< if false, no values are present
   /// The stage `transform`: the clip positions (x, y, z, w) that were received.
   std::array<std::array<float, 4>, 3> positions{};
-  /// The stage `clip_space`, where there is one: the corners of the part that the sample is of.
+  /// The stage `clip_space`, if any: the corners of the part that contains the sample.
   std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
-  /// The stage `snap`, where there is one: the same on the grid.
+  /// The stage `snap`, if any: those corners on the grid.
   std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
-  /// The stage `set_up`: of those corners, or of the vertices where there are none or values are
+  /// The stage `set_up`: from those corners, or from the vertices if there are none or values are
   /// `is_from_vertices`.
   std::optional<TracedFrame> frame = std::nullopt;
   std::optional<std::array<TracedLine, 3>> lines = std::nullopt;
-  /// The stage `coverage`: where the sample was taken to be, pixels, E_i there as they were
-  /// computed, and how it was decided.
+  /// The stage `coverage`: the assumed position of the sample, pixels, E_i as computed there, and
+  /// how coverage was decided.
   double u = 0;
   double v = 0;
   std::optional<std::array<double, 3>> edges = std::nullopt;

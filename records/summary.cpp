@@ -10,7 +10,7 @@
 namespace rastercheck::records {
 namespace {
 
-/// Takes in one side's extreme; of equally large ones the first stays, which is the negative.
+/// Keeps the larger of two extremes. If they are equal, the first stays, which is the negative one.
 void keep_worst(SizeSummary& summary, const std::optional<WorstError>& extreme) {
   if (!extreme) return;
   const Enclosure magnitude = records::magnitude(extreme->error);
@@ -20,8 +20,8 @@ void keep_worst(SizeSummary& summary, const std::optional<WorstError>& extreme) 
   summary.worst_at = extreme;
 }
 
-/// Of two kinds the extremes are compared by size alone: each is in its own unit, and the larger
-/// number is what a table shows.
+/// Compares extremes of different kinds by size alone, each in its own unit, because a table shows
+/// the larger number.
 void take_in(SizeSummary& summary, const ErrorSizes& sizes) {
   summary.histogram.merge(sizes.histogram);
   keep_worst(summary, sizes.extremes.most_negative);
@@ -30,12 +30,12 @@ void take_in(SizeSummary& summary, const ErrorSizes& sizes) {
 
 void conclude(SizeSummary& summary) {
   summary.values = summary.histogram.count();
-  // Errors of zero are on neither side and leave no extreme.
+  // Errors of zero are on neither side of zero and leave no extreme.
   if (summary.values > 0 && !summary.worst) summary.worst = Enclosure{0, 0};
   summary.p99 = summary.histogram.quantile(kTail);
 }
 
-/// Nothing where there is no value.
+/// Empty if there is no value.
 std::optional<Precision> precision_of(AttributeKind kind, std::optional<Stratum> stratum,
                                       const ErrorSizes& sizes) {
   const auto error_of = [](const std::optional<WorstError>& extreme) {
@@ -49,7 +49,8 @@ std::optional<Precision> precision_of(AttributeKind kind, std::optional<Stratum>
   if (precision.values == 0) return std::nullopt;
   precision.min = error_of(sizes.extremes.most_negative);
   precision.max = error_of(sizes.extremes.most_positive);
-  // Files from before there were sums have none, and merged ones might have one of a part.
+  // Files from before sums existed have no sum, and merged files may have a sum of only a part of
+  // the values.
   if (sizes.sum.count() == precision.values) precision.mean = sizes.sum.mean();
   precision.p50 = histogram.quantile(kMedian);
   precision.p99 = histogram.quantile(kTail);
@@ -82,8 +83,8 @@ void append_stages(std::vector<StageMean>& rows, AttributeKind kind,
   for (const auto& [stratum, sums] : errors.stages) append(stratum, sums);
 }
 
-/// Cases in which nothing was drawn rightly say nothing for a law: it only held if it held of
-/// something.
+/// A law counts as held only if it held for something: cases without anything drawn correctly do
+/// not count.
 LawVerdict verdict_of(const LawSummary& row, std::uint64_t correct_fragments) {
   if (row.cases.violations > 0) return LawVerdict::violated;
   if (row.cases.known > 0) return LawVerdict::known;
@@ -96,7 +97,8 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
   LawSummary row;
   row.law = law;
   row.backend = backend;
-  // Strata first: of one kind, merging decides between equally large errors by their place.
+  // Merges strata first, because within one kind merging decides between equally large errors by
+  // their place.
   std::map<AttributeKind, Record> by_kind;
   for (const auto& [key, record] : run.records) {
     if (key.law == law && key.backend == backend) merge(by_kind[key.attribute_kind], record);
@@ -137,7 +139,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
   row.judged.asked = row.cases.checked + row.cases.not_applicable;
   row.judged.applicable = row.cases.checked;
   row.least_cases = run.plan.require_cases.value_or(usual_least_cases(row.judged.asked));
-  // Fragments in their places do not make a law on values hold.
+  // Correct coverage alone does not make a law about values hold.
   const bool is_any_judged = !has_values || row.judged.values > 0 || row.judged.not_judged.empty();
   row.verdict = verdict_of(row, is_any_judged ? correct_fragments : 0);
   return row;

@@ -7,24 +7,24 @@
 
 namespace rastercheck::records {
 
-/// What the rules say of a sample and a triangle (RULES §2): it has to be drawn, must not be drawn,
-/// or either is right. There is no fourth answer.
+/// The rules' answer for a sample and a triangle (RULES §2): must be drawn, must not be drawn, or
+/// may be either. A fourth answer does not exist.
 enum class Verdict { required, forbidden, permitted };
 
-/// Why a verdict is what it is.
+/// The reason for a verdict.
 enum class Reason {
   inside,     ///< required: strictly inside every edge
   tie,        ///< on an edge or clip-distance boundary, decided by (or left open by) the tie rule
-  snapping,   ///< permitted: inside for some placements of the snapped vertices only
+  snapping,   ///< permitted: inside only for some placements of the snapped vertices
   clip_edge,  ///< permitted: within the clip tolerance of a clip edge or of an edge that was cut,
               ///< or on the far border of the viewport
-  nonpositive_w,  ///< permitted: the same, of a triangle cut because some w <= 0
+  nonpositive_w,  ///< permitted: as `clip_edge`, for a triangle cut because some w <= 0
   depth,          ///< permitted: which of several fragments is nearest is left open
-  not_promised,   ///< permitted: the contract promises nothing of the triangle
-  outside,        ///< forbidden: beyond an edge, or on one that does not own it
+  not_promised,   ///< permitted: the contract promises nothing about the triangle
+  outside,        ///< forbidden: beyond an edge, or on an edge that does not own the sample
   clipped,        ///< forbidden: beyond a clip plane or a clip distance
   viewport,       ///< forbidden: outside the viewport, scissor or framebuffer; permitted: inside
-                  ///< by some of the viewports that may be drawn by
+                  ///< only some of the viewports that the contract allows
   culled,         ///< forbidden: the triangle faces the wrong way
   degenerate,     ///< forbidden: the triangle is seen edge-on or has no area
 };
@@ -35,7 +35,7 @@ struct SampleVerdict {
   Reason reason = Reason::outside;
 };
 
-/// Of JSON output and tables.
+/// The names in JSON output and tables.
 constexpr auto names_of(Verdict /*type*/) {
   return std::to_array<std::string_view>({"required", "forbidden", "permitted"});
 }

@@ -12,7 +12,8 @@
 namespace rastercheck::reports {
 namespace {
 
-/// A text as workflow commands take it; in a property commas and colons end it as well.
+/// Escapes a text for a workflow command. In a property of the command, commas and colons are
+/// escaped as well.
 std::string escaped(std::string_view text, bool is_property) {
   std::string result;
   for (const char c : text) {
@@ -30,7 +31,7 @@ std::string command(std::string_view level, std::string_view title, std::string_
   return fmt::format("::{} title={}::{}\n", level, escaped(title, true), escaped(message, false));
 }
 
-/// GitHub shows ten of a step, and drops the rest.
+/// GitHub shows ten annotations per step and drops the rest.
 constexpr std::size_t kMostAnnotations = 10;
 
 std::string error_of(const Gate& gate, const records::Comparison& comparison,

@@ -24,8 +24,8 @@ Error base64_refusal() { return {"", "", "must be base64, with padding and witho
 }  // namespace
 
 std::string to_base64(std::string_view bytes) {
-  // Boost's iterator reads a whole group at the end, so the last group is completed with zeros and
-  // what stands for them becomes padding.
+  // Boost's iterator always reads a whole group. So zeros fill the last group, and their digits
+  // become padding.
   const std::size_t rest = bytes.size() % kBytesOfGroup;
   const std::size_t whole = bytes.size() - rest;
   const std::string_view groups = bytes.substr(0, whole);
@@ -53,7 +53,8 @@ Result<std::string> from_base64(std::string_view text) {
   const std::string_view view = digits;
   std::string bytes(Decoder(view.begin()), Decoder(view.end()));
   bytes.resize(bytes.size() - padding);
-  // The last digit before padding has bits that belong to no byte; other than zero, it was cut off.
+  // The last digit before the padding has bits that belong to no byte; resize() dropped them even
+  // if they were not 0.
   if (padding > 0 && to_base64(bytes) != text) return tl::unexpected(base64_refusal());
   return bytes;
 }

@@ -7,11 +7,11 @@
 
 namespace rastercheck::reports {
 
-/// RFC 4648, section 4: the standard alphabet, with padding, without line breaks.
+/// Encodes as in RFC 4648, section 4: with the standard alphabet and padding, without line breaks.
 std::string to_base64(std::string_view bytes);
 
-/// The bytes that to_base64 made this text of. Refuses every other text: foreign characters,
-/// missing or misplaced padding, bits that no byte has.
+/// Decodes a text that to_base64() made. Refuses every other text: foreign characters, missing or
+/// misplaced padding, nonzero padding bits.
 Result<std::string> from_base64(std::string_view text);
 
 }  // namespace rastercheck::reports

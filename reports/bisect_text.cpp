@@ -17,7 +17,7 @@ namespace rastercheck::reports {
 namespace {
 
 constexpr std::size_t kShownHash = 10;
-/// Figures that are worse; all of their entries are in the JSON.
+/// The most worse figures that are shown; the JSON has all of them.
 constexpr std::size_t kMostLines = 5;
 constexpr std::size_t kMostStagesOfCommit = 1;
 
@@ -38,7 +38,7 @@ std::string growth_text(const records::Comparison& comparison, const std::string
   return text;
 }
 
-/// The entries that are worse, the stages that made it, and the case that grew most.
+/// The worse entries, the stages that made them worse, and the case that grew most.
 std::string comparison_lines(const records::Comparison& comparison, const std::string& folder) {
   const std::uint64_t worse = refused(comparison);
   if (worse == 0) return "";
@@ -113,7 +113,7 @@ nlohmann::ordered_json to_json(const std::vector<Element>& all) {
   return array;
 }
 
-/// "5 of 9 commits were judged, 1 more could not be."
+/// "Judged 5 of 10 commits, skipped 1."
 std::string count_text(const records::BisectOutcome& outcome) {
   return fmt::format("Judged {} of {}{}.\n", outcome.tried,
                      counted(outcome.commits + 1, "commit", "commits"),

@@ -12,9 +12,10 @@ namespace rastercheck::reports {
 /// "12 entries are worse".
 std::string worse_text(std::uint64_t entries);
 
-/// The first commit that is worse, the case whose error grew most, and how it was found.
+/// Names the first worse commit and the case whose error grew most, and says how the commit was
+/// found.
 std::string bisect_text(const records::BisectOutcome& outcome);
-/// Prints it as JSON, on one line.
+/// The outcome as JSON, on one line.
 std::string bisect_json(const records::BisectOutcome& outcome);
 
 }  // namespace rastercheck::reports

@@ -44,6 +44,15 @@ std::string cause_line(const records::Run& run, const records::Cause& cause) {
   return line;
 }
 
+std::string hint_text(const records::Cause& cause) {
+  if (!cause.hint) return "";
+  const std::uint64_t wrong = cause.hint->wrong;
+  return fmt::format("{} wrong {} right if {}",
+                     wrong == 1 ? "the one" : fmt::format("{} of {}", cause.hint->right, wrong),
+                     wrong == 1 ? "drawing is" : "drawings are",
+                     cases::printable(cause.hint->change));
+}
+
 std::vector<std::size_t> without_cause(const records::Run& run) {
   std::set<std::uint64_t> named;
   for (const records::Cause& cause : run.causes) {
@@ -61,6 +70,7 @@ std::string causes_text(const records::Run& run, const CommandOf& command_of) {
   for (std::size_t i = 0; i < run.causes.size(); ++i) {
     const records::Cause& cause = run.causes[i];
     text += fmt::format("\nCause {}: {}\n", i + 1, cause_line(run, cause));
+    if (cause.hint) text += fmt::format("  Hint: {}.\n", hint_text(cause));
     for (const std::string& tried : cause.tried) {
       text += fmt::format("  It {}.\n", cases::printable(tried));
     }
@@ -74,8 +84,9 @@ std::string causes_list(const records::Run& run, const CommandOf& command_of) {
   std::string text = fmt::format("{}:\n", cause_counts(run));
   for (std::size_t i = 0; i < run.causes.size(); ++i) {
     const records::Cause& cause = run.causes[i];
-    text += fmt::format("  {}. {}\n     {}\n", i + 1, cause_line(run, cause),
-                        command_of(first_of(run, cause)));
+    text += fmt::format("  {}. {}\n", i + 1, cause_line(run, cause));
+    if (cause.hint) text += fmt::format("     hint: {}\n", hint_text(cause));
+    text += fmt::format("     {}\n", command_of(first_of(run, cause)));
   }
   return text;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the counterexamples of a run have in common, for a terminal.
+// Describes the causes that a run's counterexamples share, for a terminal.
 
 #include <cstddef>
 #include <functional>
@@ -16,20 +16,23 @@ namespace rastercheck::reports {
 /// "35 counterexamples, 8 causes"; "1 counterexample, 1 cause".
 std::string cause_counts(const records::Run& run);
 
-/// "samples are missing where depth is clamped: 12 counterexamples of 7 properties"; of a run of
-/// several backends on which.
+/// "samples are missing where depth is clamped: 12 counterexamples of 7 properties". If the run has
+/// several backends, also names those concerned.
 std::string cause_line(const records::Run& run, const records::Cause& cause);
 
-/// Places of counterexamples that are of no cause, as in runs of before there were any.
+/// "11 of 12 wrong drawings are right if y points the other way"; empty without a hint.
+std::string hint_text(const records::Cause& cause);
+
+/// The indices of counterexamples without a cause. Runs from before causes existed have only these.
 std::vector<std::size_t> without_cause(const records::Run& run);
 
 using CommandOf = std::function<std::string(const records::Counterexample&)>;
 
-/// All causes, those of most counterexamples first: each in a sentence, with what was tried of it
-/// and its smallest counterexample.
+/// Describes all causes, those with the most counterexamples first: a sentence for each, the
+/// attempts to explain it, and its smallest counterexample.
 std::string causes_text(const records::Run& run, const CommandOf& command_of);
 
-/// The last lines of a run: how many there are, and a line and a command of each.
+/// The last lines of a run's output: the number of causes, then a line and a command for each.
 std::string causes_list(const records::Run& run, const CommandOf& command_of);
 
 }  // namespace rastercheck::reports

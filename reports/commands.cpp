@@ -7,7 +7,7 @@
 namespace rastercheck::reports {
 namespace {
 
-/// A word as a shell reads it back.
+/// Quotes a word so that a shell reads back the same word.
 std::string shell_word(std::string_view word) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=:,./@%";

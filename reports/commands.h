@@ -1,6 +1,6 @@
 #pragma once
 
-// The commands that reports name, as lines for a shell.
+// The shell commands that reports show.
 
 #include <string>
 #include <vector>
@@ -9,18 +9,20 @@
 
 namespace rastercheck::reports {
 
-/// What does the run again. Of runs from before run.json had "options", with the same backends,
-/// cases, seed and scene only.
+/// The command that repeats the run. A run.json written before "options" existed gives only the
+/// same backends, cases, seed and scene.
 std::string run_command(const records::Run& run);
 
-/// What checks a counterexample of the run again, which is saved as `file`, in the same way.
+/// The command that checks a counterexample of the run again, in the same way as the run. The
+/// counterexample must be saved as `file`.
 std::string replay_command(const records::Run& run, const std::string& file);
 
-/// What looks closely at one sample of a case that is saved as `file`, drawn as in the run.
+/// The command that explains one sample of a case, drawn as in the run. The case must be saved as
+/// `file`.
 std::string explain_command(const records::Run& run, const std::string& file,
                             const records::WorstError& place);
 
-/// Any other command: its words as a shell reads them back.
+/// Joins the words of any other command, quoted for a shell.
 std::string command_line(const std::vector<std::string>& all);
 
 }  // namespace rastercheck::reports

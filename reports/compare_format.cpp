@@ -19,7 +19,7 @@ std::vector<CompareFormat>& compare_registry() {
 }  // namespace
 
 CompareFormatRegistration::CompareFormatRegistration(const CompareFormat& format) {
-  // The order in which files register is the linker's; lists have one of their own.
+  // Files register in the order of linking; the list is kept sorted by name.
   const auto after =
       std::find_if(compare_registry().begin(), compare_registry().end(),
                    [&format](const CompareFormat& other) { return other.name > format.name; });

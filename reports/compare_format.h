@@ -1,7 +1,7 @@
 #pragma once
 
-// The forms in which comparisons are written. A form is one file in reports/compare_formats/ that
-// registers itself:
+// The formats in which comparisons are written. Each format is a file in reports/compare_formats/
+// that registers itself:
 //
 //   const CompareFormatRegistration kRegistration({"name", "compare.name", &write});
 
@@ -16,21 +16,22 @@
 
 namespace rastercheck::reports {
 
-/// All that reports of a gate are made from.
+/// The data from which the reports of a gate are made.
 struct Gate {
-  std::vector<records::Comparison> comparisons;  ///< one for each backend
+  std::vector<records::Comparison> comparisons;  ///< one per backend
   records::PolicyReview policy;
   std::string baseline_file;  ///< as the user named it
-  std::string current_file;   ///< likewise
-  /// Folder of the comparison's files that the listed cases are saved in, each as file_of(growth);
-  /// empty where they are not saved.
+  std::string current_file;   ///< also as the user named it
+  /// The folder of the comparison's files, in which each listed case is saved as file_of(growth).
+  /// Empty if the cases are not saved.
   std::string folder;
-  /// The runs behind both sides, where they are runs; nullptr of a baseline file.
+  /// The runs behind both sides; nullptr for a side that is a baseline file.
   const records::Run* before_run = nullptr;
   const records::Run* after_run = nullptr;
-  /// The baseline, for what else it keeps of its run; may be nullptr.
+  /// The baseline, which keeps more data about its run; may be nullptr.
   const records::Baseline* baseline = nullptr;
-  /// Cases drawn again and looked at, of all comparisons: of each those of its current backend.
+  /// The cases, of all comparisons, that were drawn again with their current backends and
+  /// inspected.
   std::vector<records::CloserLook> looks = {};
 };
 
@@ -40,22 +41,22 @@ struct CompareFormat {
   std::string (*write)(const Gate& gate);
 };
 
-/// All of them, in the order of their names.
+/// All formats, sorted by name.
 const std::vector<CompareFormat>& compare_formats();
 
-/// That of a name; the error names those there are.
+/// Returns the format with that name. The error lists the existing names.
 Result<CompareFormat> find_compare_format(std::string_view name);
 
 struct CompareFormatRegistration {
   explicit CompareFormatRegistration(const CompareFormat& format);
 };
 
-/// The file that a grown case is saved as, within the folder: "grown/LAW-random-12.json", with what
-/// is neither letter nor digit made '-'.
+/// The file of a grown case within the folder: "grown/LAW-random-12.json", with '-' in place of
+/// every character that is neither a letter nor a digit.
 std::string file_of(const records::Comparison& comparison, const records::CaseGrowth& growth);
 
-/// Writes all forms into the folder, which is made where it is missing, each file whole or not at
-/// all.
+/// Writes all formats into the folder, which is created if missing. Each file is written either
+/// whole or not at all.
 Result<void> write_comparison(const Gate& gate, const std::string& directory);
 
 }  // namespace rastercheck::reports

@@ -15,7 +15,7 @@ constexpr std::size_t kMostEntries = 10;
 constexpr std::size_t kMostGrowths = 5;
 constexpr std::size_t kMostStages = 3;
 
-/// "and 12 more", where there are more.
+/// "… and 12 more" if there are more than are shown; otherwise empty.
 std::string more_text(std::uint64_t all, std::uint64_t shown, const Gate& gate) {
   if (all <= shown) return "";
   return fmt::format("  … and {} more{}\n", grouped(all - shown),
@@ -114,7 +114,7 @@ std::string text_of(const Gate& gate, const records::Comparison& comparison, boo
   return text + laws_text(comparison);
 }
 
-/// What to do about it, of all that changed.
+/// Advice on what to do about the changes.
 std::string advice_text(const Gate& gate) {
   const auto some = [&gate](records::Change change) {
     return std::any_of(gate.comparisons.begin(), gate.comparisons.end(),

@@ -1,6 +1,6 @@
 #pragma once
 
-// A gate's outcome for people, on a terminal.
+// Describes a gate's outcome, for a terminal.
 
 #include <string>
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace rastercheck::reports {
 
-/// Of each comparison the verdict, the entries that are worse, the largest growths of cases, the
-/// stages whose part grew, what is better; then what the policy says. Lines of at most 80
-/// characters but for names and commands. `quiet`: verdicts and worse entries only.
+/// For each comparison: the verdict, the worse entries, the cases that grew most, the stages whose
+/// part grew, and what is better; then the findings of the policy. Lines have at most 80
+/// characters, except for names and commands. If `quiet`, only verdicts and worse entries.
 std::string comparison_text(const Gate& gate, bool quiet);
 
-/// What changed, one line each: "LAW: smooth, sliver: worst 0.5 → 0.731 ULP".
+/// The changes, one per line: "LAW: smooth, sliver: worst 0.5 → 0.731 ULP".
 std::vector<std::string> change_lines(const std::vector<records::EntryChange>& entries);
 
 }  // namespace rastercheck::reports

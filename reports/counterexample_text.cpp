@@ -20,11 +20,11 @@ namespace {
 using records::Counterexample;
 using records::Violation;
 
-/// Vertices, or triangles, of a case that shows them; of one with more the file is to be looked at.
+/// The most vertices, or triangles, of a case that are shown; the case file has the rest.
 constexpr std::size_t kMostShown = 12;
-constexpr int kMeasureDigits = 6;  ///< of errors and distances, at most
+constexpr int kMeasureDigits = 6;  ///< the most digits of errors and distances
 
-/// "0x1.8p-2 (0.375)"; small whole numbers as they are.
+/// Formats a number as "0x1.8p-2 (0.375)", or a small whole number in decimal.
 std::string number_text(float value) {
   const bool is_minus_zero = value == 0 && std::signbit(value);
   const bool is_plain = value == std::trunc(value) && std::abs(value) < 1000;
@@ -65,7 +65,7 @@ std::string printed_violation(const Violation& v, const cases::Case& c) {
   return text;
 }
 
-/// Where it was found, and what was done to it.
+/// Says where the case was found and how it was changed.
 std::string history_text(const Counterexample& one) {
   const cases::Found found = one.source.found.value_or(cases::Found());
   std::string text;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Counterexamples for people, on a terminal.
+// Describes counterexamples, for a terminal.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,23 +13,24 @@
 
 namespace rastercheck::reports {
 
-/// A counterexample over several lines: what failed and where, exact and actual value, the pixels
-/// around it, the case's state and vertices, and the command that checks it again (commands.h).
+/// Describes a counterexample over several lines: what failed and where, the exact and the actual
+/// value, the surrounding pixels, the case's state and vertices, and the command that checks it
+/// again (commands.h).
 std::string counterexample_text(const records::Counterexample& counterexample,
                                 const std::string& command);
 
-/// The part of it that shows the case: pixels, state, vertices, triangles; indented lines.
+/// The indented lines that show the case: pixels, state, vertices and triangles.
 std::string case_text(const cases::Case& c);
 
-/// Its first line: the pixels, and of the state what is not as a case file has it by default.
+/// The first line of case_text(): the pixels, and the state that differs from the defaults of a
+/// case file.
 std::string state_text(const cases::Case& c);
 
-/// Where a vertex is seen, x and y: pixels, or, where it is snapped, units of the subpixel grid;
-/// "-" where w <= 0. In double: to look at.
+/// The x and y at which a vertex is seen, in pixels, or in units of the subpixel grid if the case
+/// is snapped; "-" if w <= 0. Computed in double, for display only.
 std::pair<std::string, std::string> window_text(const cases::Case& c, const cases::ClipVertex& p);
 
-/// Violations as a table (text_table), indented; `all` is how many there are, of which these are
-/// the first.
+/// Lists violations as an indented table (text_table()). `violations` are the first of `all`.
 std::string violations_text(std::span<const records::Violation> violations, std::uint64_t all,
                             std::optional<std::size_t> columns);
 

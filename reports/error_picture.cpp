@@ -17,7 +17,7 @@ using records::PixelState;
 
 constexpr Color kInk{40, 40, 40};
 
-// The legend, in pixels from its top: a bar, ticks, their labels, and a line of text.
+// The layout of the legend, in pixels from its top: a bar, ticks, their labels, and a line of text.
 constexpr int kMargin = 8;
 constexpr int kBarTop = 8;
 constexpr int kBarHeight = 8;
@@ -55,7 +55,7 @@ void draw_legend(Image& image, int top) {
   }
 }
 
-/// The map's pixels, its first column at `left`.
+/// Paints the map's pixels, with the map's first column at `left`.
 void paint(Image& image, int left, const ErrorMap& map, cases::Rules rules,
            const ErrorScale& scale) {
   assert(map.states.size() ==
@@ -73,7 +73,8 @@ void paint(Image& image, int left, const ErrorMap& map, cases::Rules rules,
   for_each_pixel(PixelState::correct, [&](int column, int row, float error) {
     image.set(column, row, error_color(scale, error));
   });
-  // Last, so that no neighbour covers a cross: a single pixel would be lost among a million.
+  // Violated pixels come last, so that no neighbour covers their crosses. A cross is easier to see
+  // than a single pixel among a million.
   for_each_pixel(PixelState::violated, [&](int column, int row, float /*error*/) {
     for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       image.set(column + dx, row + dy, scale.violated);
@@ -92,7 +93,7 @@ Image draw_errors(const ErrorMap& map, cases::Rules rules, const ErrorScale& sca
 Image draw_error_map(const ErrorMap& map, cases::Rules rules) {
   Image image =
       Image::filled(std::max(map.width, kLeastWidth), map.height + kLegendHeight, kUndrawn);
-  // A narrow map stands in the middle.
+  // Centres a map that is narrower than the legend.
   paint(image, (image.width - map.width) / 2, map, rules, ulp_scale());
   draw_legend(image, map.height);
   return image;

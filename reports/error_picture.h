@@ -7,15 +7,16 @@
 
 namespace rastercheck::reports {
 
-/// The error of each pixel as a colour of the scale, in whose unit the map's errors are; violated
-/// pixels and their four neighbours have a colour of their own; where nothing is drawn it is light
-/// grey. `rules` are those of the case: they say where window y points.
+/// Colours each pixel by its error, on a scale whose unit is that of the map's errors. Violated
+/// pixels and their four neighbours have a colour of their own. Pixels where nothing is drawn are
+/// light grey. `rules` must be those of the case, as they decide where window y points.
 ///
-/// The map has `width` · `height` states and errors. The same to the bit wherever it is drawn.
+/// The map must have `width` · `height` states and errors. The image is the same to the bit on
+/// every machine.
 Image draw_errors(const records::ErrorMap& map, cases::Rules rules, const ErrorScale& scale);
 
-/// The same in scale ULP, with a legend below; the image is as much wider than the map as the
-/// legend needs.
+/// Draws errors in scale ULP, with a legend below. If the legend is wider than the map, the image
+/// is as wide as the legend.
 Image draw_error_map(const records::ErrorMap& map, cases::Rules rules);
 
 }  // namespace rastercheck::reports

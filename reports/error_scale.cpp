@@ -20,7 +20,7 @@ constexpr std::array<Color, 6> kVioletToSand{Color{34, 20, 66},   Color{92, 28, 
 constexpr Color kRed{235, 0, 50};
 constexpr Color kCyan{0, 214, 230};
 
-/// Every second octave.
+/// A label for every second octave.
 constexpr std::array<std::string_view, 9> kUlpLabels{"1/64", "1/16", "1/4", "1",   "4",
                                                      "16",   "64",   "256", "1024"};
 constexpr std::array<std::string_view, 7> kTexelLabels{"1/16", "1/4", "1", "4", "16", "64", "256"};
@@ -65,7 +65,7 @@ Color error_color(const ErrorScale& scale, float error) {
 }
 
 std::string legend_svg(const ErrorScale& scale) {
-  // In units of the view box: a bar, and its labels below.
+  // In units of the view box: a bar with its labels below.
   constexpr double kWidth = 320;
   constexpr double kMargin = 14;
   constexpr double kBar = kWidth - 2 * kMargin;
@@ -73,7 +73,7 @@ std::string legend_svg(const ErrorScale& scale) {
       "<svg class=\"legend\" viewBox=\"0 0 {} 40\" role=\"img\" aria-label=\"Colours from {} to {} "
       "{}\">\n",
       kWidth, scale.labels.front(), scale.labels.back(), scale.unit);
-  // Steps rather than a gradient, which would want a name that is its own on the page.
+  // Steps rather than a gradient, which would need a name that is unique on the page.
   constexpr int kSteps = 73;
   for (int i = 0; i < kSteps; ++i) {
     const Color color = ramp_color(scale, static_cast<double>(i) / (kSteps - 1));

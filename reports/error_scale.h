@@ -1,7 +1,7 @@
 #pragma once
 
-// Colours for errors, on a logarithmic scale. Two scales that are seen side by side have colours of
-// their own, so that what is nearly right and what is far off are not taken for each other.
+// Colours for errors, on a logarithmic scale. Scales that are seen side by side have different
+// colours, so that readers do not mistake a small error on one scale for a large error on another.
 
 #include <span>
 #include <string>
@@ -11,33 +11,34 @@
 
 namespace rastercheck::reports {
 
-/// From 2^least_exponent and less, the first colour, to 2^greatest_exponent and more, the last.
+/// A range of errors and its colours: the first colour stands for errors of 2^least_exponent and
+/// below, the last for errors of 2^greatest_exponent and above.
 struct ErrorScale {
-  std::string_view unit;  ///< in the plural, as "scale ULP"
+  std::string_view unit;  ///< plural, such as "scale ULP"
   int least_exponent = 0;
   int greatest_exponent = 0;
-  /// Dark to light, at equal distances: apart for readers who do not tell red from green, and on
-  /// paper without colours.
+  /// From dark to light, at equal distances. The colours also differ for readers who cannot tell
+  /// red from green, and in print without colours.
   std::span<const Color> ramp;
   Color violated;                            ///< not on the ramp
-  std::span<const std::string_view> labels;  ///< from end to end at equal distances
+  std::span<const std::string_view> labels;  ///< from end to end, at equal distances
 };
 
-/// 1/64…1024 scale ULP, from blue to yellow: of what is off by roundings.
+/// From 1/64 to 1024 scale ULP, in blue to yellow, for rounding errors.
 const ErrorScale& ulp_scale();
-/// 1/16…256 of a texture's texels, from violet to sand: of what is seen to be off.
+/// From 1/16 to 256 texels of a texture, in violet to sand, for visible errors.
 const ErrorScale& texel_scale();
-/// The same of the 255 levels of a colour.
+/// The same range and colours for errors of colours, in steps of 1/255.
 const ErrorScale& level_scale();
 
-/// The colour at a share of the ramp, 0…1.
+/// The colour at a position on the ramp, 0…1.
 Color ramp_color(const ErrorScale& scale, double share);
 
-/// The colour of an error in the scale's unit; what is no number is violated.
+/// The colour of an error, given in the scale's unit; NaN counts as violated.
 Color error_color(const ErrorScale& scale, float error);
 
-/// The ramp with its labels and its unit, as an SVG element. Colours of text come from the page
-/// (--ink, --muted).
+/// The ramp with its labels and its unit, as an SVG element. The page supplies the colours of the
+/// text (--ink, --muted).
 std::string legend_svg(const ErrorScale& scale);
 
 }  // namespace rastercheck::reports

@@ -1,6 +1,6 @@
 #pragma once
 
-// The forms in which a run is written. A format is one file in reports/formats/ that registers
+// The formats in which a run is written. Each format is a file in reports/formats/ that registers
 // itself:
 //
 //   const FormatRegistration kRegistration({"name", "file.name", &write});
@@ -17,23 +17,24 @@
 namespace rastercheck::reports {
 
 struct Format {
-  std::string_view name;       ///< as on the command line, "html"
-  std::string_view file_name;  ///< within the run's folder, "report.html"
-  /// The whole file, UTF-8. Depends on nothing but the run; texts of the run may be any bytes.
+  std::string_view name;       ///< as on the command line, such as "html"
+  std::string_view file_name;  ///< within the run's folder, such as "report.html"
+  /// Returns the content of the whole file, in UTF-8. Depends only on the run, whose texts may hold
+  /// any bytes.
   std::string (*write)(const records::Run& run);
-  bool is_on_request = false;  ///< written only where it is asked for by name
-  bool needs_cases = false;    ///< of runs that keep what each case gave (Run::cases) only
+  bool is_on_request = false;  ///< written only if asked for by name
+  bool needs_cases = false;    ///< requires a run that keeps each case's results (Run::cases)
 };
 
-/// All formats, in the order of their names.
+/// All formats, sorted by name.
 const std::vector<Format>& formats();
 
-/// The same, "html" and so on.
+/// The names of all formats, such as "html".
 std::vector<std::string> format_names();
-/// Those that every run writes.
+/// The names of the formats that every run writes.
 std::vector<std::string> default_format_names();
 
-/// The error names those there are.
+/// Returns the format with that name. The error lists the existing names.
 Result<Format> find_format(std::string_view name);
 
 struct FormatRegistration {

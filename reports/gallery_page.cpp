@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kTitle = "RasterCheck: the gallery";
 
 constexpr std::string_view kLead =
-    "Figures of five texts on interpolation in perspective, called seeds 000 to 004 here, drawn "
+    "Figures of five texts on interpolation in perspective, drawn "
     "anew with the methods that these texts are about. Beside every picture stands how far its "
     "values are from the exact perspective ones, which are computed in rational numbers.";
 
@@ -28,7 +28,7 @@ constexpr std::string_view kUnits =
     "by at most 0.5. The two have colours of their own. A pixel shows the largest error of its "
     "samples.";
 
-/// An image as the value of `src` or `url()`.
+/// Returns an image as the value of `src` or `url()`.
 Result<std::string> data_of(const Image& image) {
   return to_png(image).map(
       [](const std::string& png) { return "data:image/png;base64," + to_base64(png); });
@@ -67,7 +67,7 @@ std::string picture_facts(const GalleryPicture& picture) {
   return text + "</dl>\n";
 }
 
-/// A picture beside its errors.
+/// Shows a picture beside a picture of its errors.
 std::string pair_of(const GalleryPicture& picture, const PictureData& data) {
   const auto image = [&picture](const std::string& source, std::string_view what,
                                 const std::string& more) {
@@ -80,8 +80,8 @@ std::string pair_of(const GalleryPicture& picture, const PictureData& data) {
          picture_facts(picture);
 }
 
-/// Frames of a strip, from the strip itself as the background of each; the first pair runs through
-/// them.
+/// Shows the frames of a strip, each as a part of the strip's image. The first pair runs through
+/// all frames.
 std::string strip_of(const GalleryPicture& picture, const PictureData& data) {
   const auto style = [](std::string_view of, double percent) {
     return fmt::format("style=\"background-image:var(--{});background-position:{:.3f}% 0\"", of,

@@ -1,6 +1,6 @@
 #pragma once
 
-// The gallery: figures of textbooks drawn anew, as plain data and as the page that shows them.
+// The gallery: textbook figures drawn again, as plain data and as a page.
 
 #include <cstddef>
 #include <span>
@@ -14,20 +14,20 @@
 
 namespace rastercheck::reports {
 
-/// A picture and, of the same size, its errors.
+/// A picture and a picture of its errors, of the same size.
 struct GalleryPicture {
-  std::string name;     ///< of its files, without extension; the errors' has "-errors" besides
-  std::string title;    ///< what is drawn, and how, in a few words
+  std::string name;     ///< of its files, without extension; the file of errors adds "-errors"
+  std::string title;    ///< what is drawn and how, in a few words
   std::string method;   ///< what drew it
-  std::string missing;  ///< why there is no picture, nor what follows; empty where there is one
+  std::string missing;  ///< why the picture and the members below are missing; empty if drawn
   Image picture;
   Image errors;
-  int frames = 1;                     ///< that stand side by side in either
-  const ErrorScale* scale = nullptr;  ///< of the errors, and the unit of those below
-  double worst = 0;                   ///< at least the largest error of a sample that is seen
-  double p99 = 0;                     ///< that of 99 in 100 of them
-  std::size_t samples = 0;            ///< that are seen
-  std::size_t violations = 0;         ///< samples covered, or not, against what the method promises
+  int frames = 1;                     ///< how many frames either picture has, side by side
+  const ErrorScale* scale = nullptr;  ///< of the errors; `worst` and `p99` are in its unit
+  double worst = 0;                   ///< an upper bound on the largest error of a visible sample
+  double p99 = 0;                     ///< an upper bound on the error of 99 in 100 visible samples
+  std::size_t samples = 0;            ///< number of visible samples
+  std::size_t violations = 0;         ///< samples whose coverage contradicts the method's promise
 };
 
 struct GalleryPlot {
@@ -37,17 +37,16 @@ struct GalleryPlot {
 
 struct GalleryFigure {
   std::string title;
-  std::string source;                  ///< text and figure
-  std::vector<std::string> sentences;  ///< what one sees, and why
+  std::string source;                  ///< the book or paper, and the figure
+  std::vector<std::string> sentences;  ///< what the reader sees, and why
   std::vector<GalleryPicture> pictures;
   std::vector<GalleryPlot> plots;
 };
 
-/// "≤ 0.459": three digits, rounded up; "0" of none.
+/// "≤ 0.459", with three digits, rounded up; "0" for zero.
 std::string gallery_error_text(double error);
 
-/// One page that needs nothing else: no scripts, no files beside it. Fails where a picture is none
-/// that PNG holds.
+/// A single self-contained page without scripts or other files. Fails if PNG cannot hold a picture.
 Result<std::string> gallery_html(std::span<const GalleryFigure> figures);
 
 }  // namespace rastercheck::reports

@@ -10,7 +10,7 @@ namespace rastercheck::reports {
 /// Red, green, blue; sRGB, 0…255.
 using Color = std::array<std::uint8_t, 3>;
 
-/// Where nothing is drawn: light grey.
+/// The colour of pixels where nothing is drawn: light grey.
 inline constexpr Color kUndrawn{242, 242, 238};
 
 struct Image {
@@ -20,11 +20,11 @@ struct Image {
   std::vector<std::uint8_t> rgb;
   bool operator==(const Image&) const = default;
 
-  /// All of one colour.
+  /// An image filled with one colour.
   static Image filled(int width, int height, Color color);
 
   Color at(int column, int row) const;
-  /// Outside the image nothing happens.
+  /// Does nothing outside the image.
   void set(int column, int row, Color color);
 };
 

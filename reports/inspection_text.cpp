@@ -26,16 +26,16 @@ using records::InspectedValue;
 using records::Inspection;
 using records::Verdict;
 
-constexpr int kDigits = 6;  ///< of errors and distances, at most
+constexpr int kDigits = 6;  ///< the most digits of errors and distances
 
-/// Bytes of the text's first character (UTF-8).
+/// The number of bytes of the text's first character (UTF-8).
 std::size_t first_length(std::string_view text) {
   std::size_t length = 1;
   while (length < text.size() && (text[length] & 0xc0) == 0x80) ++length;
   return length;
 }
 
-/// `label`, then the text from column `indent` on, broken wherever a line ends.
+/// Returns `label`, then the text from column `indent` on, broken into lines.
 std::string broken(std::string_view label, std::size_t indent, std::string_view text) {
   std::string lines = fmt::format("{:<{}}", label, indent);
   std::size_t column = indent;
@@ -84,7 +84,7 @@ std::string triangle_text(const Inspection& inspection) {
   return text;
 }
 
-/// Verdict and drawing, put together.
+/// Describes the verdict together with what was drawn.
 std::string coverage_words(const InspectedSample& sample) {
   const bool is_permitted = sample.verdict == Verdict::permitted;
   if (sample.is_drawn) {
@@ -116,7 +116,7 @@ std::string coverage_text(const Inspection& inspection, const InspectedSample& s
 
 // --- The projective map --------------------------------------------------------------------------
 
-/// A sum of enclosed numbers: each end rounded outwards.
+/// The sum of enclosed numbers, with both ends rounded outwards.
 Enclosure sum_of(const std::array<Enclosure, 3>& numbers) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Enclosure sum = numbers[0];
@@ -163,14 +163,15 @@ std::string map_text(const Inspection& inspection, const InspectedSample& sample
 
 double middle_of(const Enclosure& enclosure) { return (enclosure.lo + enclosure.hi) / 2; }
 
-/// Decimals that show the largest of some numbers, which is not 0, to six digits.
+/// The number of decimals with which `largest`, the largest of some numbers, has six digits. It
+/// must not be 0.
 int decimals_for(double largest) {
   if (!std::isfinite(largest)) return 1;
   return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
 }
 
-/// Signed, with a fixed number of decimals, so that parts can be added up by eye; in powers of ten
-/// what does not fit, or would be nothing but zeros.
+/// A signed number with fixed decimals, so that readers can add up parts by eye. Uses powers of ten
+/// if the number would not fit or would show only zeros.
 std::string signed_text(double value, int decimals) {
   constexpr double kMost = 1e15;
   if (value == 0) return "0";
@@ -180,7 +181,8 @@ std::string signed_text(double value, int decimals) {
   return is_seen ? text : fmt::format("{:+.1e}", value);
 }
 
-/// `###|` or `|###`: as long as the value's share of the largest; a dot for what is too short.
+/// A bar, `###|` or `|###`, whose length is the value's share of the largest; a dot if that is too
+/// short.
 std::string bar_text(double value, double largest, std::size_t half) {
   const bool is_visible = value != 0 && largest > 0 && std::isfinite(largest);
   const auto length = is_visible ? static_cast<std::size_t>(std::lround(std::abs(value) / largest *
@@ -240,7 +242,7 @@ const records::ErrorSplit* find_split(const Inspection& inspection,
 
 // --- Values --------------------------------------------------------------------------------------
 
-constexpr std::size_t kColumn = 10;  ///< where what is said of a value begins
+constexpr std::size_t kColumn = 10;  ///< where descriptions of a value begin
 
 std::string value_name(const Inspection& inspection, std::optional<std::uint32_t> attribute) {
   if (!attribute) return "depth";

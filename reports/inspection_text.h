@@ -1,6 +1,6 @@
 #pragma once
 
-// One inspected sample for people, on a terminal.
+// Describes one inspected sample, for a terminal.
 
 #include <cstddef>
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace rastercheck::reports {
 
-/// The sample that was looked for over several lines, each of at most 80 characters but for names:
-/// triangle, verdict, q-matrix and edges, and of each value what is exact, what was drawn, its
-/// errors, and the error split by stage. `value` is an index into InspectedSample::values: only
-/// that one is shown then.
+/// Describes the inspected sample over several lines of at most 80 characters, except for names:
+/// the triangle, the verdict, the q-matrix and edges, and for each value the exact value, the drawn
+/// value, its errors and how the error splits into stages. `value` is an index into
+/// InspectedSample::values; if given, only that value is shown.
 std::string inspection_text(const records::Inspection& inspection,
                             std::optional<std::size_t> value = std::nullopt);
 
-/// What the numbers mean.
+/// Explains the numbers of inspection_text().
 std::string inspection_legend();
 
 }  // namespace rastercheck::reports

@@ -10,7 +10,7 @@
 namespace rastercheck::reports {
 namespace {
 
-// The drawing, in units of its view box.
+// The layout of the drawing, in units of its view box.
 constexpr double kWidth = 440;
 constexpr double kLeft = 44;
 constexpr double kRight = 424;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Curves over a common axis, as a drawing for a page.
+// Plots curves over a common axis, for a page.
 
 #include <string>
 #include <string_view>
@@ -15,11 +15,11 @@ struct PlotPoint {
 
 struct Curve {
   std::string name;
-  /// Lengths of strokes and gaps as SVG's stroke-dasharray takes them; empty for a solid line.
+  /// Lengths of dashes and gaps, in the syntax of SVG's stroke-dasharray; empty for a solid line.
   std::string_view dashes;
-  /// Of the page's colours --curve-0, --curve-1, …
+  /// Index of one of the page's colours: --curve-0, --curve-1, …
   int color = 0;
-  std::vector<PlotPoint> points;  ///< by x; empty for a curve that the legend alone names
+  std::vector<PlotPoint> points;  ///< by x; empty for a curve that appears only in the legend
 };
 
 struct Tick {
@@ -31,20 +31,21 @@ struct PlotAxis {
   std::string label;
   double low = 0;
   double high = 1;
-  /// Powers of two at equal distances; `low` is then what is drawn of anything less.
+  /// If true, powers of two are at equal distances, and anything less than `low` is drawn at `low`.
   bool is_logarithmic = false;
   std::vector<Tick> ticks;
 };
 
 struct LinePlot {
-  std::string title;  ///< what readers hear who do not see it
+  std::string title;  ///< read aloud by screen readers
   PlotAxis x;
   PlotAxis y;
   std::vector<Curve> curves;
 };
 
-/// The plot as an SVG element, with its legend below. Lines and letters have the page's colours
-/// (--ink, --muted, --line, --curve-…). Points beyond an axis are drawn at its end.
+/// Returns the plot as an SVG element with its legend below. Lines and letters use the page's
+/// colours (--ink, --muted, --line, --curve-…). Points beyond the end of an axis are drawn at that
+/// end.
 std::string line_plot_svg(const LinePlot& plot);
 
 }  // namespace rastercheck::reports

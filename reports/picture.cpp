@@ -2,11 +2,11 @@
 //
 //   h(d) = kRelief · E · (f − d) / (f − n)     pixels, nearest highest,
 //
-// E the larger side of the rectangle that is drawn on. Where pixels left and right are drawn, the
-// slope is half the difference of their heights; at an outline it is the difference to the one that
-// is there. The normal is (−dh/dx, −dh/dy, 1), the light comes from the upper left, and a surface
-// that faces the viewer has its full colour. Only + − · / and square roots are used: the same
-// doubles everywhere.
+// where E is the larger side of the drawn rectangle. If the pixels left and right are both drawn,
+// the slope is half the difference of their heights. At an outline, it is the difference to the one
+// neighbour that is drawn. The normal is (−dh/dx, −dh/dy, 1), the light comes from the upper left,
+// and a surface that faces the viewer has its full colour. Only + − · / and square roots are used,
+// so the doubles are the same on every machine.
 
 #include "reports/picture.h"
 
@@ -25,24 +25,25 @@ using Triple = std::array<double, 3>;
 
 constexpr Color kNoNumber{255, 0, 255};
 
-// The corners of the colour plane, as (attribute 0, attribute 1): calm, and apart in lightness too.
+// The colours of the corners of the colour plane, as (attribute 0, attribute 1). They are muted,
+// and also differ in lightness.
 constexpr Triple kLowLow{52, 92, 132};      // blue
 constexpr Triple kHighLow{226, 150, 104};   // apricot
 constexpr Triple kLowHigh{124, 178, 158};   // sage
 constexpr Triple kHighHigh{246, 222, 168};  // sand
 
 constexpr double kRelief = 0.6;
-/// A range of depths below this share of the larger depth is flat: float32 would have fewer than 64
-/// steps in it, and the relief would show their rounding.
+/// If the range of depths is below this share of the larger depth, the relief is flat: float32
+/// would have fewer than 64 steps in that range, and the relief would show their rounding.
 constexpr double kFlat = 0x1p-18;
-/// Slopes, in pixels a pixel, that a cliff may not exceed, or outlines within the picture are
-/// black.
+/// The limit for slopes, in pixels per pixel. Without it, cliffs at outlines within the picture
+/// would be black.
 constexpr double kSteepest = 3;
 constexpr Triple kLight{-0.45, -0.55, 0.7};  // columns, rows, towards the viewer
 constexpr double kAmbient = 0.5;
 constexpr double kBrightest = 1.12;
 
-/// Least and greatest of finite values; empty as long as there are none.
+/// The least and the greatest finite value; empty until a value is added.
 struct ShownRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -52,11 +53,11 @@ struct ShownRange {
     high = std::max(high, value);
   }
   double extent() const { return high > low ? high - low : 0; }
-  /// Where a value lies, 0…1; in the middle of a range that is one value.
+  /// The position of a value in the range, 0…1; the middle if the range is a single value.
   double share(double value) const { return extent() > 0 ? (value - low) / extent() : 0.5; }
 };
 
-/// The fragment to show of each pixel, [row][column] with row 0 on top.
+/// The fragment that each pixel shows, [row][column] with row 0 on top.
 class Pixels {
  public:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
@@ -87,7 +88,7 @@ class Pixels {
                       static_cast<std::size_t>(column)];
   }
 
-  /// By sample, then depth; what has no depth comes last.
+  /// Orders by sample, then by depth; NaN comes last.
   bool goes_before(std::size_t a, std::size_t b) const {
     if (drawn_->sample[a] != drawn_->sample[b]) return drawn_->sample[a] < drawn_->sample[b];
     if (std::isnan(drawn_->depth[b])) return !std::isnan(drawn_->depth[a]);
@@ -106,10 +107,10 @@ bool is_number(const cases::Fragments& drawn, std::size_t fragment) {
          std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
-/// What the colours and the relief of a picture are scaled by.
+/// The ranges that scale the colours and the relief of a picture.
 struct Scales {
-  ShownRange first;   ///< of what attribute 0 shows: the depth where there is none
-  ShownRange second;  ///< of attribute 1
+  ShownRange first;   ///< range of attribute 0, or of depth if there are no attributes
+  ShownRange second;  ///< range of attribute 1
   ShownRange depth;
   ShownRange columns;
   ShownRange rows;
@@ -139,7 +140,7 @@ Scales scales_of(const Pixels& pixels, const cases::Fragments& drawn) {
   return scales;
 }
 
-/// Pixels of height for one unit of depth, negative as the nearest is highest.
+/// Pixels of height per unit of depth. Negative, as the nearest depth is the highest.
 double height_scale(const Scales& scales) {
   const double larger = std::max(std::abs(scales.depth.low), std::abs(scales.depth.high));
   if (scales.depth.extent() <= kFlat * larger) return 0;
@@ -174,7 +175,7 @@ std::uint8_t to_channel(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
-/// The colour at (u, v) of the plane, both 0…1, made lighter or darker.
+/// The colour at (u, v) of the colour plane, both 0…1, multiplied by the light.
 Color plane_color(double u, double v, double light) {
   Color color{};
   for (std::size_t i = 0; i < 3; ++i) {

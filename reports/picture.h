@@ -6,13 +6,13 @@
 
 namespace rastercheck::reports {
 
-/// What a backend drew, to be looked at: of each pixel the nearest fragment of the first sample
-/// that has one, coloured by attributes 0 and 1 over the range that they have in the picture (by
-/// depth where there are no attributes) and lit from the upper left by the relief of the depth.
-/// Pixels without fragments are light grey; those whose depth or attributes are no finite numbers
-/// are magenta. As large as the case's framebuffer; fragments outside it are ignored.
+/// Makes an image of a backend's drawing. Each pixel shows the nearest fragment of its first
+/// covered sample. It is coloured by attributes 0 and 1 over their range in the picture (by depth
+/// if there are no attributes) and lit from the upper left by the relief of the depth. Pixels
+/// without fragments are light grey. Pixels whose depth or attributes are not finite are magenta.
+/// The image is as large as the case's framebuffer; fragments outside are ignored.
 ///
-/// The same to the bit wherever it is drawn.
+/// The image is the same to the bit on every machine.
 Image draw_picture(const cases::Case& c, const cases::Fragments& drawn);
 
 }  // namespace rastercheck::reports

@@ -1,8 +1,9 @@
-// libpng's simplified interface: it catches its own long jumps and hands an error back as a text,
-// so that none ever crosses a C++ frame. Its compression level and filters are zlib's and libpng's
-// defaults, which are constants; it writes the chunks IHDR, sRGB, gAMA, cHRM, IDAT and IEND.
+// Uses libpng's simplified interface, which catches its own long jumps and returns errors as text,
+// so that no jump ever crosses a C++ frame. Compression level and filters are the fixed defaults of
+// zlib and libpng; the chunks are IHDR, sRGB, IDAT and IEND.
 //
-// Rejected: the full interface with setjmp, whose only gain would be another compression level.
+// Rejected: the full interface with setjmp, whose only benefit would be the choice of another
+// compression level.
 
 #include "reports/png.h"
 

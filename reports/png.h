@@ -7,9 +7,9 @@
 
 namespace rastercheck::reports {
 
-/// The bytes of a PNG file: 8-bit RGB, sRGB, no time, no text; the same image gives the same bytes
-/// with the same libpng and zlib. Refuses an image without pixels, one whose `rgb` has another size
-/// than its width and height say, and one that libpng cannot hold.
+/// Encodes an image as a PNG file: 8-bit RGB, sRGB, no time, no text. The same image gives the same
+/// bytes with the same libpng and zlib. Fails if the image has no pixels, if the size of `rgb` does
+/// not match its width and height, or if libpng cannot hold the image.
 Result<std::string> to_png(const Image& image);
 
 }  // namespace rastercheck::reports

@@ -15,7 +15,7 @@ std::vector<Format>& registry() {
 }  // namespace
 
 FormatRegistration::FormatRegistration(const Format& format) {
-  // The order in which files register is the linker's; lists have one of their own.
+  // Files register in the order of linking; the list is kept sorted by name.
   const auto after =
       std::find_if(registry().begin(), registry().end(),
                    [&format](const Format& other) { return other.name > format.name; });

@@ -8,12 +8,12 @@
 
 namespace rastercheck::reports {
 
-/// The run that a run.json (reports/formats/run_json.cpp) holds; writing it again gives the same
-/// bytes. Unknown and missing keys, other versions and whatever its members cannot hold exactly are
-/// refused. `file` names the source in errors.
+/// Parses a run.json (reports/formats/run_json.cpp). Writing the run again gives the same bytes.
+/// Fails on unknown or missing keys, other versions, and values that the members cannot hold
+/// exactly. `file` names the source in errors.
 Result<records::Run> parse_run(std::string_view text, const std::string& file);
 
-/// The same from a file, or from standard input for "-".
+/// Reads a run from a file, or from standard input for "-".
 Result<records::Run> read_run(const std::string& file);
 
 }  // namespace rastercheck::reports

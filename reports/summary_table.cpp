@@ -1,7 +1,11 @@
 #include "reports/summary_table.h"
 
+#include <fmt/color.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -67,6 +71,38 @@ nlohmann::ordered_json power_json(const records::Power& power) {
   return json;
 }
 
+fmt::text_style style_of(LawVerdict verdict) {
+  switch (verdict) {
+    case LawVerdict::violated:
+      return fmt::fg(fmt::terminal_color::red) | fmt::emphasis::bold;
+    case LawVerdict::known:
+    case LawVerdict::thin:
+      return fmt::fg(fmt::terminal_color::yellow);
+    case LawVerdict::held:
+      return fmt::fg(fmt::terminal_color::green);
+    case LawVerdict::not_checked:
+      break;
+  }
+  return {};
+}
+
+/// The verdict as it follows "3 laws".
+std::string_view verdict_words(LawVerdict verdict) {
+  switch (verdict) {
+    case LawVerdict::violated:
+      return "violated";
+    case LawVerdict::known:
+      return "violated in known ways only";
+    case LawVerdict::thin:
+      return "held on few cases";
+    case LawVerdict::held:
+      return "held";
+    case LawVerdict::not_checked:
+      break;
+  }
+  return "not checked";
+}
+
 nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
   return {{"filter", levels.filter}, {"interval", levels.interval}, {"exact", levels.exact}};
 }
@@ -90,6 +126,43 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
                          : std::string(to_string(row.verdict))});
   }
   return quiet ? text_table(cells) : text_table(cells, columns);
+}
+
+std::vector<records::LawSummary> notable_rows(const std::vector<records::LawSummary>& rows) {
+  std::vector<records::LawSummary> notable;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(notable), [](const auto& row) {
+    return row.verdict != LawVerdict::held && row.verdict != LawVerdict::not_checked;
+  });
+  return notable;
+}
+
+std::string verdict_lines(const records::Run& run, const std::vector<records::LawSummary>& rows,
+                          bool has_color) {
+  constexpr std::array kWorstFirst{LawVerdict::violated, LawVerdict::known, LawVerdict::thin,
+                                   LawVerdict::held, LawVerdict::not_checked};
+  std::string lines;
+  for (const std::string& backend : run.plan.backends) {
+    std::string line;
+    for (const LawVerdict verdict : kWorstFirst) {
+      const auto count = static_cast<std::uint64_t>(
+          std::count_if(rows.begin(), rows.end(), [&](const records::LawSummary& row) {
+            return row.backend == backend && row.verdict == verdict;
+          }));
+      if (count == 0) continue;
+      std::string part = line.empty() ? counted(count, "law ", "laws ") : fmt::format("{} ", count);
+      part += verdict_words(verdict);
+      const auto causes = static_cast<std::uint64_t>(
+          std::count_if(run.causes.begin(), run.causes.end(),
+                        [&](const records::Cause& cause) { return cause.backend == backend; }));
+      if (verdict == LawVerdict::violated && causes > 0) {
+        part += " in " + counted(causes, "cause", "causes");
+      }
+      if (!line.empty()) line += ", ";
+      line += has_color ? fmt::format(style_of(verdict), "{}", part) : part;
+    }
+    if (!line.empty()) lines += fmt::format("{}: {}.\n", cases::printable(backend), line);
+  }
+  return lines;
 }
 
 std::string summary_counts(const std::vector<records::LawSummary>& rows) {
@@ -140,7 +213,8 @@ std::string power_text(const std::vector<records::LawSummary>& rows) {
 }
 
 std::string not_checked_text(const std::vector<records::LawSummary>& rows) {
-  // Laws of as many cases for one reason are one line; negative numbers put the most cases first.
+  // Laws with the same reason and number of cases share a line. Counts are negative, so that the
+  // most cases come first.
   std::map<std::tuple<std::string, std::int64_t, std::string>, std::string> laws;
   for (const records::LawSummary& row : rows) {
     if (row.verdict != LawVerdict::not_checked && row.verdict != LawVerdict::thin) continue;

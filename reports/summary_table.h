@@ -1,6 +1,6 @@
 #pragma once
 
-// The table of a run, for people and for programs.
+// Tables and lines that summarise a run, for people and for programs.
 
 #include <cstddef>
 #include <optional>
@@ -12,34 +12,44 @@
 
 namespace rastercheck::reports {
 
-/// One row per law and backend; errors in scale ULP. `quiet` has no header, and is as wide as it
-/// is; else as text_table() has it.
+/// A table with one row per law and backend, and errors in scale ULP. If `quiet`, it has no header
+/// and its full width; otherwise text_table() lays it out.
 std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet,
                           std::optional<std::size_t> columns);
 
-/// How many samples had which verdict, and what share of all answers each level of the oracle gave,
-/// as lines.
+/// Returns the rows that a reader has to look at: violated, known or thin.
+std::vector<records::LawSummary> notable_rows(const std::vector<records::LawSummary>& rows);
+
+/// One line per backend with the number of laws by verdict and the number of causes, the worst
+/// first: "cpu: 3 laws violated in 2 causes, 40 held." If `has_color`, with escape sequences of
+/// terminals: red for violated laws, yellow for what needs a look, green for laws that held.
+std::string verdict_lines(const records::Run& run, const std::vector<records::LawSummary>& rows,
+                          bool has_color);
+
+/// Lines with the counts of samples by verdict, and with the share of all answers that each level
+/// of the oracle gave.
 std::string summary_counts(const std::vector<records::LawSummary>& rows);
 
-/// How many cases each known defect of a backend was seen in, a line for each backend; empty where
-/// none was.
+/// The number of cases in which each known defect was seen, one line per backend; empty if none was
+/// seen.
 std::string known_text(const records::Run& run);
 
-/// A line for each backend of whose fragments and values some were not judged, and why not.
+/// One line per backend that left fragments or values unjudged, with the reasons.
 std::string not_judged_text(const std::vector<records::LawSummary>& rows);
 
-/// A line for each backend of which drawings were made wrong on purpose, and how many were noticed.
+/// One line per backend whose drawings were made wrong on purpose, with the number of wrong
+/// drawings that were noticed.
 std::string power_text(const std::vector<records::LawSummary>& rows);
 
-/// A table of why laws that held on few cases or none did not judge the others, by backend and
-/// reason; empty where there is none.
+/// A table of laws that held on few or no cases, by backend and by the reason why they did not
+/// judge the other cases; empty if there are none.
 std::string not_checked_text(const std::vector<records::LawSummary>& rows);
 
-/// How many laws held on few cases only, as a line; empty where none did.
+/// A line with the number of laws that held on only a few cases; empty if there are none.
 std::string thin_text(const std::vector<records::LawSummary>& rows);
 
-/// The table as one JSON document, without its end of line, and with each row's "precision" by kind
-/// and stratum, for which a terminal has no room.
+/// The table as one JSON document, without a final newline. Each row also has its "precision" by
+/// kind and stratum, for which a terminal has no room.
 std::string summary_json(const records::Run& run, const std::vector<records::LawSummary>& rows);
 
 }  // namespace rastercheck::reports

@@ -6,15 +6,15 @@
 
 namespace rastercheck::reports {
 
-/// Characters of a line on a terminal.
+/// Characters per terminal line.
 inline constexpr std::size_t kTerminalWidth = 80;
 
-/// `label`, then the text from column `indent` on, broken at spaces wherever a line of `columns`
-/// characters ends. Both are UTF-8; a word that fits no line stands on one of its own.
+/// Returns `label`, then the text from column `indent` on, broken at spaces into lines of at most
+/// `columns` characters. Both are UTF-8. A word that is too long for a line gets a line of its own.
 std::string wrapped(std::string_view label, std::size_t indent, std::string_view text,
                     std::size_t columns = kTerminalWidth);
 
-/// How many characters a text in UTF-8 has.
+/// The number of characters in a UTF-8 text.
 std::size_t characters_in(std::string_view text);
 
 }  // namespace rastercheck::reports

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kCounterexamples = "counterexamples";
-constexpr std::string_view kEarlier = "earlier";  ///< within it
+constexpr std::string_view kEarlier = "earlier";  ///< folder within kCounterexamples
 
 Error failure(const fs::path& file, std::string_view what, const std::error_code& why) {
   return {file.string(), "", std::string(what) + (why ? ": " + why.message() : "")};
@@ -32,8 +32,8 @@ Result<void> make_folder(const fs::path& folder) {
   return {};
 }
 
-/// What a run of this tool found, if it wrote the file: a case whose `found` gives it the name it
-/// has.
+/// The origin of a case file that a run of this tool wrote. Empty unless the file holds a case
+/// whose `found` gives the file's name.
 std::optional<cases::Found> found_in(const fs::path& file) {
   std::error_code ignored;
   if (file.extension() != ".json" || !fs::is_regular_file(file, ignored)) return std::nullopt;
@@ -43,9 +43,9 @@ std::optional<cases::Found> found_in(const fs::path& file) {
   return is_ours ? source->found : std::nullopt;
 }
 
-/// Whether the case may fail as before: it is of the run's laws and backends, and the run may not
-/// have come to it, as it ended early, or is a shard that is not the first, which alone checks
-/// them.
+/// True if the case may still fail: it belongs to the run's laws and backends, but the run may not
+/// have checked it, because it ended early or is a shard other than the first. Only the first shard
+/// checks such cases.
 bool may_fail_still(const records::Run& run, const cases::Found& found) {
   const auto has = [](const std::vector<std::string>& all, const std::string& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
@@ -54,14 +54,14 @@ bool may_fail_still(const records::Run& run, const cases::Found& found) {
   return is_part && has(run.plan.laws, found.law) && has(run.plan.backends, found.backend);
 }
 
-/// Puts aside the counterexamples of earlier runs that are not among `current`: the run checked
-/// them again, and found something else or nothing, or they are of laws and backends that it has
-/// not.
+/// Moves away counterexamples of earlier runs that are not among `current`. Either this run checked
+/// them and found another failure or none, or it did not check their laws and backends at all.
 Result<void> put_earlier_aside(const records::Run& run, const fs::path& folder,
                                const std::set<fs::path>& current) {
   std::error_code why;
   if (!fs::exists(folder, why)) return {};
-  // Moving while listing would leave open what the list shows.
+  // List all files before moving any: to move files during the listing would make its result
+  // undefined.
   std::vector<fs::path> stale;
   for (auto entry = fs::directory_iterator(folder, why); !why && entry != fs::directory_iterator();
        entry.increment(why)) {
@@ -99,7 +99,7 @@ Result<void> write_counterexamples(const records::Run& run, const fs::path& dire
 
 Result<void> write_reports(const records::Run& run, const std::string& directory,
                            std::span<const std::string> format_names) {
-  // What cannot be written is found before anything is.
+  // Check the formats before anything is written.
   std::vector<Format> chosen;
   for (const std::string& name : format_names) {
     const Result<Format> format = find_format(name);

@@ -8,15 +8,15 @@
 
 namespace rastercheck::reports {
 
-/// Writes a run's folder (CONTRACT, output folder of a run), which is made where it is missing: a
-/// case file for every counterexample, and the file of each format named (format.h).
+/// Writes a run's folder (docs/report.md), which is created if missing: a case file for every
+/// counterexample, and a file for each named format (format.h).
 ///
-/// A file is there whole or not at all: it is written under another name first. Case files in
-/// counterexamples/ that an earlier run left, of laws and backends that this one checked, go to
-/// counterexamples/earlier/, unless it was interrupted or a shard but the first; they are told by
-/// the name that their `found` gives them, and nothing else is touched. Errors name the file, or
-/// the format that there is not or that the run has too little for; what was written before an
-/// error stays.
+/// Each file is written either whole or not at all: first under another name, then renamed. Case
+/// files that an earlier run left in counterexamples/ move to counterexamples/earlier/. Exception:
+/// if this run was interrupted or is a shard other than the first, files of its own laws and
+/// backends stay. A case file counts as left by a run only if its name matches its own `found`; no
+/// other file is touched. Errors name the file, or a format that does not exist or needs more than
+/// the run has. Files written before an error stay.
 Result<void> write_reports(const records::Run& run, const std::string& directory,
                            std::span<const std::string> format_names);
 

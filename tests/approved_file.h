@@ -10,14 +10,15 @@
 
 namespace rastercheck {
 
-/// Whether a text is what a file of the source tree holds, byte by byte. Where the environment has
-/// UPDATE_APPROVED, the file is written first: to approve what is there now, look at it.
+/// True if `text` equals the content of a file of the source tree, byte for byte. If the
+/// environment variable UPDATE_APPROVED is set, the text is written to the file first; review the
+/// file to approve it.
 inline testing::AssertionResult is_approved(const std::string& text, const std::string& file) {
   if (std::getenv("UPDATE_APPROVED") != nullptr) std::ofstream(file, std::ios::binary) << text;
   std::ifstream stream(file, std::ios::binary);
   const std::string approved(std::istreambuf_iterator<char>(stream), {});
   if (text == approved) return testing::AssertionSuccess();
-  // No diff of whole files: where they part says more.
+  // Shows the first place where the two differ, which says more than a diff of whole files.
   const auto at = std::mismatch(text.begin(), text.end(), approved.begin(), approved.end()).first;
   const auto offset = static_cast<std::size_t>(at - text.begin());
   constexpr std::size_t kShown = 300;

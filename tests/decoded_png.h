@@ -8,7 +8,7 @@
 
 namespace rastercheck {
 
-/// What libpng reads from the bytes of a file; an empty image where it refuses them.
+/// The image that libpng reads from the bytes of a file; an empty image if libpng refuses them.
 inline reports::Image decoded_png(const std::string& bytes) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;

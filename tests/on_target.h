@@ -6,7 +6,7 @@
 
 namespace rastercheck {
 
-/// Sees to it that the kernels run on one kind of vectors, until it goes.
+/// Makes the kernels run on one SIMD target for the lifetime of this object.
 class OnTarget {
  public:
   explicit OnTarget(std::int64_t target) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Running a test on every kind of vectors that the processor has.
+// Runs a test on every SIMD target that the processor supports.
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

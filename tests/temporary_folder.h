@@ -12,7 +12,7 @@
 
 namespace rastercheck {
 
-/// An empty folder of a test's own, gone with what is in it when the test ends.
+/// A test's own empty folder, removed with its content at the end of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -31,7 +31,7 @@ class TemporaryFolder {
     return name.empty() ? path_.string() : (path_ / name).string();
   }
 
-  /// Writes a file and gives its path.
+  /// Writes a file and returns its path.
   std::string put(const std::string& name, const std::string& content) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
@@ -44,7 +44,7 @@ class TemporaryFolder {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  /// The files below `name`, relative to it, in their order.
+  /// The paths of the files below `name`, relative to it and sorted.
   std::vector<std::string> files(const std::string& name = "") const {
     std::vector<std::string> all;
     const std::filesystem::path root = path_ / name;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A case in the rasterizer's words.
+// Translates a case into the rasterizer's types.
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -23,13 +23,13 @@ rasterizer::ColorFormat format(cases::ColorFormat format);
 rasterizer::Wrap wrap(cases::Wrap wrap);
 rasterizer::Filter filter(cases::Filter filter);
 
-/// The grid that a case asks for; to nearest even where it leaves the rounding open.
+/// The snapping grid that a case asks for. Rounds to nearest if the case leaves the rounding open.
 rasterizer::Snapping snapping(const cases::Snapping& asked_for);
 
-/// All but the depth test.
+/// The rasterizer's state for a case, without the depth test.
 rasterizer::State state_of(const cases::Case& c);
 
-/// A case's triangles, for as long as the case is there.
+/// A case's triangles as the rasterizer's mesh. The case must outlive this object.
 class CaseMesh {
  public:
   explicit CaseMesh(const cases::Case& c);
@@ -43,7 +43,7 @@ class CaseMesh {
 
 rasterizer::TargetSize target_size(const cases::Case& c);
 
-/// What the rasterizer says of a draw that it refused.
+/// The error for a draw that the rasterizer refused.
 Error refused(rasterizer::Error error);
 
 }  // namespace rastercheck::backends

@@ -16,7 +16,7 @@
 namespace rastercheck::backends::cpu_registration {
 namespace {
 
-/// 1…256.
+/// Parses a number of threads, 1…256.
 std::optional<unsigned> thread_count(std::string_view text) {
   unsigned count = 0;
   const char* const end = text.data() + text.size();
@@ -25,7 +25,8 @@ std::optional<unsigned> thread_count(std::string_view text) {
   return count;
 }
 
-/// Names of targets, "avx2, ssse3"; of those only that can run here, if asked for.
+/// The names of the targets, such as "avx2, ssse3"; only those that can run here if
+/// `only_supported`.
 std::string simd_names(bool only_supported) {
   std::string names;
   for (const rasterizer::SimdTarget& target : rasterizer::simd_targets()) {
@@ -35,14 +36,14 @@ std::string simd_names(bool only_supported) {
   return names;
 }
 
-/// Why a target cannot be drawn with; empty where it can.
+/// Says why a target cannot be used; empty if it can.
 std::string unavailable_because(const rasterizer::SimdTarget& target) {
   if (target.is_supported) return "";
   return (target.is_compiled ? "this machine has no " : "the kernels are not compiled for ") +
          target.name + "; there are: " + simd_names(true);
 }
 
-/// Why the target of that name cannot be drawn with; empty where it can, or there is none.
+/// Says why the target of that name cannot be used; empty if it can or does not exist.
 std::string unavailable_because(std::string_view simd) {
   for (const rasterizer::SimdTarget& target : rasterizer::simd_targets()) {
     if (target.name == simd) return unavailable_because(target);
@@ -56,7 +57,7 @@ bool is_simd(std::string_view name) {
                      [name](const rasterizer::SimdTarget& target) { return target.name == name; });
 }
 
-/// Whether there is such an option.
+/// Sets an option. Returns false if there is no such option.
 bool set(std::string_view option, RasterizerOptions& options) {
   using rasterizer::Precision;
   constexpr std::string_view kThreads = "threads=";

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <numeric>
-#include <optional>
-#include <tuple>
 #include <vector>
 
 #include "backends/cpu/case_state.h"
@@ -15,21 +12,35 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// The fragments that a depth test `less` leaves: of each sample the nearest, of equals the first
-/// drawn, if it is nearer than what the depth buffer begins with. Indices in ascending order.
-std::vector<std::size_t> nearest(const ras::Fragments& fragments,
-                                 std::optional<float> clear_depth) {
-  std::map<std::tuple<int, int, int>, std::size_t> best;
+/// The indices, in ascending order, of the fragments that pass a depth test `less`. A sample keeps
+/// its nearest fragment, or the first of equally near ones, if that is nearer than the depth
+/// buffer's initial value.
+std::vector<std::size_t> nearest(const ras::Fragments& fragments, const cases::Case& c) {
+  const auto samples = static_cast<std::size_t>(c.framebuffer.samples);
+  std::vector<std::vector<std::size_t>> rows(static_cast<std::size_t>(c.framebuffer.height));
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    if (clear_depth && !(fragments.depth[i] < *clear_depth)) continue;
-    const auto [entry, is_first] =
-        best.try_emplace({fragments.y[i], fragments.x[i], fragments.sample[i]}, i);
-    if (!is_first && fragments.depth[i] < fragments.depth[entry->second]) entry->second = i;
+    if (c.depth_clear && !(fragments.depth[i] < *c.depth_clear)) continue;
+    rows[static_cast<std::size_t>(fragments.y[i])].push_back(i);
+  }
+  const std::size_t none = fragments.size();
+  std::vector<std::size_t> best(static_cast<std::size_t>(c.framebuffer.width) * samples);
+  std::vector<bool> is_kept(fragments.size());
+  for (const std::vector<std::size_t>& row : rows) {
+    std::fill(best.begin(), best.end(), none);
+    const auto best_at = [&](std::size_t i) -> std::size_t& {
+      return best[static_cast<std::size_t>(fragments.x[i]) * samples +
+                  static_cast<std::size_t>(fragments.sample[i])];
+    };
+    for (const std::size_t i : row) {
+      std::size_t& so_far = best_at(i);
+      if (so_far == none || fragments.depth[i] < fragments.depth[so_far]) so_far = i;
+    }
+    for (const std::size_t i : row) is_kept[i] = best_at(i) == i;
   }
   std::vector<std::size_t> kept;
-  kept.reserve(best.size());
-  for (const auto& [place, index] : best) kept.push_back(index);
-  std::sort(kept.begin(), kept.end());
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    if (is_kept[i]) kept.push_back(i);
+  }
   return kept;
 }
 
@@ -42,6 +53,13 @@ cases::Fragments framebuffer(const ras::Fragments& fragments,
   };
   cases::Fragments result;
   result.attribute_count = attributes;
+  result.triangle.reserve(indices.size());
+  result.x.reserve(indices.size());
+  result.y.reserve(indices.size());
+  result.sample.reserve(indices.size());
+  result.depth.reserve(indices.size());
+  result.attributes.reserve(indices.size() * attributes);
+  if (!fragments.derivatives.empty()) result.derivatives.reserve(indices.size() * attributes * 2);
   for (const std::size_t i : indices) {
     result.triangle.push_back(fragments.triangle[i]);
     result.x.push_back(fragments.x[i]);
@@ -63,7 +81,7 @@ Result<cases::Fragments> drawn_fragments(const cases::Case& c, const ras::DrawRe
   if (drawn.error) return tl::unexpected(refused(*drawn.error));
   std::vector<std::size_t> indices(fragments.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
-  if (c.depth_test == cases::DepthTest::less) indices = nearest(fragments, c.depth_clear);
+  if (c.depth_test == cases::DepthTest::less) indices = nearest(fragments, c);
   return framebuffer(fragments, indices, c.attributes.size());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The rasterizer's lists of fragments in the words of cases.
+// Translates the rasterizer's lists of fragments into cases::Fragments.
 
 #include "cases/case.h"
 #include "cases/error.h"
@@ -9,7 +9,8 @@
 
 namespace rastercheck::backends {
 
-/// What a draw of a case made, by the case's depth test; or why it was refused.
+/// Returns the fragments of a drawn case after the case's depth test, or the reason why the draw
+/// was refused.
 Result<cases::Fragments> drawn_fragments(const cases::Case& c, const rasterizer::DrawResult& drawn,
                                          const rasterizer::Fragments& fragments);
 

@@ -15,10 +15,10 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// What no fragment's depth is.
+/// Farther than any fragment.
 constexpr float kFarthest = std::numeric_limits<float>::infinity();
 
-/// The number of the triangle that a sample is of, which a float32 has to hold.
+/// A shader that writes the number of a sample's triangle, which must fit into a float32.
 struct TriangleNumber {
   static constexpr std::size_t kMost = std::size_t{1} << 24;
 
@@ -57,7 +57,7 @@ class FramebufferDrawing {
  private:
   bool is_tested() const { return case_.depth_test == cases::DepthTest::less; }
 
-  /// All triangles in one framebuffer, their numbers in another.
+  /// Draws all triangles into one framebuffer and their numbers into another.
   std::optional<ras::Error> draw_all() {
     state_.depth_test = ras::DepthTest::less;
     const ras::Mesh mesh = memory_.mesh();
@@ -74,7 +74,8 @@ class FramebufferDrawing {
   std::optional<ras::Error> draw_each() {
     const ras::Mesh mesh = memory_.mesh();
     ras::Mesh drawn = mesh;
-    // No triangle first: arrays that do not fit are refused where there are none, too.
+    // Draws no triangles first, so that mismatched arrays are refused even if the case has no
+    // triangle.
     drawn.triangles = {};
     if (const auto error = draw(drawn)) return error;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -96,7 +97,7 @@ class FramebufferDrawing {
     const auto width = static_cast<std::size_t>(case_.framebuffer.width);
     const std::size_t attributes = case_.attributes.size();
     for (std::size_t at = 0; at < framebuffer_.depth.size(); ++at) {
-      // A depth test draws only what is nearer.
+      // Only a nearer fragment passes the depth test and changes the depth.
       if (framebuffer_.depth[at] == clear_depth_) continue;
       result_.triangle.push_back(triangle_of(at));
       result_.x.push_back(static_cast<std::uint16_t>(at / samples % width));

@@ -1,7 +1,7 @@
 #pragma once
 
-// Fragments of a case by way of the framebuffer that users draw into: each triangle alone in one,
-// or all by the depth test of the case.
+// Gets the fragments of a case from the framebuffer that users draw into. Each triangle is drawn
+// into it alone, or all together if the case has a depth test.
 
 #include "cases/case.h"
 #include "cases/error.h"
@@ -9,7 +9,8 @@
 
 namespace rastercheck::backends {
 
-/// On that many threads. Values are those of framebuffers, in double; there are no derivatives.
+/// Draws on `threads` threads. The values come from framebuffers, which hold results of
+/// computations in double. The fragments have no derivatives.
 Result<cases::Fragments> draw_through_framebuffer(const cases::Case& c, unsigned threads);
 
 }  // namespace rastercheck::backends

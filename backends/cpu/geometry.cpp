@@ -12,7 +12,7 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// GLM's matrices are [column][row], those of cases are written row by row.
+/// Transposes: GLM's matrices are [column][row], while cases store theirs row by row.
 glm::mat4 matrix(const cases::Matrix4& rows) {
   glm::mat4 result;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -41,7 +41,7 @@ Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c) {
                            matrix(c.camera->projection)};
   std::vector<glm::vec4> clip;
   std::optional<ras::Error> error;
-  // The rasterizer takes positions without w as well.
+  // The rasterizer also accepts positions without w; this uses them if every w is 1.
   const bool is_affine = std::all_of(c.positions.begin(), c.positions.end(),
                                      [](const cases::ClipVertex& p) { return p.w == 1; });
   if (is_affine) {
@@ -87,7 +87,7 @@ Result<cases::Case> assembled(const cases::Case& c, cases::Topology topology,
   cases::Case result = c;
   result.triangles.clear();
   for (const glm::uvec3& t : triangles) {
-    // A case's own triangles have vertices that exist, and drawings rely on it.
+    // Callers rely on the triangles of a case naming only existing vertices.
     if (std::max({t.x, t.y, t.z}) >= c.positions.size()) {
       return tl::unexpected(refused(ras::Error::index));
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What comes before triangles are drawn, in the words of cases: the rasterizer's vertex stage and
-// its strips and fans.
+// The rasterizer's steps before triangles are drawn, applied to cases: the vertex stage and the
+// assembly of strips and fans.
 
 #include <cstdint>
 #include <span>
@@ -13,15 +13,15 @@
 
 namespace rastercheck::backends {
 
-/// The clip positions of a case with a camera; fails where it has none.
+/// Returns the clip positions of a case with a camera. Fails if the case has none.
 Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c);
 
-/// Unit normals in world space, one for each of those in object space.
+/// Returns unit normals in world space, one for each normal in object space.
 Result<std::vector<cases::Normal>> transformed_normals(const cases::Matrix4& model,
                                                        std::span<const cases::Normal> normals);
 
-/// The case with the triangles of a list, strip or fan of its vertices in place of its own; fails
-/// where one has an index beyond the vertices.
+/// Returns the case with its triangles replaced by those of a list, strip or fan of its vertices.
+/// Fails if an index is not that of a vertex.
 Result<cases::Case> assembled(const cases::Case& c, cases::Topology topology,
                               std::span<const std::uint32_t> indices);
 

@@ -1,4 +1,4 @@
-// The backends `method:NAME`: the textbook methods, one by one.
+// The backends `method:NAME`, one for each textbook method.
 
 #include "rasterizer/methods/method.h"
 

@@ -15,26 +15,29 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// Half widths of the viewport that methods clip to (rasterizer/methods/internal/clip_polygon.h).
+/// Size, in half widths of the viewport, of the guard band to which methods clip
+/// (rasterizer/methods/internal/clip_polygon.h).
 constexpr double kGuardBand = 0x1p10;
 
-/// The magnitudes of the terms of x_a y_b − x_b y_a.
+/// The sum of the magnitudes of the two terms of x_a y_b − x_b y_a.
 double minor_terms(float x_a, float y_a, float x_b, float y_b) {
   return std::abs(double{x_a} * double{y_b}) + std::abs(double{x_b} * double{y_a});
 }
 
-/// How much more than ordinary ones the numbers of clipped vertices of a triangle may be off. A
-/// vertex that clipping makes has coordinates and w that come from the triangle's by cancellation,
-/// and are off by a rounding of the largest of these, m, relative to its own w. That is at least
-/// the least w > 0 of the triangle where all are positive. Otherwise new vertices lie as near the
-/// eye as the triangle's plane does, at (x, y, w) = 0: their distance from it is at least |det| /
-/// |N|, N the plane's normal with components that are sums of minors, and their w that over 2 G, as
-/// the guard band leaves |x|, |y| <= G w:
+/// How much larger than usual the errors of a triangle's clipped vertices may be. Clipping computes
+/// the coordinates and w of a new vertex from the triangle's vertices, with cancellation. So their
+/// error is a rounding of the triangle's largest number, m, relative to the new vertex's own w. If
+/// all w of the triangle are positive, the new w is at least the least of them.
 ///
-///   A = m · 2 G |N| / |det|
+/// Otherwise new vertices may lie as near the eye, (x, y, w) = 0, as the triangle's plane does.
+/// Their distance from the eye is at least |det| / |N|, where N is the plane's normal, whose
+/// components are sums of minors. The new w is at least that distance over 2 G, because the guard
+/// band leaves only |x|, |y| <= G w. So the amplification is
 ///
-/// where det itself is off by a share of its terms' magnitudes, of which a few roundings are taken
-/// away; of what is then not positive nothing is certain.
+///   A = m · 2 G |N| / |det|.
+///
+/// Here det itself is off by a share of its terms' magnitudes, so a few roundings are subtracted.
+/// If the result is not positive, nothing is certain.
 double clip_amplification(const cases::ClipVertex& a, const cases::ClipVertex& b,
                           const cases::ClipVertex& c) {
   double largest = 0;
@@ -65,8 +68,8 @@ double clip_amplification(const cases::ClipVertex& a, const cases::ClipVertex& b
   return std::max(largest * (2 * kGuardBand * normal / least), 1.0);
 }
 
-/// The greatest of a case's triangles; infinite where a new w may have lost all of its digits, and
-/// its sign with them: then nothing is certain of what is left of a triangle.
+/// The greatest amplification over a case's triangles. Infinite if a new w may have lost all its
+/// digits and even its sign, so that nothing is certain about the clipped triangle.
 double clip_amplification(const cases::Case& c) {
   constexpr double kMost = 0x1p48;
   double greatest = 1;
@@ -78,8 +81,8 @@ double clip_amplification(const cases::Case& c) {
   return greatest < kMost ? greatest : std::numeric_limits<double>::infinity();
 }
 
-/// Whether a vertex in front of the eye is clipped by a method, which may be one that the
-/// contract's band has in it: that is as wide along both axes, and about the window's origin.
+/// True if a method may clip a vertex in front of the eye that lies within the contract's guard
+/// band. That band has the same width along both axes and is centred on the window's origin.
 bool has_vertex_beyond_band(const cases::Case& c) {
   return std::any_of(c.positions.begin(), c.positions.end(), [](const cases::ClipVertex& p) {
     const double side = kGuardBand * double{p.w};
@@ -87,35 +90,34 @@ bool has_vertex_beyond_band(const cases::Case& c) {
   });
 }
 
-/// The least float that is not less: a bound that was derived is none any more if it is rounded
-/// down.
+/// The bound as a float, rounded up because rounding down would break a derived bound.
 float rounded_up(double bound) {
   const auto nearest = static_cast<float>(bound);
   return double{nearest} < bound ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
                                  : nearest;
 }
 
-/// `more` comes on top of the constant.
+/// Converts a bound; `more` is added to its constant.
 cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
   return {rounded_up(bound.constant + more), rounded_up(bound.per_horizon),
           rounded_up(bound.per_condition), rounded_up(bound.range_share)};
 }
 
-/// What scan conversion in double of clipped polygons makes of a contract.
+/// Adds the promises of methods that clip polygons and scan-convert them in double.
 ///
-/// Positions. Vertices are off by a few roundings of a double, and crossings with rows by
+/// Positions. Vertices are off by a few roundings of a double. Crossings with rows are off by
 /// 11 · 2^-53 of the edge's farthest coordinate (rasterizer/methods/internal/convex_scan.h), which
-/// lies within 2^10 half widths around the viewport's middle. The position error granted, 2^-24
-/// pixels, takes that in for viewports up to 2^14; the grid of 2^-16 pixels is only how the
-/// contract says where vertices may be. What clipping adds grows with the amplification A of the
-/// triangle's numbers, 2^-50 A half widths for a new vertex: the clip tolerance. An edge carries
-/// its values along, so what its errors do to values lies within the range that moving the vertices
-/// leaves open.
+/// lies within 2^10 half widths of the viewport's middle. The granted position error, 2^-24 pixels,
+/// covers both errors for viewports up to 2^14 pixels; the grid of 2^-16 pixels is only the
+/// contract's way to say where vertices may be. Clipping adds an error that grows with the
+/// amplification A of the triangle: 2^-50 A half widths for a new vertex, which is the clip
+/// tolerance. An edge carries its values along, so errors of the edge change values only within the
+/// range that moving the vertices allows.
 ///
-/// Values. A clipped vertex has r w and z off by 2^-60 A of themselves, the guard band being 2^10,
-/// so that A 2^-34 scale ULP come on top of what is off anyhow; of depth that is, besides the
-/// rounding to float32, less than 2^-24. A vertex that only the method clips has the clip tolerance
-/// for its position error.
+/// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A, as the
+/// guard band is 2^10, so A 2^-34 scale ULP are added to the other errors. For depth, the other
+/// errors are the rounding to float32 and an error of less than 2^-24. A vertex that only the
+/// method clips has the clip tolerance as its position error.
 void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
                          cases::Contract& contract) {
   contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
@@ -129,7 +131,7 @@ void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
 
   const double amplification = clip_amplification(c);
   constexpr double kGridUnits = 0x1p16;
-  // More than any window coordinate is: below 2^277 half widths, which are below 2^127.
+  // Exceeds every window coordinate, which is below 2^277 half widths, each below 2^127.
   constexpr double kMostTolerance = 0x1p480;
   contract.clip_tolerance =
       std::isinf(amplification)
@@ -148,7 +150,8 @@ void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
   contract.bounds.depth = {rounded_up(0.5 + 0x1p-24 + clipped)};
 }
 
-/// What the rasterizer promises of coverage and of all but smooth values, and the method of these.
+/// Adds the method's promises for smooth values, and the rasterizer's promises for everything else,
+/// coverage included.
 void add_exact_coverage(const cases::Case& c, const ras::Promise& promise,
                         cases::Contract& contract) {
   constexpr float kBound = 0.51F;

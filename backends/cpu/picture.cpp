@@ -16,12 +16,12 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// Differences of attributes from a quad's even column to its odd one, or from row to row, each
-/// rounded to float32 once.
+/// A shader that outputs the difference of each attribute between the two columns of a quad (odd
+/// minus even), or between its two rows, rounded to float32 once.
 struct QuadDifferences {
   std::size_t count = 0;
-  std::size_t neighbor = 1;  ///< the bit of a lane's number that tells the two apart
-  bool may_discard = false;  ///< as far as the rasterizer knows
+  std::size_t neighbor = 1;  ///< the bit that differs in the numbers of two neighbouring lanes
+  bool may_discard = false;  ///< whether the shader tells the rasterizer that it may discard
 
   std::size_t outputs() const { return count; }
   bool discards() const { return may_discard; }
@@ -35,7 +35,7 @@ struct QuadDifferences {
   }
 };
 
-/// A draw into a framebuffer, which is cleared first or not.
+/// A draw into a framebuffer, which may be cleared first.
 struct FrameDraw {
   const cases::Case& source;
   const ras::State& state;
@@ -61,8 +61,8 @@ std::optional<ras::Error> draw_untextured(const FrameDraw& draw, cases::Shading 
     case cases::Shading::differences_along_x:
       return draw.by(QuadDifferences{attributes, 1, false});
     case cases::Shading::differences_along_y:
-      // What never discards is shaded in another way, so that one axis each shows the quads of
-      // both.
+      // Shaders that never discard take another code path. Using one shader of each kind for the
+      // two axes covers the quads of both paths.
       return draw.by(QuadDifferences{attributes, ras::FragmentBatch::kCellWidth, true});
     case cases::Shading::attributes:
       break;
@@ -94,7 +94,7 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
   return draw.by(shader);
 }
 
-/// A framebuffer that holds a picture.
+/// A framebuffer with the content of the picture.
 ras::Picture framebuffer_of(const cases::Picture& picture, cases::ColorFormat color_format) {
   ras::Picture framebuffer;
   framebuffer.size = {picture.size.width, picture.size.height, picture.size.samples};
@@ -104,7 +104,7 @@ ras::Picture framebuffer_of(const cases::Picture& picture, cases::ColorFormat co
   if (framebuffer.format == ras::ColorFormat::float32) {
     framebuffer.attributes.assign(picture.color.begin(), picture.color.end());
   } else {
-    // The float next to k/255, times 255, is off by far less than a half.
+    // The float nearest to k/255, times 255, is off by far less than one half.
     for (const float color : picture.color) {
       framebuffer.bytes.push_back(static_cast<std::uint8_t>(std::lround(color * 255)));
     }
@@ -112,7 +112,7 @@ ras::Picture framebuffer_of(const cases::Picture& picture, cases::ColorFormat co
   return framebuffer;
 }
 
-/// The numbers that a framebuffer holds.
+/// Copies the framebuffer's content into the picture.
 void take(const ras::Picture& framebuffer, cases::Picture& picture) {
   picture.depth.assign(framebuffer.depth.begin(), framebuffer.depth.end());
   picture.color.assign(framebuffer.attributes.begin(), framebuffer.attributes.end());
@@ -150,15 +150,16 @@ Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline&
 
 Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline, unsigned threads,
                        cases::Picture& picture) {
-  // What is wrong with a size is the rasterizer's to say, but that it is another one that happens
-  // to have as many samples.
+  // The rasterizer reports bad sizes, except a different size with the same sample count, which is
+  // caught here.
   const bool is_other =
       c.framebuffer != picture.size && sample_count(c.framebuffer) == picture.depth.size();
   if (pipeline.resolves || is_other) return tl::unexpected(refused(ras::Error::target_size));
   ras::Picture framebuffer = framebuffer_of(picture, pipeline.format);
   framebuffer.size = target_size(c);
   const auto error = draw_into(c, pipeline, std::nullopt, threads, framebuffer);
-  // Whatever was said: a draw that was refused shows whether it has left the picture alone.
+  // Copies even after an error, so that a law can see whether a refused draw left the picture
+  // alone.
   take(framebuffer, picture);
   if (error) return tl::unexpected(refused(*error));
   return {};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pictures by the rasterizer's framebuffers and shaders.
+// Draws pictures with the rasterizer's framebuffers and shaders.
 
 #include "cases/case.h"
 #include "cases/error.h"
@@ -11,7 +11,7 @@ namespace rastercheck::backends {
 Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline,
                                     unsigned threads);
 
-/// Into a picture that is there, of the case's size, with the pipeline's channels and format.
+/// Draws into an existing picture of the case's size, with the pipeline's channels and format.
 Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline, unsigned threads,
                        cases::Picture& picture);
 

@@ -22,8 +22,9 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// Pictures are drawn in double, whatever the precision. Derived in rasterizer/texture.h and, of
-/// the derivatives, in rasterizer/internal/derivatives.h: 2^-31 and 44 roundings.
+/// Pictures are drawn in double, whatever the precision of fragments. The bounds are derived in
+/// rasterizer/texture.h and, for the derivatives (2^-31 and 44 roundings), in
+/// rasterizer/internal/derivatives.h.
 cases::TextureBounds texture_bounds() {
   cases::TextureBounds bounds;
   bounds.coordinate_share = 0x1p-31F;
@@ -34,10 +35,10 @@ cases::TextureBounds texture_bounds() {
   return bounds;
 }
 
-/// What the production rasterizer promises: the mathematical triangle, or, where the case asks for
-/// snapping, that of the vertices on such a grid, exactly rounded; values, screen derivatives, clip
-/// positions and normals within the bounds of rasterizer/rasterizer.h and vertex_stage.h. Constants
-/// come back as they are, and so do the values of vertices (rasterizer/internal/exact_values.h).
+/// The production rasterizer's promise: the mathematical triangle, or the triangle of exactly
+/// rounded vertices if the case asks for snapping. Values, screen derivatives, clip positions and
+/// normals stay within the bounds of rasterizer/rasterizer.h and vertex_stage.h. Constants and the
+/// values at vertices are exact (rasterizer/internal/exact_values.h).
 cases::Contract production_contract(const cases::Case& c, ras::Precision precision) {
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
@@ -50,7 +51,7 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
     contract.basis = c.basis == cases::Basis::ideal ? cases::Basis::ideal : cases::Basis::snapped;
     contract.guard_band = ras::kGuardBand;
   }
-  // Rounded up to numbers that people read.
+  // The bounds, rounded up to short decimals.
   constexpr float kBound = 0.51F;
   constexpr float kFloatSmoothBound = 6.84F;
   constexpr float kFloatAffineBound = 3.96F;
@@ -68,12 +69,13 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
   contract.derivative_bound = kBound;
   contract.transform_bound = ras::kTransformBound;
   contract.normal_bound = ras::kNormalBound;
-  contract.quad_share = 0x1p-29F;  // rasterizer/internal/certificates.h, of helper lanes
+  contract.quad_share = 0x1p-29F;  // rasterizer/internal/certificates.h, for helper lanes
   contract.texture_bounds = texture_bounds();
   return contract;
 }
 
-/// What draws the same bits as these options do: framebuffers hold what is computed in double.
+/// The backends that draw the same bits as the backend with these options. Framebuffers hold values
+/// computed in double, whatever the precision of fragments.
 std::vector<std::string> variants(const RasterizerOptions& options) {
   const bool is_double =
       options.precision == ras::Precision::float64 || options.output == Output::framebuffer;
@@ -107,7 +109,7 @@ class RasterizerBackend : public Backend,
     if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // it holds none
     return contract;
   }
-  /// Framebuffers hold values computed in double, whatever fragments are asked for.
+  /// Framebuffers hold values computed in double, so only the backend in double draws pictures.
   PictureDrawer* picture_drawer() override {
     return options_.precision == ras::Precision::float64 ? this : nullptr;
   }

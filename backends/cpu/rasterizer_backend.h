@@ -1,7 +1,7 @@
 #pragma once
 
-// The project's own rasterizer as a backend. This folder is the only place that knows both cases
-// and the rasterizer's own words.
+// The project's own rasterizer as a backend. Only this folder uses both cases and the rasterizer's
+// own types.
 
 #include <memory>
 #include <string>
@@ -11,16 +11,16 @@
 
 namespace rastercheck::backends {
 
-/// How a drawing leaves the rasterizer: as a list of fragments, or through the framebuffer that
-/// users draw into (framebuffer_drawing.h).
+/// Where a drawing's fragments come from: the rasterizer's list of fragments, or the framebuffer
+/// that users draw into (framebuffer_drawing.h).
 enum class Output { fragments, framebuffer };
 
 struct RasterizerOptions {
   rasterizer::Precision precision = rasterizer::Precision::float64;
   Output output = Output::fragments;
-  unsigned threads = 1;  ///< that draw into the framebuffer
-  /// The kind of vectors to draw with, one that is supported here (rasterizer/simd.h); empty: the
-  /// best that there is.
+  unsigned threads = 1;  ///< threads that draw into the framebuffer
+  /// The SIMD target to draw with, which must be supported here (rasterizer/simd.h); empty means
+  /// the best available.
   std::string simd = {};
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The rasterizer's traces in the words of records/stage_trace.h.
+// Translates the rasterizer's traces into records/stage_trace.h.
 
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace rastercheck::backends {
 
 rasterizer::SamplePlace sample_place(const cases::SamplePlace& at);
 
-/// Fails where the rasterizer refused to draw.
+/// Translates a trace. Fails if the rasterizer refused to draw.
 Result<std::optional<records::SampleTrace>> traced_sample(const rasterizer::TraceResult& traced);
 
 }  // namespace rastercheck::backends

@@ -29,14 +29,15 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// Of the driver's memory for layers: what is drawn before it is read, and of a single one.
+/// The most driver memory for layers: for all layers that are drawn before they are read, and for a
+/// single layer.
 constexpr std::size_t kBytesOfBatch = std::size_t{16} << 20U;
 constexpr std::size_t kMostBytesOfLayer = std::size_t{1} << 30U;
 constexpr int kMostLayers = 64;
-/// Depth where nothing is drawn: beyond whatever is.
+/// The depth where nothing is drawn, which is greater than that of any fragment.
 constexpr float kFarthest = 2;
 
-/// Fragments of a layer, in the order of places.
+/// The fragments of a layer, sorted by place.
 struct LayerFragments {
   std::vector<std::uint32_t> triangle;
   std::vector<std::size_t> at;     ///< index of the layer's sample in LayerContent
@@ -45,12 +46,12 @@ struct LayerFragments {
   std::vector<float> attributes;  ///< [fragment][attribute]
 };
 
-/// What is the same for all batches of a case.
+/// The settings that all batches of a case share.
 struct Batches {
   const cases::Case* c = nullptr;
   std::vector<Pass> passes;
-  int layers = 1;                  ///< of a batch
-  std::size_t triangles = 1;       ///< of a layer
+  int layers = 1;                  ///< per batch
+  std::size_t triangles = 1;       ///< per layer
   std::vector<std::size_t> order;  ///< the driver's index of each standard sample
 };
 
@@ -110,13 +111,13 @@ struct CaseDrawer::Impl {
   Result<void> take_values(const Batches& plan, const Pass& pass, LayerFragments& found) const;
 
   Capabilities has;
-  bool listens = false;   ///< to what the driver says
-  std::string complaint;  ///< the first, of the case that is drawn
+  bool listens = false;   ///< whether the driver reports errors as text
+  std::string complaint;  ///< the driver's first message on the current case
   CasePrograms programs;
   CopyPrograms copies;
   Object vertex_array;
   Object vertices;
-  std::vector<Layers> recent;  ///< the last used last
+  std::vector<Layers> recent;  ///< most recently used last
   std::map<int, std::vector<std::size_t>> sample_orders;
   LayerContent content;
   std::optional<FragmentBuffer> buffer;
@@ -136,7 +137,7 @@ int CaseDrawer::subpixel_bits() const { return impl_->has.subpixel_bits; }
 cases::Capabilities CaseDrawer::capabilities() const { return drawable(impl_->has); }
 int CaseDrawer::viewport_subpixel_bits() const { return impl_->has.viewport_subpixel_bits; }
 
-/// Has errors said in words where the driver does so.
+/// Enables error messages as text, if the driver has them.
 void CaseDrawer::Impl::listen() {
   listens = !has.is_es && (has.version >= 43 || epoxy_has_gl_extension("GL_KHR_debug"));
   if (!listens) return;
@@ -144,7 +145,7 @@ void CaseDrawer::Impl::listen() {
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   const GLDEBUGPROC note = [](GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
                               const GLchar* text, const void* impl) {
-    // It is the one that was handed over, which is not const.
+    // Casting const away is safe, because the pointer handed over was not const.
     auto* const self = static_cast<Impl*>(const_cast<void*>(impl));
     const bool is_error = type == GL_DEBUG_TYPE_ERROR && severity == GL_DEBUG_SEVERITY_HIGH;
     if (is_error && self->complaint.empty()) self->complaint = cases::one_line(text);
@@ -157,7 +158,7 @@ Result<void> CaseDrawer::Impl::complain() const {
   return failure("the driver says: " + complaint);
 }
 
-/// Sees whether float32 can be drawn into, and what its depth can be cleared to.
+/// Checks that the context can draw into float32, and finds out to which depths it can clear.
 Result<void> CaseDrawer::Impl::prepare() {
   if (has.is_es && !epoxy_has_gl_extension("GL_EXT_color_buffer_float")) {
     return failure(has.api + " does not draw into float32 (GL_EXT_color_buffer_float)");
@@ -177,7 +178,7 @@ Result<void> CaseDrawer::Impl::prepare() {
   return {};
 }
 
-/// Targets of that shape, of which the last few are kept.
+/// Targets of that shape. Keeps the most recently used ones.
 Result<Layers*> CaseDrawer::Impl::layers_for(const LayerShape& shape) {
   constexpr std::size_t kMostKept = 4;
   const auto found = std::find_if(recent.begin(), recent.end(),
@@ -226,7 +227,7 @@ Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
   return plan;
 }
 
-/// Draws the triangles from `first` on, so many to a layer.
+/// Draws the triangles from `first` on, an equal number into each layer.
 Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, std::size_t first,
                                          int layer_count, Layers& layers) {
   const cases::Case& c = *plan.c;
@@ -252,7 +253,7 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
   return check("drawing");
 }
 
-/// Where `content` has fragments, of triangles from `first` on.
+/// Finds the fragments in `content`, which holds triangles from `first` on.
 Result<void> CaseDrawer::Impl::find_fragments(const Batches& plan, std::size_t first,
                                               LayerFragments& found) const {
   if (content.is_empty) return {};
@@ -274,7 +275,7 @@ Result<void> CaseDrawer::Impl::find_fragments(const Batches& plan, std::size_t f
   return {};
 }
 
-/// The values of a pass, which has to have the fragments that the first one had.
+/// Copies the values that a pass drew, which must have the same fragments as the first pass.
 Result<void> CaseDrawer::Impl::take_values(const Batches& plan, const Pass& pass,
                                            LayerFragments& found) const {
   const std::size_t attributes = plan.c->attributes.size();
@@ -341,7 +342,7 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool
   std::vector<Pass> passes = pack(c.attributes, c.framebuffer.samples, has.has_noperspective);
   std::vector<RecordLayout> layouts;
   for (Pass& pass : passes) {
-    // A record is to be short.
+    // Removes empty varyings to keep the records short.
     std::erase_if(pass, [](const Varying& varying) { return varying.count == 0; });
     RecordLayout& layout = layouts.emplace_back();
     for (const Varying& varying : pass) {
@@ -358,7 +359,7 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
-/// Whether fragments are appended unless another way is asked for: layers, which are read back
+/// True if fragments are appended when the caller gives no way: only if layers, which are read back
 /// whole, would take more than one batch.
 bool CaseDrawer::Impl::appends(const cases::Case& c) const {
   if (!buffer || !lacks_of_appending(c).empty()) return false;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Cases through OpenGL.
+// Draws cases through OpenGL.
 
 #include <functional>
 #include <memory>
@@ -16,31 +16,31 @@
 
 namespace rastercheck::backends::gl {
 
-/// Draws cases without a camera, each triangle in the case's own viewport: into a layer of its own,
-/// where attributes are varyings, drawn into colours of float32, or by appending all fragments to a
-/// buffer (backends/appended_drawing.h). With a depth test all triangles are drawn into one layer,
-/// in one draw. Positions are handed through by the vertex shader. Cases of the rules of Vulkan are
-/// drawn with OpenGL's clip control.
+/// Draws cases without a camera, each triangle in the case's own viewport. Either each triangle
+/// goes into a layer of its own, where varyings carry attributes into float32 colours, or all
+/// fragments are appended to a buffer (backends/appended_drawing.h). With a depth test, all
+/// triangles go into one layer in one draw. The vertex shader passes positions through. Cases with
+/// Vulkan's rules use OpenGL's clip control.
 class CaseDrawer {
  public:
-  /// Fails where the driver does not draw into float32. `context` must outlive it.
+  /// Fails if the driver cannot draw into float32. `context` must outlive the drawer.
   static Result<CaseDrawer> create(const Context& context);
 
   CaseDrawer(CaseDrawer&& other) noexcept;
   CaseDrawer& operator=(CaseDrawer&& other) noexcept;
   ~CaseDrawer();
 
-  /// GL_SUBPIXEL_BITS
+  /// GL_SUBPIXEL_BITS.
   int subpixel_bits() const;
   int viewport_subpixel_bits() const;
   cases::Capabilities capabilities() const;
 
-  /// The ways that the context has.
+  /// The ways of drawing that the context supports.
   std::vector<cases::DrawBy> ways() const;
 
-  /// Failure::unsupported where the context, or the way, lacks something that the case needs.
-  /// Without a way, fragments are appended where layers would take long. Calls `go_on` after each
-  /// part of the drawing.
+  /// Draws a case. If no way is given, appends fragments when layers would take long. Calls `go_on`
+  /// after each part of the drawing. Fails with Failure::unsupported if the context or the way
+  /// lacks something that the case needs.
   Result<cases::Fragments> draw(
       const cases::Case& c, std::optional<cases::DrawBy> way = std::nullopt,
       const std::function<void()>& go_on = [] {});

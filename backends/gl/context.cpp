@@ -22,7 +22,8 @@ EGLContext make_context(EGLDisplay display, const ContextRequest& request) {
   const bool is_es = request.api == Api::opengl_es;
   const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION, request.major,
                                             EGL_CONTEXT_MINOR_VERSION, request.minor,
-                                            // OpenGL ES has no profiles: the list ends here.
+                                            // OpenGL ES has no profiles, so the list ends here for
+                                            // it.
                                             is_es ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
@@ -35,7 +36,7 @@ struct Context::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() {
-    // The display stays: it is one for the whole process, and others may be at it.
+    // Does not terminate the display: the whole process shares it, and other code may be using it.
     if (context == EGL_NO_CONTEXT) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display, context);
@@ -47,11 +48,11 @@ struct Context::Impl {
   EGLContext context = EGL_NO_CONTEXT;
 };
 
-/// Makes a context of the display, and makes it current.
+/// Creates a context on the display and makes it current.
 Result<void> Context::Impl::open(const ContextRequest& request) {
   if (display == EGL_NO_DISPLAY) return failure("there is no such display");
   if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return egl_failure("eglInitialize");
-  // A context that is never shown needs neither a surface nor a configuration of one.
+  // A context whose output is never shown needs neither a surface nor a surface configuration.
   for (const char* const extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
     if (!epoxy_has_egl_extension(display, extension)) {
       return failure(fmt::format("its EGL makes no contexts without a surface ({})", extension));
@@ -93,7 +94,7 @@ Result<Context> Context::create(const ContextRequest& request) {
     reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", candidate.place,
                            opened.error().reason);
   }
-  // A machine with EGL and no driver says no more than the number of an error.
+  // On a machine with EGL but no driver, EGL reports only an error number, so name the packages.
   return failure(reasons + " (llvmpipe and softpipe are in Debian's libgl1-mesa-dri)");
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-// OpenGL without a window: the first part of the backends that judge drivers, and the peer that
-// rastercheck-bench measures. Whoever includes this needs no GL header.
+// OpenGL without a window, for the backends that judge drivers and for the peer that
+// rastercheck-bench measures. Including this file needs no GL header.
 //
-// A process has one context at a time; all of this folder is called on the thread that made it, and
-// every Target, Program, Mesh and CaseDrawer goes before it.
+// A process has one context at a time. Call everything in this folder on the thread that made the
+// context, and destroy every Target, Program, Mesh and CaseDrawer before the context.
 
 #include <memory>
 #include <string>
@@ -15,35 +15,35 @@ namespace rastercheck::backends::gl {
 
 enum class Api { opengl, opengl_es };
 
-/// Which of several drivers is taken: that of EGL's surfaceless platform, which is Mesa's choice
-/// (GALLIUM_DRIVER, LIBGL_ALWAYS_SOFTWARE), or rather a device that draws by itself.
+/// Which of several drivers to use: the one of EGL's surfaceless platform, which Mesa chooses
+/// (GALLIUM_DRIVER, LIBGL_ALWAYS_SOFTWARE), or preferably a device with its own hardware.
 enum class Prefer { surfaceless, hardware };
 
-/// What a context has to be.
+/// The requirements on a context.
 struct ContextRequest {
   Api api = Api::opengl;
-  /// At least; of OpenGL the core profile.
+  /// Lowest version accepted. For OpenGL, the core profile is used.
   int major = 4;
   int minor = 5;
   Prefer prefer = Prefer::surfaceless;
-  /// What GL_RENDERER has to begin with.
+  /// The text that GL_RENDERER must start with.
   std::string renderer;
 };
 
-/// A context of OpenGL or OpenGL ES, current, on EGL's surfaceless or device platform.
+/// A context of OpenGL or OpenGL ES on EGL's surfaceless or device platform. It is made current.
 class Context {
  public:
-  /// Fails, saying which step of EGL did not work where, if there is no EGL, no platform without
-  /// windows or no driver for what is asked for.
+  /// Fails if EGL is missing, no platform works without windows, or no driver fits the request. The
+  /// error says which step of EGL failed on which platform.
   static Result<Context> create(const ContextRequest& request = {});
 
   Context(Context&& other) noexcept;
   Context& operator=(Context&& other) noexcept;
   ~Context();
 
-  /// What draws, as the driver names itself (GL_RENDERER), with its version (GL_VERSION).
+  /// The driver's own name (GL_RENDERER) and version (GL_VERSION).
   std::string renderer() const;
-  /// GL_RENDERER and GL_VERSION by themselves.
+  /// Only GL_RENDERER and only GL_VERSION.
   std::string renderer_name() const;
   std::string version() const;
 

@@ -13,7 +13,7 @@ void skip(std::string_view& text, std::string_view prefix) {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// The letters that a text begins with, digits among them, in lower case.
+/// Returns the letters and digits at the start of a text, in lower case.
 std::string first_word(std::string_view text) {
   std::string word;
   for (const char c : text) {
@@ -23,7 +23,7 @@ std::string first_word(std::string_view text) {
   return word;
 }
 
-/// GL_VERSION without what the API prescribes of it, its number first.
+/// GL_VERSION without the text that the API prescribes before the driver's own version.
 std::string_view own_part(std::string_view version) {
   std::string_view rest = version;
   skip(rest, "OpenGL ES ");
@@ -40,7 +40,7 @@ Driver driver_of(std::string_view renderer, std::string_view version) {
   std::string name;
   if (own.starts_with("NVIDIA ")) {
     name = "nvidia";
-    skip(own, "NVIDIA ");  // Vulkan's has the number alone, and one list serves both.
+    skip(own, "NVIDIA ");  // Vulkan reports only the number; one list serves both APIs
   } else if (renderer.find("(radeonsi") != std::string_view::npos) {
     name = "radeonsi";
   } else {

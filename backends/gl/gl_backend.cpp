@@ -1,4 +1,4 @@
-// The backend `gl`: a driver of OpenGL or OpenGL ES.
+// The backend `gl`: a driver for OpenGL or OpenGL ES.
 
 #include <algorithm>
 #include <array>
@@ -19,10 +19,11 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Mesa's drivers that draw with the processor.
+/// Mesa's drivers that draw on the processor.
 constexpr std::array<std::string_view, 2> kSoftware = {"llvmpipe", "softpipe"};
 
-/// Whether a driver of that name draws with the processor; ANGLE's names say what is below it.
+/// True if a driver of that name draws on the processor. ANGLE's names include that of the driver
+/// below it.
 bool is_software(std::string_view renderer) {
   constexpr std::array<std::string_view, 3> kNames{"llvmpipe", "softpipe", "SwiftShader"};
   return std::any_of(kNames.begin(), kNames.end(), [renderer](std::string_view name) {
@@ -62,15 +63,15 @@ class GlBackend : public Backend, public WaysOfDrawing {
   gl::CaseDrawer drawer_;
 };
 
-/// Before Mesa reads them; of the last, whoever starts the program has a say.
+/// Sets environment variables before Mesa reads them; the user may override LP_NUM_THREADS.
 void choose_driver(const std::string& name) {
   if (!name.empty()) {
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
     ::setenv("GALLIUM_DRIVER", name.c_str(), 1);
   }
-  // A foreign process cannot write files.
+  // A process that runs foreign code cannot write files.
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-  // Campaigns run in as many processes as there are processors, and cases are small.
+  // Campaigns run one process per processor, and cases are small.
   ::setenv("LP_NUM_THREADS", "0", 0);
 }
 

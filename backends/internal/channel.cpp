@@ -16,13 +16,13 @@
 namespace rastercheck::backends {
 namespace {
 
-/// What stands before the bytes of a part.
+/// Precedes the bytes of each part.
 struct PartHeader {
   std::uint64_t size = 0;  ///< bytes of this part
-  std::uint64_t rest = 0;  ///< bytes of the message that come after it
+  std::uint64_t rest = 0;  ///< bytes of the message in later parts
 };
 
-/// More than most drawings take, and little beside what a process has anyway.
+/// Enough for most drawings, and little compared with the rest of a process's memory.
 constexpr std::size_t kPartSize = std::size_t{4} << 20;
 
 tl::unexpected<Error> channel_failure(const std::string& what) {
@@ -36,7 +36,7 @@ Result<SharedMemory> SharedMemory::create(std::size_t size) {
   if (!file.is_open()) return channel_failure("memfd_create");
   if (::ftruncate(file.number(), static_cast<off_t>(size)) != 0)
     return channel_failure("ftruncate");
-  // Or the other end could take away what this one reads.
+  // Without the seals, the other end could shrink the memory while this one reads it.
   if (::fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
     return channel_failure("fcntl");
   }
@@ -63,7 +63,7 @@ SharedMemory::~SharedMemory() {
   if (data_ != nullptr) ::munmap(data_, size_);
 }
 
-/// The beats stand behind the part.
+/// The counter of beats is stored after the part.
 std::size_t Channel::memory_size() {
   return sizeof(PartHeader) + kPartSize + sizeof(std::uint64_t);
 }
@@ -108,7 +108,7 @@ bool Channel::send(std::string_view message, const Wait& wait) const {
     std::memcpy(memory_.data() + sizeof header, part.data(), part.size());
     if (!ring()) return false;
     if (message.empty()) return true;
-    if (!hear(wait)) return false;  // the other end has taken the part
+    if (!hear(wait)) return false;  // waits until the other end has taken the part
   }
 }
 
@@ -122,7 +122,7 @@ std::optional<std::string> Channel::receive(std::uint64_t most, const Wait& wait
     const auto* const part = memory_.data() + sizeof header;
     message.append(reinterpret_cast<const char*>(part), header.size);
     if (header.rest == 0) return message;
-    // A part that brings nothing would let this go on forever.
+    // Parts without bytes could make this loop run forever.
     if (header.size == 0 || !ring()) return std::nullopt;
   }
 }

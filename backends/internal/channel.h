@@ -1,10 +1,10 @@
 #pragma once
 
-// Messages between two processes: bytes in memory that both see, and a socket that rings. A message
-// longer than the memory goes in parts, one after the other.
+// Messages between two processes: bytes in memory that both map, and a socket to signal. A message
+// longer than the memory is sent in parts, one after the other.
 //
-// Either end may be at the mercy of broken code: what the other one wrote is copied before it is
-// looked at, and believed in nothing.
+// Either end may run broken code. So each end copies what the other wrote before reading it, and
+// trusts none of its content.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,9 +21,9 @@ namespace rastercheck::backends {
 /// A mapping of shared memory.
 class SharedMemory {
  public:
-  /// New memory of `size` bytes, all 0, that has no name.
+  /// Creates `size` bytes of new, nameless memory, all 0.
   static Result<SharedMemory> create(std::size_t size);
-  /// That of another process; fails where it has fewer bytes.
+  /// Maps the memory of another process. Fails if that memory has fewer bytes.
   static Result<SharedMemory> open(cases::Descriptor file, std::size_t size);
   SharedMemory(SharedMemory&& other) noexcept;
   SharedMemory& operator=(SharedMemory&&) = delete;
@@ -45,28 +45,28 @@ class SharedMemory {
 
 class Channel {
  public:
-  /// Bytes of the memory that a channel needs.
+  /// The number of bytes of memory that a channel needs.
   static std::size_t memory_size();
 
   Channel(SharedMemory memory, cases::Descriptor bell)
       : memory_(std::move(memory)), bell_(std::move(bell)) {}
 
-  /// Waits until bell() can be read from; false where that is not going to be.
+  /// Waits until bell() can be read. Returns false if it never will be.
   using Wait = std::function<bool()>;
 
-  /// A socket.
+  /// The socket that carries signals.
   int bell() const { return bell_.number(); }
-  /// Shared, for the other end.
+  /// The descriptor of the shared memory, to hand to the other end.
   int memory() const { return memory_.file(); }
 
-  /// Says that work goes on, without a message.
+  /// Signals, without a message, that work goes on.
   void beat() const;
-  /// How often either end has.
+  /// How many times either end has called beat().
   std::uint64_t beats() const;
 
-  /// False where the other end is gone, or `wait` says so.
+  /// Sends a message. Returns false if the other end is gone or `wait` returns false.
   bool send(std::string_view message, const Wait& wait) const;
-  /// The next message, of `most` bytes at most; nothing where there is none.
+  /// Returns the next message, of at most `most` bytes; empty if none comes.
   std::optional<std::string> receive(std::uint64_t most, const Wait& wait) const;
 
  private:

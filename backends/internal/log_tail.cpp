@@ -12,10 +12,11 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Bytes that are kept, and of these the lines that are shown.
+/// The number of bytes that are kept, and of lines that are shown.
 constexpr std::size_t kMostKept = 1024;
 constexpr std::size_t kMostLines = 5;
-/// What is read at once, of somebody who may say more than can be heard.
+/// The most reads per call. Without a limit, a process that writes fast could keep this one
+/// reading.
 constexpr int kMostParts = 16;
 
 }  // namespace

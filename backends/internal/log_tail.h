@@ -7,18 +7,19 @@
 
 namespace rastercheck::backends {
 
-/// What a process says on a pipe, its last words kept.
+/// Collects what a process writes to a pipe, and keeps the last lines.
 class LogTail {
  public:
-  /// The end to be read, which is not to block.
+  /// Takes the pipe's reading end, which must be non-blocking.
   explicit LogTail(cases::Descriptor pipe) : pipe_(std::move(pipe)) {}
 
-  /// The pipe; below 0 once nobody can say anything any more.
+  /// The pipe's descriptor; negative once no process can write to the pipe any more.
   int pipe() const { return pipe_.number(); }
-  /// Reads what is there, or some of it where that is a lot.
+  /// Reads what is available, or only part of it if that is a lot.
   void read();
   void forget() { text_.clear(); }
-  /// The last lines, printable, in one: "a / b / c". Empty where nothing was said.
+  /// The last lines as printable text, joined into one line: "a / b / c". Empty if the process
+  /// wrote nothing.
   std::string last_lines() const;
 
  private:

@@ -1,55 +1,60 @@
-// Let x_i, y_i be the window positions that an implementation has of the vertices. However it came
-// by them, they are numbers, and what it computes is held against the triangle of these: that they
-// are not the exact positions is a matter of coverage and basis (cases::Contract). What it computes
-// is off because of its operations, by δ of their results each.
+// Let x_i, y_i be the window positions that an implementation has for the vertices, however it
+// computed them. Its values are compared with those of the triangle at these positions. Coverage
+// and basis (cases::Contract) account for the difference between these positions and the exact
+// ones. Values are off because each operation is off by δ of its result.
 //
-// Positions are taken relative to a point P. Then the weight of vertex i, times D, twice the area,
-// is e_i = a_i u + b_i v + c_i with a_i = y_j − y_k, b_i = x_k − x_j, c_i = x_j y_k − x_k y_j, and
-// the sizes of the terms that it is the sum of are, where all is made of relative positions,
+// Positions are relative to a point P. Let D be twice the area of the triangle. Then the weight of
+// vertex i, times D, is e_i = a_i u + b_i v + c_i with a_i = y_j − y_k, b_i = x_k − x_j,
+// c_i = x_j y_k − x_k y_j. If everything is computed from relative positions, the magnitudes of the
+// terms of e_i sum to
 //
 //   s_i = (|y_j| + |y_k|) |u| + (|x_j| + |x_k|) |v| + |x_j| |y_k| + |x_k| |y_j|.
 //
-// S is the most that Σ s_i can be, of any P in the bounding box and any (u, v) in it, or beyond it
-// by as much as values are evaluated beyond the triangle. Σ s_i is convex in each coordinate of P
-// and of (u, v), so corners of the boxes have it. Where P may lie away from the box, the gradient
-// a_i, b_i is still made of differences, and the value at P of these: two products with a distance,
-// of the place and of a vertex from P. So there S is that of the box and
+// S is the greatest Σ s_i for any P in the triangle's bounding box and any (u, v) in the same box
+// enlarged by the distance beyond the triangle at which values are evaluated. Σ s_i is convex in
+// each coordinate of P and of (u, v), so it is greatest at corners of the boxes. If P may lie away
+// from the box, the gradient (a_i, b_i) is still made of differences, and the value at P follows
+// from it. The gradient is then multiplied by two distances from P: that of the place and that of a
+// vertex. So S is then the S of the box plus
 //
-//   2 Σ (|a_i| d_u + |b_i| d_v)
+//   2 Σ (|a_i| d_u + |b_i| d_v),
 //
-// more, d how far away P may be. k = S/D says how many digits a weight may lose; k >= 1.
+// where d is how far away P may be. The quotient k = S/D >= 1 tells how many digits a weight may
+// lose.
 //
-// Operations on each term. Relative positions 1, a product 1, a difference 1, u − P 1, a product
-// with that 1, two sums 2, the quotient by D, be it a reciprocal and a product, 2: 9. D itself:
-// relative positions 1, product 1, difference 1, two sums 2: 5 on terms that sum to S at most.
+// Each term takes 9 operations: 1 for relative positions, 1 for a product, 1 for a difference, 1
+// for u − P, 1 for a product with that, 2 for two sums, and 2 for the quotient by D, which may be a
+// reciprocal and a product. D itself takes 5 operations on terms that sum to at most S: 1 for
+// relative positions, 1 for a product, 1 for a difference and 2 for two sums.
 //
-// A value that is linear in window space, r = Σ r_i e_i / D, sees a product with r_i or with a
-// difference of two values, that difference, and two sums: 4 more. Values may be evaluated from
-// differences to one vertex, r_0 + b_1 (r_1 − r_0) + b_2 (r_2 − r_0), or by a gradient made of
-// such; a difference is at most 2 max|r|, so the sizes of such terms sum to 2 S max|r| at most.
+// A value linear in window space, r = Σ r_i e_i / D, takes 4 more: a product with r_i or with a
+// difference of two values, that difference, and two sums. Values may be evaluated from differences
+// to one vertex, r_0 + b_1 (r_1 − r_0) + b_2 (r_2 − r_0), or by a gradient made of such
+// differences. A difference is at most 2 max|r|, so these terms sum to at most 2 S max|r|.
 // Altogether
 //
 //   |Δr| <= (2 · 13 + 5) δ k / (1 − 5 δ k) max|r|.
 //
-// A value that is linear in clip space is N/M with N = Σ b_i r_i/w_i, M = Σ b_i/w_i, of which 1/w_i
-// is an operation, its product with r_i another. By the same count, with q the greatest 1/w_i,
+// A value linear in clip space is N/M with N = Σ b_i r_i/w_i and M = Σ b_i/w_i. Here 1/w_i is one
+// operation and its product with r_i another. By the same count, with q the greatest 1/w_i,
 //
 //   |ΔN| <= (2 · 15 + 5 x) δ k q max|r| / (1 − 5 δ k),  |ΔM| <= (2 · 14 + 5) δ k q / (1 − 5 δ k),
 //
-// with |N| <= x q max|r|, and the quotient is two operations more. Where M = q/g, and |r| <= y
-// max|r|,
+// where x is such that |N| <= x q max|r|. The quotient takes two more operations. Where M = q/g and
+// |r| <= y max|r|,
 //
 //   |Δr| <= (30 + 5 x + 33 y) δ k g / (1 − 5 δ k − 33 δ k g) max|r| + 2 δ y max|r|.
 //
-// Inside the triangle x = y = 1, and g is at most q over the least 1/w_i. Moved vertices have
-// another 1/w at the same place, off by reach |∇(1/w)| at most, which is made up for in g.
+// Inside the triangle x = y = 1, and g is at most q over the least 1/w_i. If vertices were moved,
+// 1/w at the same place differs by at most reach |∇(1/w)|, which g allows for.
 //
-// Outside it, by h along each axis, a weight may be less than 0 by ν_i = h (|a_i| + |b_i|)/D, so
-// what is linear in window space is at most x max|r|, x = 1 + Σ ν_i; N is at most x q max|r|, so
-// that y = x g; and 1/w may be less than the least 1/w_i by h |∇(1/w)|, which bounds g.
+// Outside the triangle, by up to h along each axis, a weight may be as low as −ν_i with
+// ν_i = h (|a_i| + |b_i|)/D. So a value linear in window space is at most x max|r| with
+// x = 1 + Σ ν_i; N is at most x q max|r|, so y = x g; and 1/w may be below the least 1/w_i by
+// h |∇(1/w)|, which bounds g.
 //
-// D, S and the gradients are of the moved triangle: its relative positions differ by at most twice
-// the reach from the exact ones.
+// D, S and the gradients are those of the moved triangle, whose relative positions differ from the
+// exact ones by at most twice the reach.
 
 #include "backends/internal/plane_error.h"
 
@@ -65,7 +70,7 @@ constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
 
 constexpr double kArea = 5;
 constexpr double kAffine = 2 * 13 + kArea;
-constexpr double kNumerator = 2 * 15;  // and kArea of N itself
+constexpr double kNumerator = 2 * 15;  // plus kArea for N itself
 constexpr double kDenominator = 2 * 14 + kArea;
 constexpr double kDivision = 2;
 
@@ -74,21 +79,22 @@ double extent(const std::array<double, 3>& at) {
   return greatest - least;
 }
 
-/// Bounds the numbers of a triangle whose vertices may have been moved.
+/// Bounds on quantities of a triangle whose vertices may have been moved.
 struct Moved {
-  double area = 0;              ///< D, at least
-  double sizes = 0;             ///< S, at most, of P in the bounding box
-  std::array<double, 3> a{};    ///< |a_i|, at most
-  std::array<double, 3> b{};    ///< |b_i|, at most
+  double area = 0;              ///< D, lower bound
+  double sizes = 0;             ///< S, upper bound, for P in the bounding box
+  std::array<double, 3> a{};    ///< |a_i|, upper bounds
+  std::array<double, 3> b{};    ///< |b_i|, upper bounds
   double most_inverse_w = 0;    ///< q
-  double least_inverse_w = 0;   ///< of the vertices
-  double inverse_w_change = 0;  ///< |∂(1/w)/∂u| + |∂(1/w)/∂v|, at most
+  double least_inverse_w = 0;   ///< at the vertices
+  double inverse_w_change = 0;  ///< |∂(1/w)/∂u| + |∂(1/w)/∂v|, upper bound
 
   /// Σ (|a_i| + |b_i|)/D.
   double weight_change() const { return (a[0] + a[1] + a[2] + b[0] + b[1] + b[2]) / area; }
 };
 
-/// Σ s_i about P, with (u, v) at most so far from P, each size `more` larger.
+/// Returns Σ s_i about P for |u| and |v| up to `u` and `v`, with each coordinate relative to P
+/// larger by `more`.
 double sizes_about(const WindowTriangle& t, double p_x, double p_y, double u, double v,
                    double more) {
   std::array<double, 3> x{};
@@ -112,7 +118,7 @@ Moved moved(const WindowTriangle& t, double reach, double beyond) {
   const double height = extent(t.y);
   Moved m;
   const double area = (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]);
-  // Two relative positions, each off by `more` along each axis.
+  // The area is made of two relative positions, each off by `more` along each axis.
   m.area = std::fabs(area) - 2 * more * (width + height) - 2 * more * more;
   for (const double p_x :
        {*std::min_element(t.x.begin(), t.x.end()), *std::max_element(t.x.begin(), t.x.end())}) {
@@ -132,7 +138,7 @@ Moved moved(const WindowTriangle& t, double reach, double beyond) {
     const std::size_t k = (i + 2) % 3;
     m.a[i] = std::fabs(t.y[j] - t.y[k]) + more;
     m.b[i] = std::fabs(t.x[k] - t.x[j]) + more;
-    // As Σ a_i = 0, differences to any number will do.
+    // As Σ a_i = 0, differences from any number serve; these are small.
     change_x += (t.y[j] - t.y[k]) * (inverse_w[i] - m.least_inverse_w);
     change_y += (t.x[k] - t.x[j]) * (inverse_w[i] - m.least_inverse_w);
   }
@@ -158,7 +164,7 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
   error.affine = kAffine * lost * outside / (1 - kArea * lost);
   const double least =
       m.least_inverse_w - (evaluation.beyond + evaluation.reach) * m.inverse_w_change;
-  const double horizon = least > 0 ? m.most_inverse_w / least : kWithoutEnd;  // g, at most
+  const double horizon = least > 0 ? m.most_inverse_w / least : kWithoutEnd;  // g, upper bound
   const double left = 1 - kArea * lost - kDenominator * lost * horizon;
   if (!(left > 0)) {
     error.constant = error.per_horizon = kWithoutEnd;
@@ -167,12 +173,12 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
   error.constant = kDivision * evaluation.operation * outside;
   const double numerator = kNumerator + kArea * outside;
   error.per_horizon = (numerator + kDenominator * outside) * lost / left;
-  if (evaluation.beyond > 0) {  // The greatest g there may be less than it is where vertices are.
+  if (evaluation.beyond > 0) {  // outside, the greatest g may be less than at the vertices
     error.constant = kDivision * evaluation.operation * outside * horizon +
                      (numerator + kDenominator * outside * horizon) * lost * horizon / left;
     error.per_horizon = 0;
   } else {
-    // Of moved vertices 1/w at a place is at least 1/w − reach |∇(1/w)|.
+    // If vertices are moved, 1/w at a place is at least 1/w − reach |∇(1/w)|.
     error.per_horizon *=
         m.least_inverse_w / (m.least_inverse_w - evaluation.reach * m.inverse_w_change);
   }
@@ -185,7 +191,7 @@ double weight_change(const WindowTriangle& triangle, double reach, double distan
   const double least = m.least_inverse_w - (distance + reach) * m.inverse_w_change;
   if (!(least > 0)) return kWithoutEnd;
   // λ_i = b_i q_i / M: |∂λ_i| <= |∂b_i| q_i / M + |λ_i| |∂M| / M, and |λ_i| <= (1 + ν_i) q / M.
-  // Each is taken where it is greatest.
+  // Each factor is replaced by its greatest value.
   const double outside = 3 + distance * m.weight_change();
   const double horizon = m.most_inverse_w / least;
   return distance * horizon * (m.weight_change() + outside * m.inverse_w_change / least);

@@ -12,7 +12,7 @@
 namespace rastercheck::backends {
 namespace {
 
-/// How many values an enumeration has.
+/// The number of values of an enumeration.
 template <typename Enum>
 constexpr std::size_t count_of(Enum value) {
   return names_of(value).size();
@@ -22,7 +22,8 @@ constexpr std::size_t count_of(cases::Claim /*type*/) { return 2; }
 constexpr std::size_t count_of(Failure /*type*/) { return 5; }
 constexpr std::size_t count_of(Question /*type*/) { return 2; }
 
-/// What is its bytes, whatever they are: numbers, and structs of nothing else.
+/// True for arithmetic types except bool, and for aggregates of such types, whose bytes are copied
+/// as they are.
 template <typename T>
 constexpr bool kIsPlain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 template <typename T, std::size_t N>
@@ -44,7 +45,8 @@ constexpr bool kIsPlain<cases::ValueBounds> = true;
 template <>
 constexpr bool kIsPlain<cases::TextureBounds> = true;
 
-/// Calls `archive` for each member: the one list of them, for both directions.
+/// Calls `archive` with all members of a value. The same list of members serves reading and
+/// writing.
 template <typename Archive, cases::Either<Error> T>
 void members(Archive& archive, T& e) {
   archive(e.file, e.place, e.reason, e.failure);
@@ -66,7 +68,7 @@ void members(Archive& archive, T& c) {
   archive(c.name, c.framebuffer, c.viewport, c.rules, c.coverage, c.basis, c.fill_rule, c.cull,
           c.front_face, c.scissor, c.depth_test, c.depth_clear, c.depth_clamp, c.attributes,
           c.camera, c.positions, c.attribute_values, c.clip_distances, c.clip_distance_count,
-          c.triangles, c.essential, c.found);
+          c.triangles, c.essential, c.choices, c.found);
 }
 template <typename Archive, cases::Either<cases::TrianglePromise> T>
 void members(Archive& archive, T& p) {
@@ -172,11 +174,11 @@ class Unpacker {
   void operator()(T&... values) {
     (get(values), ...);
   }
-  /// Whether all was right, and nothing is left.
+  /// True if nothing has failed and no bytes are left.
   bool is_whole() const { return !has_failed_ && rest_.empty(); }
 
  private:
-  /// So many bytes; false, and nothing from now on, where there are fewer.
+  /// Copies `size` bytes. If fewer are left, returns false, and every later read fails.
   bool take(void* to, std::size_t size) {
     if (has_failed_ || size > rest_.size()) {
       has_failed_ = true;
@@ -186,7 +188,8 @@ class Unpacker {
     rest_.remove_prefix(size);
     return true;
   }
-  /// How many elements of at least `size` bytes follow; 0 where there cannot be as many.
+  /// Reads the number of elements that follow, each of at least `size` bytes; 0 if fewer bytes are
+  /// left than they need.
   std::size_t get_count(std::size_t size) {
     std::uint64_t count = 0;
     if (!take(&count, sizeof count)) return 0;
@@ -196,7 +199,7 @@ class Unpacker {
     }
     return static_cast<std::size_t>(count);
   }
-  /// A byte below `count`.
+  /// Reads a byte, which must be below `count`.
   std::uint8_t get_byte(std::size_t count) {
     std::uint8_t byte = 0;
     take(&byte, 1);
@@ -262,7 +265,7 @@ void add_sizes(const cases::ValueBounds& bounds, std::vector<double>& sizes) {
   }
 }
 
-/// Whether its numbers are those that a contract may have.
+/// True if each number of the contract is in the range that contracts allow.
 bool has_meaning(const cases::Contract& c) {
   std::vector<double> sizes{c.numbers.least,
                             c.numbers.greatest,

@@ -1,7 +1,7 @@
 #pragma once
 
-// Cases, contracts and framebuffers as bytes, for another process of the same program. They are no
-// format: nothing of them is kept.
+// Converts cases, contracts and fragments to bytes, for another process of the same program. The
+// bytes are not a file format and are never stored.
 
 #include <optional>
 #include <string>
@@ -16,22 +16,22 @@
 
 namespace rastercheck::backends {
 
-/// What a process is asked about a case.
+/// The questions that one process asks the other about a case.
 enum class Question : std::uint8_t { promise, drawing };
 
 struct Request {
   Question question = Question::drawing;
   cases::Case source;
-  std::optional<cases::DrawBy> way = std::nullopt;  ///< that is asked for
+  std::optional<cases::DrawBy> way = std::nullopt;  ///< the way of drawing that was asked for
 };
 
-/// What a process says first: who it is, or why there is no backend.
+/// The first message of a process: describes its backend, or says why it has none.
 struct Greeting {
   About about;
   std::optional<Error> problem;
 };
 
-/// The answer to a drawing.
+/// The answer to a request for a drawing.
 struct DrawingAnswer {
   Drawn drawn;
   std::optional<Error> problem;
@@ -42,8 +42,8 @@ std::string pack(const Greeting& greeting);
 std::string pack(const DrawingAnswer& drawing);
 std::string pack(const cases::Contract& contract);
 
-/// Nothing where the bytes are not those of one, whole: enumerators that there are not, lengths
-/// beyond what is there, numbers that no contract has.
+/// Decode bytes. The result is empty unless the bytes are exactly one whole value: decoding fails
+/// for unknown enumerators, for lengths beyond the end, and for numbers that no contract has.
 std::optional<Request> unpack_request(std::string_view bytes);
 std::optional<Greeting> unpack_greeting(std::string_view bytes);
 std::optional<DrawingAnswer> unpack_drawing(std::string_view bytes);

@@ -16,11 +16,11 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Milliseconds; more than poll() takes at once is waited for in parts.
+/// In milliseconds. Longer waits are split, because poll() accepts no longer wait.
 constexpr std::int64_t kLongestPoll = 60'000;
-/// What a process that crashes may take to be gone.
+/// How long a crashing process may take to end.
 constexpr std::chrono::milliseconds kLongestEnd{1000};
-/// Of a greeting or a contract.
+/// The most bytes of a greeting or a contract.
 constexpr std::uint64_t kMostWords = 65536;
 constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
@@ -36,18 +36,18 @@ std::vector<std::string> command_of(const std::string& specification, const Isol
   return command;
 }
 
-/// What a drawing may have, each sample drawn by each triangle, and then some.
+/// The most bytes of a drawing in which each triangle covers each sample, plus a reserve.
 std::uint64_t most_bytes(const cases::Case& c) {
   constexpr double kMost = 0x1p40;
   const double samples =
       static_cast<double>(c.framebuffer.width) * c.framebuffer.height * c.framebuffer.samples;
   const double fragments = samples * static_cast<double>(c.triangles.size());
-  // Triangle, x, y, sample and depth; of an attribute its value and two derivatives.
+  // A triangle number, x, y, sample and depth; for each attribute, its value and two derivatives.
   const double fragment = 13 + 12 * static_cast<double>(c.attributes.size());
   return static_cast<std::uint64_t>(std::min(fragments * fragment, kMost)) + kMostWords;
 }
 
-/// Two ends of a socket.
+/// Returns the two ends of a socket.
 Result<std::array<cases::Descriptor, 2>> socket_pair() {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -56,7 +56,7 @@ Result<std::array<cases::Descriptor, 2>> socket_pair() {
   return std::array{cases::Descriptor(ends[0]), cases::Descriptor(ends[1])};
 }
 
-/// The ends of a pipe, the one to be read first, which does not block.
+/// Returns the two ends of a pipe. The first is the reading end, which is non-blocking.
 Result<std::array<cases::Descriptor, 2>> log_pipe() {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return process_failure("pipe");
@@ -81,7 +81,8 @@ Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
       command_of(specification, isolation),
       {their_bell.number(), memory->file(), their_words.number()}, cases::ProcessGroup::own);
   if (!process) return tl::unexpected(process.error());
-  // Or there would be no end of what can be heard when the process has ended.
+  // If these stayed open here, the bell and the log would never report their end after the process
+  // has ended.
   their_bell.close();
   their_words.close();
 
@@ -126,10 +127,11 @@ Result<std::string> WorkerProcess::receive(std::string_view doing, std::uint64_t
   return *std::move(answer);
 }
 
-/// Until the bell rings, or nobody is there to ring it; hears what is said meanwhile.
+/// Waits until the bell rings. Returns false if it never will, or if the process is silent for too
+/// long. Meanwhile, reads what the process writes.
 bool WorkerProcess::wait() {
   for (;;) {
-    // The limit is for silence.
+    // The time limit starts again with each sign of progress.
     if (const std::uint64_t beats = channel_.beats(); beats != beats_) {
       beats_ = beats;
       deadline_ = deadline();
@@ -137,7 +139,7 @@ bool WorkerProcess::wait() {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
     is_late_ = left.count() <= 0;
     if (is_late_) return false;
-    // The end of the process too: what it has started may hold the bell, and never ring it.
+    // Also watch for the process's end, as its children may hold the bell and never ring it.
     std::array<pollfd, 3> ends{
         {{channel_.bell(), POLLIN, 0}, {log_.pipe(), POLLIN, 0}, {process_.end(), POLLIN, 0}}};
     const int most = static_cast<int>(std::min<std::int64_t>(left.count(), kLongestPoll));
@@ -156,9 +158,10 @@ Error WorkerProcess::end_for_nonsense() {
   return loss("with an answer that is none");
 }
 
-/// Ends the process, and says how it ended.
+/// Ends the process and reports how it ended.
 Error WorkerProcess::loss(std::string_view doing) {
-  // One that hung up is about to end, and has to say how; if it goes on it is of no use.
+  // A process that closed the channel is about to end, so wait to learn how. If it does not end, it
+  // is of no use.
   const bool has_ended =
       process_.has_ended_within(is_late_ ? std::chrono::milliseconds(0) : kLongestEnd);
   process_.kill();

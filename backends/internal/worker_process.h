@@ -17,16 +17,16 @@ namespace rastercheck::backends {
 /// A process that draws with a backend (serve_backend()).
 class WorkerProcess {
  public:
-  /// Starts it and hears its greeting. The error's file is the specification; a process that ended
-  /// or did not answer is `unavailable`.
+  /// Starts the process and receives its greeting. An error names the specification as its file. If
+  /// the process ends or does not answer, the failure is `unavailable`.
   static Result<WorkerProcess> start(const std::string& specification, const Isolation& isolation);
 
   const Greeting& greeting() const { return greeting_; }
 
-  /// The answer to a request. Fails where the process ends (Failure::crash) or does not answer in
-  /// time (Failure::hang); it is gone then.
+  /// Asks a question and returns the answer. Fails if the process ends (Failure::crash) or does not
+  /// answer in time (Failure::hang). After a failure, the process is gone.
   Result<std::string> ask(const Request& request);
-  /// Ends the process, whose last answer was none, and says so.
+  /// Ends the process because its last answer was invalid, and returns that as an error.
   Error end_for_nonsense();
 
  private:
@@ -51,7 +51,7 @@ class WorkerProcess {
   Channel channel_;
   LogTail log_;
   Clock::time_point deadline_;
-  std::uint64_t beats_ = 0;  ///< of the channel, when last looked at
+  std::uint64_t beats_ = 0;  ///< the number of beats when last checked
   bool is_late_ = false;
   Greeting greeting_;
 };

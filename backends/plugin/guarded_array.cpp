@@ -15,19 +15,19 @@
 namespace rastercheck::backends {
 namespace {
 
-/// What stands before the beginning of an array.
+/// Fills the accessible memory before the beginning of an array.
 constexpr std::byte kFront{0xa5};
 
 std::size_t page_size() { return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)); }
 
-/// An array as a signal handler may know it, by addresses.
+/// The addresses of an array, for use in a signal handler.
 struct Guarded {
-  const char* name = nullptr;  ///< nullptr: none
-  std::uintptr_t pages = 0;    ///< from the page before it
+  const char* name = nullptr;  ///< nullptr if the entry is unused
+  std::uintptr_t pages = 0;    ///< start of the inaccessible page before the array
   std::uintptr_t begin = 0;
-  std::uintptr_t end = 0;  ///< up to a page before the end of all
+  std::uintptr_t end = 0;  ///< end of the array and also of accessible memory
 };
-/// Of one plugin at a time, which has eleven.
+/// The arrays of the current plugin. A plugin has eleven.
 std::array<Guarded, 16> all_guarded;
 
 void forget(const char* name) {
@@ -43,12 +43,12 @@ void remember(const Guarded& array) {
   if (place != all_guarded.end()) *place = array;
 }
 
-/// "1 byte", "2 bytes".
+/// A number of bytes, written as "1 byte" or "2 bytes".
 struct Bytes {
   std::uintptr_t count = 0;
 };
 
-/// A line put together without memory of its own.
+/// Composes a line of text without allocating memory.
 class SignalLine {
  public:
   SignalLine& operator<<(std::string_view text) {
@@ -65,7 +65,7 @@ class SignalLine {
   }
   void write() const {
     const ssize_t written = ::write(STDERR_FILENO, text_.data(), size_);
-    static_cast<void>(written);  // There is nobody else to tell.
+    static_cast<void>(written);  // Nothing can be done if this fails.
   }
 
  private:
@@ -77,7 +77,7 @@ SignalLine& operator<<(SignalLine& line, Bytes bytes) {
   return line << bytes.count << (bytes.count == 1 ? " byte" : " bytes");
 }
 
-/// What is wrong with an access to an address next to, or in, an array.
+/// Describes an access to an address in an array or next to it.
 void describe(SignalLine& line, const Guarded& array, std::uintptr_t address) {
   if (address < array.begin) {
     line << "the plugin touched " << array.name << " before its beginning, by "
@@ -90,9 +90,9 @@ void describe(SignalLine& line, const Guarded& array, std::uintptr_t address) {
   }
 }
 
-/// Says which array an address is at, and lets the signal do what it does.
+/// Reports which array was accessed, then lets the signal have its usual effect.
 void report(int signal, siginfo_t* info, void* /*context*/) {
-  if (info->si_code <= 0) {  // Sent, by whomever: nothing was touched, and nothing comes again.
+  if (info->si_code <= 0) {  // sent by a process: there is no access that would be repeated
     ::raise(signal);
     return;
   }
@@ -116,7 +116,7 @@ void report(int signal, siginfo_t* info, void* /*context*/) {
 }  // namespace
 
 void report_wrong_accesses() {
-  // A stack that has run out is no place for a handler.
+  // The handler needs a stack of its own, since the current one may be exhausted.
   static std::array<std::byte, 65536> stack;
   stack_t alternative{};
   alternative.ss_sp = stack.data();
@@ -124,7 +124,8 @@ void report_wrong_accesses() {
   ::sigaltstack(&alternative, nullptr);
   struct sigaction action {};
   action.sa_sigaction = &report;
-  // Once: the access is repeated, and ends the process as if there were no handler.
+  // Handles the signal only once: the access is then repeated and ends the process as if without a
+  // handler.
   action.sa_flags = SA_SIGINFO | SA_ONSTACK | static_cast<int>(SA_RESETHAND);
   ::sigaction(SIGSEGV, &action, nullptr);
   ::sigaction(SIGBUS, &action, nullptr);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Arrays that foreign code is handed, each between pages that cannot be touched, so that the first
-// element too far ends the process; what is wrong is said on standard error before
+// Arrays to hand to foreign code. Each lies between inaccessible pages, so that accessing an
+// element just outside ends the process, after a message on standard error
 // (report_wrong_accesses()).
 
 #include <cstddef>
@@ -13,19 +13,19 @@ namespace rastercheck::backends {
 
 class GuardedArray {
  public:
-  /// The name is for reports, and has to outlive the array.
+  /// The name is used in reports and must outlive the array.
   explicit GuardedArray(const char* name) : name_(name) {}
   GuardedArray(const GuardedArray&) = delete;
   GuardedArray& operator=(const GuardedArray&) = delete;
   ~GuardedArray();
 
-  /// Memory of `size` bytes that may be written; what it had is gone. It ends where what may be
-  /// touched ends, and is aligned to the largest power of two that divides `size`, up to a page.
+  /// Allocates `size` writable bytes and discards the old content. The array ends where accessible
+  /// memory ends. Its alignment is the largest power of two that divides `size`, up to a page.
   Result<void> resize(std::size_t size);
-  /// The same with these bytes, which may only be read.
+  /// Like resize(), but the array is filled with these bytes and read-only.
   Result<void> assign(std::span<const std::byte> bytes);
 
-  /// nullptr where it has no bytes.
+  /// Returns nullptr if the array has no bytes.
   std::byte* data() const { return data_; }
   std::size_t size() const { return size_; }
   template <typename T>
@@ -33,8 +33,8 @@ class GuardedArray {
     return reinterpret_cast<T*>(data_);
   }
 
-  /// Whether nothing was written before its beginning, where less than a page may be touched, since
-  /// its size was last set.
+  /// True if the accessible memory before the array's beginning, which is less than a page, has not
+  /// been written to since the array's size was last set.
   bool is_front_whole() const;
 
  private:
@@ -42,14 +42,15 @@ class GuardedArray {
   Result<void> protect(int access) const;
 
   const char* name_;
-  std::byte* pages_ = nullptr;  ///< what may be touched; a page that may not before and behind it
+  std::byte* pages_ = nullptr;  ///< accessible pages; an inaccessible one before and after
   std::size_t touchable_ = 0;   ///< bytes
   std::byte* data_ = nullptr;
   std::size_t size_ = 0;
 };
 
-/// From now on a process that ends because of a wrong access says which array it was at, if it was
-/// near one. Of this whole process; it is for those that run foreign code.
+/// From now on, a process that ends because of a wrong access first reports which array was
+/// accessed, if any is near the address. Affects the whole process; meant for processes that run
+/// foreign code.
 void report_wrong_accesses();
 
 }  // namespace rastercheck::backends

@@ -19,15 +19,15 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Of a plugin's name and version.
+/// The most bytes of a plugin's name or version that are used.
 constexpr std::size_t kLongestName = 100;
 
 Error unavailable(const std::string& path, const std::string& reason) {
   return {"plugin:" + path, "", reason, Failure::unavailable};
 }
 
-/// A struct of the plugin's, of as many members as both sides know, the rest 0; nothing where it is
-/// too small to have those before `least`.
+/// Copies the members of the plugin's struct that both sides know; the rest are 0. Empty if the
+/// plugin's struct is smaller than `least` bytes.
 template <typename Struct>
 std::optional<Struct> completed(const Struct* theirs, std::size_t least) {
   std::uint32_t size = 0;
@@ -38,20 +38,20 @@ std::optional<Struct> completed(const Struct* theirs, std::size_t least) {
   return ours;
 }
 
-/// A text of the plugin's, as one line.
+/// Returns the plugin's text as one line; empty for a null pointer.
 std::optional<std::string> line_of(const char* text) {
   if (text == nullptr) return std::nullopt;
   return cases::one_line(std::string_view(text, ::strnlen(text, kLongestName)));
 }
 
-/// A member that has to be at most `most`.
+/// A member of a contract whose value must be from 0 to `most`.
 struct Limited {
   std::string_view name;
   double value = 0;
   double most = 0;
 };
 
-/// What a contract says that cannot be; empty where there is nothing.
+/// Describes an impossible value in a contract; empty if all values are possible.
 std::string fault_of(const rastercheck_contract& contract) {
   constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_SIDE_CLIPPING - 1;
   constexpr double kAllKeeps = 2 * RASTERCHECK_KEEPS_SIGN_OF_ZERO - 1;
@@ -83,7 +83,7 @@ std::string fault_of(const rastercheck_contract& contract) {
     }
   }
   for (const Limited& member : members) {
-    if (member.value >= 0 && member.value <= member.most) continue;  // not NaN
+    if (member.value >= 0 && member.value <= member.most) continue;  // false for NaN
     return fmt::format("its contract's {} is {}, which has to be from 0 to {}", member.name,
                        member.value, member.most);
   }
@@ -93,7 +93,7 @@ std::string fault_of(const rastercheck_contract& contract) {
   return "";
 }
 
-/// Up to the last members that ABI 1 began with: who has fewer is refused.
+/// The sizes of the structs in the first version of ABI 1; smaller structs are refused.
 constexpr std::size_t kLeastPlugin =
     offsetof(rastercheck_plugin, draw) + sizeof(rastercheck_plugin::draw);
 constexpr std::size_t kLeastContract =
@@ -105,7 +105,7 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
   if (theirs == nullptr) {
     return tl::unexpected(unavailable(path, "rastercheck_plugin_get() returned a null pointer"));
   }
-  // Sizes and ABI stand where they are in every ABI.
+  // The sizes and the ABI number are at the same place in every ABI.
   const auto header = completed(theirs, offsetof(rastercheck_plugin, name));
   if (header && header->abi != RASTERCHECK_PLUGIN_ABI) {
     return tl::unexpected(unavailable(
@@ -135,7 +135,7 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
     return tl::unexpected(unavailable(path, fault));
   }
   rastercheck_contract promised = *contract;
-  // Who was compiled before draws said what depth buffers begin with does not look.
+  // A plugin that was compiled before rastercheck_draw had depth_clear does not read that member.
   constexpr std::size_t kWithDepthClear =
       offsetof(rastercheck_contract, depth_format) + sizeof(rastercheck_contract::depth_format);
   if (all->contract->size < kWithDepthClear) promised.lacks |= RASTERCHECK_LACKS_DEPTH_CLEAR;
@@ -164,7 +164,7 @@ Result<Plugin> load_plugin(const std::string& path) {
         Error{"plugin:" + path, "",
               "there is no such file; paths are from the folder that rastercheck runs in"});
   }
-  // A name without a folder would be looked for elsewhere.
+  // If the name has no folder, dlopen() would search elsewhere.
   const std::string file = std::filesystem::absolute(path, problem).string();
   const FloatingPointModes modes;
   void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -227,7 +227,7 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
 
 namespace {
 
-/// A bit of rastercheck_contract.lacks, and the feature that it stands for.
+/// A bit of rastercheck_contract.lacks, and the feature that it excludes.
 struct LackedFeature {
   std::uint32_t bit;
   cases::Feature feature;

@@ -9,7 +9,7 @@
 
 namespace rastercheck::backends {
 
-/// A plugin that was loaded, its structs completed and checked. It stays loaded.
+/// A loaded plugin, with its structs completed and checked. It stays loaded.
 struct Plugin {
   std::string name;
   std::string version;
@@ -17,24 +17,24 @@ struct Plugin {
   uint32_t (*draw)(const rastercheck_draw*, rastercheck_output*) = nullptr;
 };
 
-/// Loads a shared library and asks it for its plugin. Fails as `refused` where there is no such
-/// file, as `unavailable` where it is no plugin, or one of another ABI or with a contract that says
-/// what cannot be. The error's file is `plugin:` and the path.
+/// Loads a shared library and gets its plugin. Fails as `refused` if the file does not exist, and
+/// as `unavailable` if it is no plugin, has another ABI or has an impossible contract. The error's
+/// file is `plugin:` and the path.
 Result<Plugin> load_plugin(const std::string& path);
 
-/// What rastercheck_plugin_get() returned, completed and checked; fails as `unavailable`.
+/// Completes and checks the result of rastercheck_plugin_get(). Fails as `unavailable`.
 Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::string& path);
 
-/// What a contract that was checked promises of a case.
+/// The promise that a checked contract makes for a case.
 cases::Contract contract_of(const rastercheck_contract& contract, const cases::Case& c);
 
-/// Which cases it draws.
+/// The cases that a plugin with this contract draws.
 cases::Capabilities capabilities_of(const rastercheck_contract& contract);
 
-/// What of a case it lacks, in words; empty where it draws the case.
+/// Names the feature of a case that the plugin lacks; empty if it draws the case.
 std::string lacks(const rastercheck_contract& contract, const cases::Case& c);
 
-/// One line: "little 1.0: coverage snapped to 8 subpixel bits, …".
+/// Describes a plugin in one line, such as "little 1.0: coverage snapped to 8 subpixel bits, …".
 std::string describe(const Plugin& plugin);
 
 }  // namespace rastercheck::backends

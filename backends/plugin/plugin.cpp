@@ -1,4 +1,4 @@
-// The backend `plugin:PATH.so`: a rasterizer in a shared library (plugin.h).
+// The backend `plugin:PATH.so`, a rasterizer in a shared library (plugin.h).
 
 #include <fmt/format.h>
 
@@ -24,8 +24,9 @@
 namespace rastercheck::backends::plugin_registration {
 namespace {
 
-/// Framebuffers of at most so many samples are cleared, and searched for what should not be there,
-/// as a whole before and after each draw; of larger ones what the plugin says it touched.
+/// Framebuffers with at most this many samples are cleared, and searched for misplaced coverage, as
+/// a whole for each draw. In larger framebuffers, both steps cover only the rectangle that the
+/// plugin reports.
 constexpr std::size_t kSearchedWhole = std::size_t{1} << 16U;
 constexpr std::size_t kMessageSize = 256;
 
@@ -61,7 +62,7 @@ rastercheck_attribute attribute_of(const cases::Attribute& attribute) {
   return a;
 }
 
-/// The state of a draw, without its arrays; `promised` is what the plugin makes of the case.
+/// The state of a draw, without its arrays. `promised` is the plugin's promise for the case.
 rastercheck_draw state_of(const cases::Case& c, const cases::Contract& promised) {
   rastercheck_draw draw{};
   draw.size = sizeof draw;
@@ -100,7 +101,7 @@ rastercheck_draw state_of(const cases::Case& c, const cases::Contract& promised)
   return draw;
 }
 
-/// What the arrays of a plugin are, and are called where they are touched wrongly.
+/// A plugin's arrays, with the names that messages about wrong accesses use.
 struct Arrays {
   GuardedArray sample_positions{"draw->sample_positions"};
   GuardedArray positions{"draw->positions"};
@@ -115,7 +116,7 @@ struct Arrays {
   GuardedArray message{"output->message"};
 };
 
-/// Pixels [min_x, max_x) × [min_y, max_y).
+/// The pixels [min_x, max_x) × [min_y, max_y).
 struct Rectangle {
   std::uint32_t min_x = 0;
   std::uint32_t min_y = 0;
@@ -129,7 +130,7 @@ class PluginBackend : public Backend {
       : path_(std::move(path)), plugin_(std::move(plugin)) {}
 
   About about() const override {
-    // It may say of any draw that it has none of that kind.
+    // has_limits is set because the plugin may answer any draw with RASTERCHECK_UNSUPPORTED.
     return {.description = describe(plugin_),
             .has_limits = true,
             .capabilities = capabilities_of(plugin_.contract)};
@@ -158,7 +159,8 @@ class PluginBackend : public Backend {
   std::size_t index_of(const cases::SamplePlace& at) const {
     return (std::size_t{at.y} * draw_.width + at.x) * draw_.samples + at.sample;
   }
-  /// Visits what is covered, in triangle 0. Most of a large output is not.
+  /// Visits the covered samples as if they were of triangle 0. Skips uncovered samples in groups of
+  /// eight.
   template <typename Visit>
   void each_covered(const Rectangle& part, const Visit& visit) const {
     const auto* const coverage = arrays_.coverage.as<const std::uint8_t>();
@@ -176,7 +178,7 @@ class PluginBackend : public Backend {
       }
     }
   }
-  /// Of a process that may take no more.
+  /// The error for a process that cannot allocate any more memory.
   tl::unexpected<Error> no_memory() const {
     return fail(fmt::format("arrays for {} x {} pixels of {} samples do not fit into the memory of "
                             "its process",
@@ -193,7 +195,7 @@ class PluginBackend : public Backend {
   rastercheck_draw draw_{};
   rastercheck_output output_{};
   Rectangle dirty_;    ///< where the last draw may have left coverage in the output
-  Rectangle written_;  ///< where other arrays are cleared: all that was covered lies in it
+  Rectangle written_;  ///< where the other arrays are cleared; holds all samples covered last time
 };
 
 Result<cases::Fragments> PluginBackend::draw_fragments(const cases::Case& c) {
@@ -212,7 +214,7 @@ Result<cases::Fragments> PluginBackend::draw_fragments(const cases::Case& c) {
   return drawn;
 }
 
-/// What is the same for all draws of a case.
+/// Hands over everything that is the same for all draws of a case.
 Result<void> PluginBackend::hand_over(const cases::Case& c) {
   draw_ = state_of(c, promise(c));
   std::vector<float> places;
@@ -272,7 +274,7 @@ Result<void> PluginBackend::append(std::uint32_t first, std::uint32_t count,
   return {};
 }
 
-/// The pixels of fragments from `begin` on.
+/// The bounding box, in pixels, of the fragments from index `begin` on.
 Rectangle PluginBackend::covered_since(std::size_t begin, const cases::Fragments& drawn) {
   Rectangle part;
   if (begin == drawn.size()) return part;
@@ -286,8 +288,9 @@ Rectangle PluginBackend::covered_since(std::size_t begin, const cases::Fragments
   return part;
 }
 
-/// Clears the output for the next draw: all coverage, and other arrays where the last draw may have
-/// written, unless that is much. Then they are cleared around what it covered.
+/// Clears the output for the next draw: all coverage that the last draw may have left, and the
+/// other arrays where the plugin may have written. If that rectangle is large, clears the other
+/// arrays only in the bounding box of the samples that the last draw covered.
 void PluginBackend::clear() {
   constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
   for (std::uint32_t y = dirty_.min_y; y < dirty_.max_y; ++y) {
@@ -317,7 +320,8 @@ void PluginBackend::clear() {
 }
 
 Result<void> PluginBackend::call() {
-  // Copies: what it does to the structs changes nothing here but the rectangle.
+  // Hands over copies, so that the plugin cannot change the originals. Only its rectangle is copied
+  // back.
   const rastercheck_draw draw = draw_;
   rastercheck_output output = output_;
   const FloatingPointModes modes;
@@ -364,7 +368,7 @@ Result<void> PluginBackend::check_fronts() const {
   return {};
 }
 
-/// Whether the output is such as the header wants it.
+/// Checks that the output obeys the rules of plugin.h.
 Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
   const Rectangle part = touched();
   if (part.min_x > part.max_x || part.min_y > part.max_y || part.max_x > draw_.width ||
@@ -396,7 +400,7 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
   return {};
 }
 
-/// Appends what was covered, in the order of Fragments.
+/// Appends the covered samples in the order that Fragments requires.
 void PluginBackend::collect(std::uint32_t first, cases::Fragments& drawn) const {
   std::vector<cases::SamplePlace> places;
   each_covered(touched(), [&](cases::SamplePlace at) {

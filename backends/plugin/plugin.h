@@ -2,23 +2,24 @@
  * RasterCheck's plugin interface: any rasterizer in a shared library, judged by
  * `rastercheck run --backend plugin:PATH.so`. C11 or C++, no dependencies.
  *
- * A plugin is a shared library that exports one function, rastercheck_plugin_get(). It says what
- * the rasterizer promises (rastercheck_contract) and draws (rastercheck_draw to
- * rastercheck_output).
+ * A plugin is a shared library that exports one function, rastercheck_plugin_get(). The function
+ * returns what the rasterizer promises (rastercheck_contract) and a function that draws (from a
+ * rastercheck_draw to a rastercheck_output).
  *
- * Versions. Every struct begins with its size in bytes as its maker was compiled. Members are only
- * ever added at the end: who reads a struct reads no member beyond its size, and takes those that
- * are missing for 0. What cannot be done so raises RASTERCHECK_PLUGIN_ABI, and plugins of another
- * number are refused with a message.
+ * Versions. Every struct begins with its size in bytes, as compiled by whoever fills it in, except
+ * rastercheck_bound and rastercheck_attribute, which never grow. Members are only ever added at the
+ * end. A reader reads no member beyond that size and treats missing members as 0. Any other change
+ * raises RASTERCHECK_PLUGIN_ABI; a plugin with a different number is refused with a message.
  *
- * Threads. A plugin is loaded into a process of its own. Its functions are called by one thread,
- * one call at a time; it may start threads of its own. They are called with the default
- * floating-point environment (to nearest, subnormal numbers kept) and have to leave it so.
+ * Threads. Each plugin is loaded into a process of its own. One thread calls its functions, one
+ * call at a time; the plugin may start threads of its own. Every call starts with the default
+ * floating-point environment (round to nearest, subnormal numbers kept) and must return with it
+ * unchanged.
  *
- * What the process may do is limited: memory, time, no network, and no file but devices is written
- * to, made or removed, as far as the system can see to it. What it prints, on standard output and
- * standard error, is kept for messages. A plugin that crashes or does not come back in time fails
- * its case, and is loaded anew for the next one.
+ * Limits. The process has limited memory and time, no network, and must not write, create or remove
+ * any file but devices; the limits hold as far as the system can enforce them. Standard output and
+ * standard error are kept for messages. If a plugin crashes or does not return in time, its case
+ * fails and the plugin is loaded anew for the next case.
  */
 #ifndef RASTERCHECK_PLUGIN_H
 #define RASTERCHECK_PLUGIN_H
@@ -29,31 +30,32 @@
 extern "C" {
 #endif
 
-/* What rastercheck_plugin.abi has to be. */
+/* The value that rastercheck_plugin.abi must have. */
 #define RASTERCHECK_PLUGIN_ABI 1u
 
 /* ------------------------------------------------------------------------------------------------
- * What a plugin promises. Whatever it draws is held against the exact result by these words, so
- * they have to be honest: promise too little, and little is found; too much, and every case fails.
- * A struct of zeros promises the most: exactly what each case asks for, correctly rounded.
+ * What a plugin promises. Everything it draws is compared with the exact result under these
+ * promises, so they must be honest: promise too little and few errors are found; promise too much
+ * and every case fails. A struct of zeros promises the most: exactly what each case asks for,
+ * correctly rounded.
  */
 
-/* rastercheck_contract.coverage: which triangle the samples are those of. */
+/* rastercheck_contract.coverage: the triangle that decides which samples are covered. */
 enum {
   RASTERCHECK_COVERAGE_AS_ASKED =
-      0,                           /* the one that each case asks for (rastercheck_draw.coverage) */
-  RASTERCHECK_COVERAGE_EXACT = 1,  /* that of the unrounded vertices */
-  RASTERCHECK_COVERAGE_SNAPPED = 2 /* that of window positions on a grid */
+      0, /* the triangle that each case asks for (rastercheck_draw.coverage) */
+  RASTERCHECK_COVERAGE_EXACT = 1,  /* the triangle of the unrounded vertices */
+  RASTERCHECK_COVERAGE_SNAPPED = 2 /* the triangle of window positions rounded to a grid */
 };
 
-/* How a window position becomes a point of the grid. */
+/* How a window position is rounded to the grid. */
 enum {
   RASTERCHECK_ROUNDING_NEAREST_EVEN = 0,
-  RASTERCHECK_ROUNDING_HALF_UP = 1,    /* the nearest; halves towards greater x and y */
-  RASTERCHECK_ROUNDING_UNSPECIFIED = 2 /* either neighbour */
+  RASTERCHECK_ROUNDING_HALF_UP = 1,    /* to the nearest; halves towards greater x and y */
+  RASTERCHECK_ROUNDING_UNSPECIFIED = 2 /* to either neighbour */
 };
 
-/* Who owns a sample that lies exactly on an edge. Top and left are as displayed. */
+/* Which triangle owns a sample that lies exactly on an edge. Top and left are as displayed. */
 enum {
   RASTERCHECK_TIE_RULE_AS_ASKED = 0, /* rastercheck_draw.tie_rule */
   RASTERCHECK_TIE_RULE_TOP_LEFT = 1,
@@ -61,46 +63,49 @@ enum {
   RASTERCHECK_TIE_RULE_UNSPECIFIED = 3
 };
 
-/* Which positions attributes and facing are computed from, where coverage is snapped. */
+/* Which positions attributes and facing are computed from if coverage is snapped. */
 enum {
   RASTERCHECK_BASIS_AS_ASKED = 0, /* rastercheck_draw.basis */
-  RASTERCHECK_BASIS_IDEAL = 1,    /* the unrounded ones */
-  RASTERCHECK_BASIS_SNAPPED = 2,  /* those on the grid */
+  RASTERCHECK_BASIS_IDEAL = 1,    /* the unrounded positions */
+  RASTERCHECK_BASIS_SNAPPED = 2,  /* the positions on the grid */
   RASTERCHECK_BASIS_UNSPECIFIED = 3
 };
 
-/* rastercheck_contract.claims: what smooth attributes are. */
+/* rastercheck_contract.claims: how smooth attributes vary. */
 enum {
   RASTERCHECK_CLAIM_PERSPECTIVE = 0, /* linear over the triangle in clip space */
-  RASTERCHECK_CLAIM_AFFINE = 1       /* linear in the window: a rasterizer that never divides */
+  RASTERCHECK_CLAIM_AFFINE = 1       /* linear in the window, for a rasterizer that never divides */
 };
 
-/* rastercheck_contract.keeps: promises to the bit; any of these, added. */
+/* rastercheck_contract.keeps: promises that are exact to the bit. Add up the ones that hold. */
 enum {
-  /* An attribute with one value at all vertices has it everywhere; of zeros whichever sign. */
+  /* An attribute with the same value at all vertices has that value everywhere; zeros may have
+   * either sign. */
   RASTERCHECK_KEEPS_CONSTANTS = 1,
-  /* A sample exactly at a vertex has the vertex's values. Held against what is drawn only where it
-   * is certain where the vertex is: not with a position_error and values from the grid. */
+  /* A sample exactly at a vertex has the vertex's values. Checked only if the position of the
+   * vertex is certain: not if position_error is above 0 and values come from positions on the grid.
+   */
   RASTERCHECK_KEEPS_VERTEX_VALUES = 2,
-  /* Triangles whose vertices have one z/w have one depth. */
+  /* Triangles whose vertices all have the same z/w have the same depth everywhere. */
   RASTERCHECK_KEEPS_EQUAL_DEPTH = 4,
-  /* An interpolated attribute that is -0 at all vertices is -0, and one that is 0 is 0. */
+  /* An interpolated attribute that is -0 at all vertices is -0; one that is +0 at all vertices is
+   * +0. */
   RASTERCHECK_KEEPS_SIGN_OF_ZERO = 8
 };
 
-/* rastercheck_contract.depth_format: what depth tests compare. Depths that become equal when they
- * are rounded to it may be taken for equal, and the first drawn of them be left; those that are
- * farther apart than a step may not. */
+/* rastercheck_contract.depth_format: what depth tests compare. Depths that round to the same value
+ * of the format may count as equal, so that the first one drawn stays; depths more than one step
+ * apart may not. */
 enum {
-  RASTERCHECK_DEPTH_FLOAT32 = 0, /* what is handed over as output.depth, to the bit */
-  RASTERCHECK_DEPTH_FLOAT64 = 1, /* before it was rounded to float32 */
+  RASTERCHECK_DEPTH_FLOAT32 = 0, /* exactly the value written to output.depth */
+  RASTERCHECK_DEPTH_FLOAT64 = 1, /* the value before it was rounded to float32 */
   RASTERCHECK_DEPTH_UNORM16 = 2, /* steps of 1/(2^16 - 1) */
   RASTERCHECK_DEPTH_UNORM24 = 3,
   RASTERCHECK_DEPTH_UNORM32 = 4
 };
 
-/* rastercheck_contract.lacks: what is not drawn; any of these, added. Cases with it are not asked
- * for, and no law says anything of them. */
+/* rastercheck_contract.lacks: what the plugin does not draw. Add up the ones that apply. The plugin
+ * is never asked for such cases, and no law checks them. */
 enum {
   RASTERCHECK_LACKS_OPENGL = 1 << 0, /* OpenGL's conventions: see rastercheck_draw.rules */
   RASTERCHECK_LACKS_VULKAN = 1 << 1,
@@ -109,19 +114,19 @@ enum {
   RASTERCHECK_LACKS_DEPTH_CLIPPING = 1 << 4, /* vertices beyond the near or far plane */
   RASTERCHECK_LACKS_CLIP_DISTANCES = 1 << 5,
   RASTERCHECK_LACKS_DEPTH_CLAMP = 1 << 6,
-  RASTERCHECK_LACKS_DEPTH_RANGE = 1 << 7, /* any but min_depth 0, max_depth 1 */
+  RASTERCHECK_LACKS_DEPTH_RANGE = 1 << 7, /* any range but min_depth 0, max_depth 1 */
   RASTERCHECK_LACKS_DEPTH_TEST = 1 << 8,
-  RASTERCHECK_LACKS_VIEWPORT = 1 << 9, /* any but the whole framebuffer */
+  RASTERCHECK_LACKS_VIEWPORT = 1 << 9, /* any viewport but the whole framebuffer */
   RASTERCHECK_LACKS_SCISSOR = 1 << 10,
   RASTERCHECK_LACKS_CULLING = 1 << 11,
-  RASTERCHECK_LACKS_SMOOTH = 1 << 12, /* attributes of that interpolation */
+  RASTERCHECK_LACKS_SMOOTH = 1 << 12, /* attributes with this interpolation */
   RASTERCHECK_LACKS_NOPERSPECTIVE = 1 << 13,
   RASTERCHECK_LACKS_FLAT = 1 << 14,
-  RASTERCHECK_LACKS_CENTER = 1 << 15,   /* attributes at the centre of pixels of several samples */
-  RASTERCHECK_LACKS_CENTROID = 1 << 16, /* and at their centroid */
-  /* Depth buffers that begin with anything but 1: see rastercheck_draw.depth_clear. */
+  RASTERCHECK_LACKS_CENTER = 1 << 15, /* attributes at the centre of pixels with several samples */
+  RASTERCHECK_LACKS_CENTROID = 1 << 16, /* attributes at the centroid of such pixels */
+  /* Depth buffers that start at any value but 1: see rastercheck_draw.depth_clear. */
   RASTERCHECK_LACKS_DEPTH_CLEAR = 1 << 17,
-  /* Vertices beyond the viewport's sides: only triangles that lie within it are drawn. */
+  /* Vertices beyond the viewport's sides: the plugin draws only triangles that lie within it. */
   RASTERCHECK_LACKS_SIDE_CLIPPING = 1 << 18
 };
 
@@ -130,30 +135,31 @@ enum {
  *
  *   constant + per_horizon * g + per_condition * K + range_share * (range of the vertices' values)
  *
- * docs/judge-your-rasterizer.md says what g and K are; of depth only the constant counts, in units
- * of the spacing at max(|min_depth|, |max_depth|). No number may be negative. A constant of 0
- * stands for 1/2: correctly rounded. */
+ * docs/judge-your-rasterizer.md defines g and K. For depth only the constant counts, in units of
+ * the spacing at max(|min_depth|, |max_depth|). No number may be negative. A constant of 0 stands
+ * for 1/2: correctly rounded. */
 typedef struct rastercheck_bound {
   float constant;
   float per_horizon;
   float per_condition;
-  float range_share; /* in float32 spacings of the greatest value, times the range in these */
+  float range_share; /* range is measured in float32 spacings at the vertices' greatest |value| */
 } rastercheck_bound;
 
 typedef struct rastercheck_contract {
   uint32_t size;          /* sizeof(rastercheck_contract) */
   uint32_t coverage;      /* RASTERCHECK_COVERAGE_… */
-  uint32_t subpixel_bits; /* of SNAPPED: the grid has 2^-subpixel_bits pixels; 0…16 */
-  uint32_t rounding;      /* of SNAPPED: RASTERCHECK_ROUNDING_… */
-  /* Of SNAPPED: how far the computed window position may be off before it is rounded, in grid
+  uint32_t subpixel_bits; /* with SNAPPED: the grid spacing is 2^-subpixel_bits pixels; 0…16 */
+  uint32_t rounding;      /* with SNAPPED: RASTERCHECK_ROUNDING_… */
+  /* With SNAPPED: how far the computed window position may be off before it is rounded, in grid
    * units, 0…65536. */
   float position_error;
-  /* SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off besides the
-   * position error, in grid units; 0: they are where the uncut ones are. */
+  /* With SNAPPED and AS_ASKED: how far edges cut by clipping may be off, in addition to the
+   * position error, in grid units. 0: cut edges stay exactly where the uncut ones are. */
   float clip_tolerance;
-  /* SNAPPED and AS_ASKED: vertices outside the viewport and farther than this from the window's
-   * origin in x or y may be clipped, in pixels; 0: 32768. Any number so small that no vertex
-   * outside is nearer says that triangles are clipped at the viewport. */
+  /* With SNAPPED and AS_ASKED: vertices that lie outside the viewport, and farther than this many
+   * pixels from the window's origin in x or y, may be clipped. 0 stands for 32768. If triangles are
+   * clipped at the viewport, use a number smaller than the distance from the origin to any
+   * vertex outside the viewport. */
   float guard_band;
   uint32_t tie_rule; /* RASTERCHECK_TIE_RULE_… */
   uint32_t basis;    /* RASTERCHECK_BASIS_… */
@@ -162,20 +168,20 @@ typedef struct rastercheck_contract {
   rastercheck_bound smooth;
   rastercheck_bound noperspective;
   rastercheck_bound depth;
-  /* Limits: what is beyond them is not asked for. */
+  /* Limits: the plugin is never asked for a case beyond these. */
   uint32_t lacks;          /* RASTERCHECK_LACKS_…, added */
-  uint32_t sample_counts;  /* of 1, 2, 4, 8 and 16 those that there are, added; 0: all */
-  uint32_t max_size;       /* of a framebuffer's width and height, pixels; 0: no limit */
-  uint32_t max_attributes; /* of a vertex; 0: no limit */
+  uint32_t sample_counts;  /* those supported of 1, 2, 4, 8 and 16, added; 0: all */
+  uint32_t max_size;       /* greatest width and height of a framebuffer, pixels; 0: no limit */
+  uint32_t max_attributes; /* per vertex; 0: no limit */
   uint32_t depth_format;   /* RASTERCHECK_DEPTH_… */
 } rastercheck_contract;
 
 /* ------------------------------------------------------------------------------------------------
- * What is drawn. All arrays belong to the caller, may be read until draw() returns, and cannot be
- * written: they lie in read-only pages. They are aligned as their elements are, no more.
+ * What to draw. All arrays belong to the caller. They may be read until draw() returns and lie in
+ * read-only pages. They have the alignment of their elements, no more.
  */
 
-/* rastercheck_draw.rules: whose conventions hold. */
+/* rastercheck_draw.rules: which API's conventions apply. */
 enum {
   RASTERCHECK_RULES_OPENGL = 0, /* -w <= z <= w, window y up, flat: the last vertex */
   RASTERCHECK_RULES_VULKAN = 1, /* 0 <= z <= w, window y down (as NDC y), flat: the first vertex */
@@ -193,10 +199,10 @@ enum { RASTERCHECK_FRONT_FACE_CCW = 0, RASTERCHECK_FRONT_FACE_CW = 1 };
 enum {
   RASTERCHECK_SMOOTH = 0,        /* linear over the triangle in clip space */
   RASTERCHECK_NOPERSPECTIVE = 1, /* linear in the window */
-  RASTERCHECK_FLAT = 2           /* the value of one vertex: see rules */
+  RASTERCHECK_FLAT = 2           /* the value of one vertex: see rastercheck_draw.rules */
 };
 
-/* rastercheck_attribute.location: where in the pixel it is evaluated. */
+/* rastercheck_attribute.location: where in the pixel the attribute is evaluated. */
 enum {
   RASTERCHECK_AT_SAMPLE = 0,
   RASTERCHECK_AT_CENTER = 1,
@@ -209,111 +215,113 @@ typedef struct rastercheck_attribute {
   uint32_t location;
 } rastercheck_attribute;
 
-/* A draw: the triangles of a case that are to be drawn together. Without a depth test that is one
- * triangle; with it, all of the case. */
+/* The triangles of a case that one call draws. Without a depth test that is a single triangle; with
+ * a depth test, all triangles of the case. */
 typedef struct rastercheck_draw {
   uint32_t size;
   uint32_t rules; /* RASTERCHECK_RULES_… */
 
-  /* The framebuffer: pixels, and samples of each. Row 0 is the one with the least window y. */
+  /* The framebuffer's size in pixels, and samples per pixel. Row 0 has the least window y. */
   uint32_t width;
   uint32_t height;
   uint32_t samples;
-  /* [samples][2]: x and y within the pixel, 0…1 from its corner of least window x and y. */
+  /* [samples][2]: x and y within the pixel, 0…1 from the corner with the least window x and y. */
   const float* sample_positions;
 
-  /* NDC [-1, 1] becomes [x, x + width], [y, y + height] (D3D: y turned over), in pixels; sizes may
-   * be negative and fractional. Nothing is drawn outside. */
+  /* NDC [-1, 1] maps to [x, x + width], [y, y + height] (D3D: y flipped), in pixels. Sizes may be
+   * negative or fractional. Nothing may be drawn outside the viewport. */
   float viewport_x;
   float viewport_y;
   float viewport_width;
   float viewport_height;
   float min_depth; /* within 0…1; may be greater than max_depth */
   float max_depth;
-  /* Pixels that may be drawn; the whole framebuffer where the case has no scissor. It may reach
-   * beyond the framebuffer. */
+  /* The pixels that may be drawn; the whole framebuffer if the case has no scissor. The rectangle
+   * may extend beyond the framebuffer. */
   int32_t scissor_x;
   int32_t scissor_y;
   int32_t scissor_width;
   int32_t scissor_height;
 
-  uint32_t cull;        /* RASTERCHECK_CULL_… */
-  uint32_t front_face;  /* RASTERCHECK_FRONT_FACE_… */
-  uint32_t depth_test;  /* 1: of each sample the fragment of least depth, the first of equals */
-  uint32_t depth_clamp; /* 1: not clipped by the near and far plane, depth clamped to the range */
+  uint32_t cull;       /* RASTERCHECK_CULL_… */
+  uint32_t front_face; /* RASTERCHECK_FRONT_FACE_… */
+  uint32_t
+      depth_test; /* 1: at each sample keep the fragment of least depth, the first one of equals */
+  uint32_t depth_clamp; /* 1: do not clip at the near and far planes; clamp depth to the range */
 
-  /* What the case asks for; of use to a rasterizer that promises AS_ASKED. */
+  /* What the case asks for. Only a rasterizer that promises AS_ASKED needs these. */
   uint32_t coverage;      /* EXACT or SNAPPED */
-  uint32_t subpixel_bits; /* of SNAPPED */
-  uint32_t rounding;      /* of SNAPPED: NEAREST_EVEN or HALF_UP */
+  uint32_t subpixel_bits; /* with SNAPPED */
+  uint32_t rounding;      /* with SNAPPED: NEAREST_EVEN or HALF_UP */
   uint32_t tie_rule;      /* TOP_LEFT or BOTTOM_LEFT */
-  uint32_t basis;         /* IDEAL or SNAPPED; UNSPECIFIED: either */
+  uint32_t basis;         /* IDEAL or SNAPPED; UNSPECIFIED allows either */
 
   uint32_t vertex_count;
   const float* positions; /* [vertex_count][4]: clip positions x, y, z, w; finite */
   uint32_t attribute_count;
-  const rastercheck_attribute* attributes; /* [attribute_count]; may be null where there is none */
-  const float* attribute_values; /* [vertex_count][attribute_count]; null where there is none */
+  const rastercheck_attribute* attributes; /* [attribute_count]; may be null if the count is 0 */
+  const float* attribute_values; /* [vertex_count][attribute_count]; null if there are none */
   uint32_t clip_distance_count;
-  const float* clip_distances; /* [vertex_count][clip_distance_count]; null where there is none */
+  const float* clip_distances; /* [vertex_count][clip_distance_count]; null if there are none */
   uint32_t triangle_count;
-  const uint32_t* indices; /* [triangle_count][3]: vertices */
-  /* The depth buffer begins with this, where there is a depth test: fragments that are not nearer
-   * are not drawn. It is 1 where a case does not say; then fragments of depth 1 may be drawn. */
+  const uint32_t* indices; /* [triangle_count][3]: indices of vertices */
+  /* With a depth test, the initial value of the depth buffer: fragments that are not nearer are not
+   * drawn. If the case does not specify one, it is 1, and fragments of depth 1 may then be drawn.
+   */
   float depth_clear;
 } rastercheck_draw;
 
 /* ------------------------------------------------------------------------------------------------
- * What came out. The arrays belong to the caller, have the shapes below, and may be written until
- * draw() returns. They end where memory that may be touched ends: writing one element too far is
- * reported. What is not marked as covered is not looked at.
+ * What the plugin drew. The arrays belong to the caller, have the shapes below, and may be written
+ * until draw() returns. Each array ends where accessible memory ends: writing one element too far
+ * is reported. Samples not marked as covered are ignored.
  */
 typedef struct rastercheck_output {
   uint32_t size;
-  /* [height][width][samples]: all 0; to be 1 where the draw covers the sample. */
+  /* [height][width][samples]: initially 0. Set to 1 if the draw covers the sample. */
   uint8_t* coverage;
-  /* The same shape: which triangle of the draw is seen there. All 0, so only a draw of several
-   * triangles has to write it. */
+  /* Same shape: index of the draw's triangle that is visible there. Initially 0, so only a draw of
+   * several triangles needs to write it. */
   uint32_t* triangle;
-  /* The same shape: depth in the depth range. All NaN; but of a draw that may write to more than
-   * 65536 samples (min_x to max_y), what draws before it wrote without covering it may be left,
-   * here and in `triangle` and `attributes`. */
+  /* Same shape: depth in the depth range. Initially NaN. Exception, also for `triangle` and
+   * `attributes`: after an earlier draw of the case whose rectangle (min_x to max_y) exceeded 65536
+   * samples, values that the plugin wrote at uncovered samples may still be there. */
   float* depth;
-  /* [height][width][samples][attribute_count]: the attributes. All NaN; null where there is none.
-   */
+  /* [height][width][samples][attribute_count]: the attributes. Initially NaN; null if there are
+   * none. */
   float* attributes;
-  /* All that is written lies in min_x <= x < max_x, min_y <= y < max_y. It is the whole
-   * framebuffer; a rasterizer that makes it smaller is judged faster. */
+  /* The rectangle that holds everything written: min_x <= x < max_x, min_y <= y < max_y. Initially
+   * the whole framebuffer; a rasterizer that makes it smaller is judged faster. */
   uint32_t min_x;
   uint32_t min_y;
   uint32_t max_x;
   uint32_t max_y;
-  /* [message_size] For a text, ended by 0, that says why draw() returned something else than
-   * RASTERCHECK_OK. All 0. */
+  /* [message_size]: room for a null-terminated text that says why draw() did not return
+   * RASTERCHECK_OK. Initially all 0. */
   char* message;
   uint32_t message_size;
   uint32_t reserved; /* 0 */
 } rastercheck_output;
 
-/* What draw() returns. */
+/* What draw() may return. */
 enum {
   RASTERCHECK_OK = 0,
-  RASTERCHECK_UNSUPPORTED = 1, /* a case of a kind that is not drawn: nothing is said of it */
-  RASTERCHECK_FAILED = 2       /* it should have been drawn: the case fails, with the message */
+  RASTERCHECK_UNSUPPORTED = 1, /* the plugin does not draw this kind of case: the case is skipped */
+  RASTERCHECK_FAILED = 2 /* the plugin should have drawn the case: it fails, with the message */
 };
 
 /* ------------------------------------------------------------------------------------------------
- * The plugin. It belongs to the plugin, as do its texts and its contract, and stays as it is until
- * the process ends.
+ * What rastercheck_plugin_get() returns. The struct, its texts and its contract belong to the
+ * plugin and must stay unchanged until the process ends.
  */
 typedef struct rastercheck_plugin {
   uint32_t size;       /* sizeof(rastercheck_plugin) */
   uint32_t abi;        /* RASTERCHECK_PLUGIN_ABI */
-  const char* name;    /* one line of UTF-8, of which 100 bytes are shown; not null */
+  const char* name;    /* one line of UTF-8, not null; at most 100 bytes are shown */
   const char* version; /* one line of UTF-8, not null */
   const rastercheck_contract* contract; /* not null */
-  /* Draws. Neither pointer is null. It is to write `output` and nothing else that lasts: the same
-   * draw gives the same output, whatever was drawn before. */
+  /* Draws. Neither pointer is null. Must write `output` and change no other state that lasts: the
+   * same draw must give the same output, whatever was drawn before. */
   uint32_t (*draw)(const rastercheck_draw* draw, rastercheck_output* output);
 } rastercheck_plugin;
 
@@ -323,7 +331,8 @@ typedef struct rastercheck_plugin {
 #define RASTERCHECK_PLUGIN_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* The one function that a plugin defines. Called once, first; a null pointer is refused. */
+/* The one function that a plugin must define. Called once, before any other; returning null is an
+ * error. */
 RASTERCHECK_PLUGIN_EXPORT const rastercheck_plugin* rastercheck_plugin_get(void);
 
 #ifdef __cplusplus

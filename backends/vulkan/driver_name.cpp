@@ -41,7 +41,7 @@ std::string name_of(const DriverFacts& facts) {
 }  // namespace
 
 Driver driver_named(const DriverFacts& facts) {
-  // What stands in brackets is of the compiler, or of the commit that it was built from.
+  // The text in brackets names the compiler, or the commit that the driver was built from.
   std::string version = facts.info.substr(0, facts.info.find(" ("));
   if (version.empty()) {
     version = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(facts.version),

@@ -24,7 +24,7 @@ std::string lacks_size(const Limits& limits, const cases::Case& c) {
 }
 
 std::string lacks_viewport(const Limits& limits, const cases::Viewport& viewport) {
-  // Vulkan turns heights round (VK_KHR_maintenance1), no widths.
+  // Vulkan accepts negative heights (VK_KHR_maintenance1) but no negative widths.
   if (!(viewport.width > 0)) return "viewports whose width is not above 0";
   if (viewport.width > limits.max_viewport[0] ||
       std::fabs(viewport.height) > limits.max_viewport[1]) {
@@ -64,7 +64,7 @@ std::string lacks_rules(const Limits& limits, const cases::Case& c) {
 }
 
 std::string lacks_attributes(const Limits& limits, const cases::Case& c) {
-  // The centre of several samples has to be asked for, too (shaders/case.frag).
+  // With several samples, the shader must also request the centre (shaders/case.frag).
   const bool has_places =
       std::any_of(c.attributes.begin(), c.attributes.end(), [](const cases::Attribute& a) {
         return a.interpolation != cases::Interpolation::flat &&

@@ -10,30 +10,30 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// What a device can do, as far as cases depend on it. Sizes and bounds inclusive.
+/// The limits of a device that matter for cases. Sizes and bounds are inclusive.
 struct Limits {
   int max_width = 0;           ///< of a framebuffer, pixels
   int max_height = 0;          ///< pixels
-  unsigned sample_counts = 1;  ///< one bit for each count, at the count's own value
+  unsigned sample_counts = 1;  ///< bit mask; the bit for n samples has the value n
   bool standard_sample_locations = false;
   std::array<float, 2> max_viewport{};     ///< width and height, pixels
-  std::array<float, 2> viewport_bounds{};  ///< least and greatest x and y of a viewport's borders
+  std::array<float, 2> viewport_bounds{};  ///< least and greatest x and y of a viewport's sides
   int viewport_subpixel_bits = 0;
   int subpixel_bits = 4;
   int clip_distances = 0;
   bool sample_rate_shading = false;
   bool depth_clamp = false;
-  bool depth_clip_control = false;  ///< clip depth −w…w
+  bool depth_clip_control = false;  ///< clip depth from −w to w
   bool provoking_vertex_last = false;
-  bool fragment_stores = false;  ///< fragment shaders write to storage buffers
-  std::size_t max_storage = 0;   ///< of a storage buffer, bytes
-  int slots = 3;                 ///< that one drawing can write (slots.h)
+  bool fragment_stores = false;  ///< fragment shaders can write to storage buffers
+  std::size_t max_storage = 0;   ///< bytes of a storage buffer
+  int slots = 3;                 ///< slots that one draw can write (slots.h)
 };
 
-/// Which cases a device draws.
+/// The cases that a device can draw.
 cases::Capabilities drawable(const Limits& limits);
 
-/// What of a case a device lacks, in words; empty where it draws it.
+/// Names the feature of a case that the device lacks; empty if it lacks none.
 std::string lacks(const Limits& limits, const cases::Case& c);
 
 }  // namespace rastercheck::backends::vulkan

@@ -11,8 +11,8 @@ namespace {
 using cases::Interpolation;
 using cases::Location;
 
-// What shaders are made for, each in the order of qualifiers. Those at samples are apart: they are
-// run for every sample, the others for every pixel.
+// The common layouts of slots, each sorted by qualifier. Slots with `sample` have a layout of their
+// own, because their shaders run for every sample, and other shaders for every pixel.
 constexpr std::array<Qualifier, 3> kOfOneSample{{
     {Interpolation::smooth, Location::center},
     {Interpolation::noperspective, Location::center},
@@ -36,7 +36,8 @@ constexpr std::array<Qualifier, 7> kOfSamples{{
 }};
 static_assert(kOfSamples.size() <= kMaxSlots);
 
-/// Those slots, with what the others have; nothing where the others have more.
+/// Returns slots with these qualifiers that hold the attributes of `slots`; empty if some do not
+/// fit.
 std::vector<Slot> in_slots(std::span<const Qualifier> qualifiers, const std::vector<Slot>& slots) {
   std::vector<Slot> all;
   auto next = slots.begin();

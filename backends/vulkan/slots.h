@@ -8,32 +8,32 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Attributes that a slot has room for, and slots that the shaders have.
+/// How many attributes fit into a slot, and how many slots a shader may have.
 inline constexpr std::size_t kSlotSize = 4;
 inline constexpr std::size_t kMaxSlots = 7;
 
 /// How all attributes of a slot are interpolated.
 struct Qualifier {
   cases::Interpolation interpolation = cases::Interpolation::smooth;
-  cases::Location location = cases::Location::center;  ///< `center` of flat ones
+  cases::Location location = cases::Location::center;  ///< `center` for flat attributes
   auto operator<=>(const Qualifier&) const = default;
 };
 
-/// A vector of four that is interpolated as one.
+/// A vector of up to four attributes that are interpolated alike.
 struct Slot {
   Qualifier qualifier;
-  std::vector<std::size_t> attributes;  ///< indices into the case's; at most kSlotSize
+  std::vector<std::size_t> attributes;  ///< indices into the case's attributes; at most kSlotSize
   bool operator==(const Slot&) const = default;
 };
 
-/// A case's attributes in as few slots as their qualifiers allow, ordered by qualifier so that
-/// cases that differ in order alone have the same shaders. With one sample all locations are the
-/// centre.
+/// Packs a case's attributes into as few slots as their qualifiers allow. Slots are sorted by
+/// qualifier, so that cases whose attributes differ only in order share shaders. With one sample
+/// per pixel, every location counts as the centre.
 std::vector<Slot> slots_of(const cases::Case& c);
 
-/// The same with slots added that have no attributes, so that most cases have one of a few shaders:
-/// drivers that draw on the CPU take longer to compile one than to draw a hundred cases. Slots
-/// that have room for all as they are stay so.
+/// Adds slots without attributes, so that most cases use one of a few shaders. Drivers that draw on
+/// the CPU take longer to compile one shader than to draw a hundred cases. Returns the slots
+/// unchanged if no common layout holds them all.
 std::vector<Slot> widened(std::vector<Slot> slots, int samples);
 
 }  // namespace rastercheck::backends::vulkan

@@ -7,8 +7,8 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-// The SPIR-V specification, 2.3 and 3: a header of five words, then instructions whose first word
-// has the number of their words in its upper half and what they do in the lower one.
+// The SPIR-V specification, 2.3 and 3: a header of five words, then instructions. The first word of
+// an instruction has its word count in the upper half and its opcode in the lower half.
 constexpr std::size_t kHeader = 5;
 constexpr std::uint32_t kCapability = 17;
 constexpr std::uint32_t kDecorate = 71;
@@ -37,7 +37,7 @@ std::vector<Instruction> instructions_of(std::span<const std::uint32_t> shader) 
   return all;
 }
 
-/// Location by the number of what is decorated `noperspective`.
+/// The locations of inputs decorated `noperspective`, by their SPIR-V id.
 std::map<std::uint32_t, std::uint32_t> slot_locations(const std::vector<Instruction>& all) {
   std::map<std::uint32_t, std::uint32_t> locations;
   for (const Instruction& i : all) {
@@ -57,7 +57,7 @@ bool is_at_samples(const Qualifier& qualifier) {
          qualifier.location == cases::Location::sample;
 }
 
-/// What stands in place of a slot's decoration: 0 for nothing.
+/// The decoration that replaces a slot's decoration; 0 removes it.
 std::uint32_t decoration_for(const Qualifier& qualifier, std::uint32_t decoration) {
   if (decoration == kNoPerspective) {
     if (qualifier.interpolation == cases::Interpolation::smooth) return 0;

@@ -8,10 +8,10 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// A fragment shader whose inputs at locations 0, 1… are `noperspective sample` vectors, with the
-/// qualifiers given for these locations instead: an interface is no matter of specialization
-/// constants, and every combination of seven slots would be too many shaders to build. Without a
-/// slot at samples it asks for no shading of each sample either.
+/// Takes a fragment shader whose inputs at locations 0, 1… are `noperspective sample` vectors, and
+/// replaces their qualifiers by the given ones. Specialization constants cannot change an
+/// interface, and the combinations of qualifiers for seven slots would be too many shaders to
+/// build. If no slot is evaluated at samples, also drops per-sample shading.
 std::vector<std::uint32_t> qualified(std::span<const std::uint32_t> shader,
                                      std::span<const Qualifier> qualifiers);
 

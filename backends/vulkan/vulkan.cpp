@@ -1,8 +1,8 @@
-// The backend `vulkan`: any device that the Vulkan loader finds. `vulkan` is the machine's best,
-// `vulkan:N` the Nth of them, `vulkan:NAME` one with that in its name; `vulkan:lavapipe` and
-// `vulkan:swiftshader` are drivers that draw on the CPU, whose files are looked for where Debian
-// has them. `,validate` behind any of these turns the validation layer on: whatever it has to say
-// fails the case.
+// The backend `vulkan`: any device that the Vulkan loader finds. `vulkan` is the machine's best
+// device, `vulkan:N` the Nth, `vulkan:NAME` one whose name contains NAME. `vulkan:lavapipe` and
+// `vulkan:swiftshader` are drivers that draw on the CPU, whose files are where Debian puts them.
+// `,validate` after any of these turns on the validation layer. Any message from that layer fails
+// the case.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "cases/internal/camera_frame.h"
 
-// Only +, −, ×, ÷ and sqrt are used, which IEEE 754 rounds correctly: the same mesh gives the same
+// Uses only +, −, ×, ÷ and sqrt, which IEEE 754 rounds correctly, so the same mesh gives the same
 // camera, bit for bit, on every machine.
 
 #include <algorithm>
@@ -38,8 +38,8 @@ Camera frame(const Bounds& bounds, Rules rules, double width_over_height) {
     center[i] = (bounds.lo[i] + bounds.hi[i]) / 2;
     half[i] = (bounds.hi[i] - bounds.lo[i]) / 2;
   }
-  // A twentieth to spare on all sides, so that rounding the matrices to float32 clips nothing. A
-  // single point has no size to frame; any positive radius shows it.
+  // 5% to spare on all sides, so that rounding the matrices to float32 clips nothing. A single
+  // point has no size to frame; any positive radius shows it.
   const double radius = std::max(1.05 * std::sqrt(dot(half, half)), 0x1p-64);
 
   // The view axes, in object space: the camera looks along −back.

@@ -12,10 +12,11 @@ struct Bounds {
   std::array<double, 3> hi{};
 };
 
-/// A perspective camera that sees the whole of `bounds`: it looks at the box's centre from front,
-/// right and above, half the field of view having the slope 1/2, from as near as a sphere
-/// a twentieth larger than the box's own allows at the aspect ratio `width_over_height`. Clip space
-/// follows `rules`; object +y appears up.
+/// Returns a perspective camera that sees all of `bounds`. The camera looks at the box's centre
+/// from front, right and above. Along the shorter side of a picture with the aspect ratio
+/// `width_over_height`, half the field of view has the slope 1/2, and the camera is as close as it
+/// can be while still seeing the box's bounding sphere, enlarged by 5%. Clip space follows `rules`;
+/// object +y appears up.
 Camera frame(const Bounds& bounds, Rules rules, double width_over_height);
 
 }  // namespace rastercheck::cases

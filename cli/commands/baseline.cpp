@@ -1,4 +1,5 @@
-// `rastercheck baseline save` and `baseline approve`: the file that runs are held against.
+// `rastercheck baseline save` and `baseline approve`: maintain the file that runs are compared
+// with.
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ struct ApproveOptions {
   bool quiet = false;
 };
 
-/// A side under its other name and of its commit.
+/// Reads a side, renames its backend to `as` and sets its commit.
 Result<gate::Side> read_named(const std::string& file, const std::string& as,
                               const std::string& commit) {
   Result<gate::Side> side = gate::read_side(file);
@@ -57,7 +58,7 @@ Result<gate::Side> read_named(const std::string& file, const std::string& as,
 
 bool is_standard_output(const std::string& file) { return file == "-"; }
 
-/// What is in the file so far; nothing where there is none.
+/// Reads the file's current baseline; an empty one if there is no file.
 Result<records::Baseline> read_existing(const std::string& file) {
   std::error_code why;
   if (is_standard_output(file)) return records::Baseline();
@@ -65,8 +66,8 @@ Result<records::Baseline> read_existing(const std::string& file) {
   return records::read_baseline(file);
 }
 
-/// Puts a section into the baseline, with the approvals of the one that was there; says what became
-/// of it.
+/// Puts a section into the baseline and keeps the approvals of the section that it replaces.
+/// Returns what happened to the section.
 std::string add(records::Baseline& baseline, records::BaselineSection section) {
   std::string became = "new";
   for (const records::BaselineSection& old : baseline.sections) {
@@ -105,14 +106,14 @@ ExitCode save(const SaveOptions& options) {
   return ExitCode::ok;
 }
 
-/// What was taken over into one section.
+/// The changes accepted into one section.
 struct Approved {
   std::string section;
   std::vector<std::string> changes;
   std::map<std::string, std::uint64_t> violations;  ///< by law
 };
 
-/// "3 violated cases are taken over: 2 of LAW, 1 of LAW"; empty where there are none.
+/// "3 violated cases are taken over: 2 of LAW, 1 of LAW"; empty if there are none.
 std::string violations_text(const Approved& approved) {
   std::uint64_t all = 0;
   std::string by_law;
@@ -126,7 +127,7 @@ std::string violations_text(const Approved& approved) {
                      by_law);
 }
 
-/// Takes over from the section of `current` what it is held against.
+/// Accepts the figures of `current` into the section that it is compared with.
 Result<Approved> approve(records::Baseline& baseline, const records::BaselineSection& current,
                          const ApproveOptions& options) {
   const auto found = gate::section_for(baseline, current, options.baseline);

@@ -1,4 +1,5 @@
-// `rastercheck bisect GOOD BAD -- BUILD…`: the first commit of the user's repository that is worse.
+// `rastercheck bisect GOOD BAD -- BUILD…`: finds the first commit of the user's repository that is
+// worse.
 
 #include "gate/bisect.h"
 
@@ -34,10 +35,11 @@ struct Options {
   bool quiet = false;
 };
 
-/// This program for other processes, as long as this one lives: its file may be built anew.
+/// Returns a path by which other processes can run this program while this process lives, even if
+/// the program's file is rebuilt.
 std::string program_of_others() { return fmt::format("/proc/{}/exe", ::getpid()); }
 
-/// Settles what files the options mean, of the folder that is the current one now.
+/// Makes the options' file names absolute, from the current folder, and reads the contract.
 Result<void> settle_files(Options& options) {
   records::Plan& plan = options.bisection.plan;
   const auto absolute = [](const std::string& file) {
@@ -63,7 +65,7 @@ ExitCode run(Options options) {
   gate::BisectPlan& plan = options.bisection;
   plan.step = {program_of_others(), "bisect-step"};
   std::filesystem::current_path(*top);
-  // Not the results of a step of CI: each of the runs would add its own to them.
+  // Runs must not report to the CI step: each would append its own results.
   ::unsetenv("GITHUB_STEP_SUMMARY");
 
   const InterruptWatch watch("\nrastercheck: ending; what was checked out is checked out again\n");

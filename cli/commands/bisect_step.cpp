@@ -1,4 +1,4 @@
-// `rastercheck bisect-step`: what `git bisect run` runs for each commit. Not for users.
+// `rastercheck bisect-step`: run by `git bisect run` for each commit. Not for users.
 
 #include <memory>
 
@@ -13,7 +13,7 @@ Action set_up(CLI::App& app) {
   const auto folder = std::make_shared<std::string>();
   app.group("");  // not in --help
   app.add_option("FOLDER", *folder)->required();
-  // The codes are git's, not this program's.
+  // The exit codes are those that git expects, not this program's.
   return [folder] { return static_cast<ExitCode>(gate::judge_commit(*folder, &run_plan)); };
 }
 

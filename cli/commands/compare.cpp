@@ -21,7 +21,7 @@ struct Options {
   GateOptions gate;
 };
 
-/// As it was read, under its other name and with its commit.
+/// Reads the current side, renames its backend and sets its commit.
 Result<gate::Side> read_current(const Options& options) {
   Result<gate::Side> current = gate::read_side(options.current);
   if (!current) return current;

@@ -1,4 +1,4 @@
-// `rastercheck completion bash`: what makes a shell complete commands and options.
+// `rastercheck completion bash`: prints a script that completes commands and options in a shell.
 
 #include "cli/completion.h"
 

@@ -1,5 +1,5 @@
-// `rastercheck corpus add FILE`: a counterexample becomes a case of the corpus, which every run
-// checks from then on.
+// `rastercheck corpus add FILE`: turns a counterexample into a case of the corpus, which every
+// later run checks.
 
 #include <fmt/format.h>
 
@@ -26,14 +26,14 @@ struct Options {
   bool quiet = false;
 };
 
-/// Whether a word is a file's name without folder or ending, as the corpus has them.
+/// True if a word may be a file name of the corpus, without folder or extension.
 bool is_plain_word(const std::string& word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
   });
 }
 
-/// The sentence that says what the case is for, where nobody gave one.
+/// Returns a sentence on what the case is for, to be used if the user gave none.
 std::string sentence_of(const cases::Case& c) {
   if (!c.found) return c.name;
   const properties::Law* const law = properties::find_law(c.found->law);
@@ -62,7 +62,7 @@ ExitCode add(const Options& options) {
   }
   c->name = options.name.empty() ? sentence_of(*c) : options.name;
   if (c->name.empty()) return fail({"--name", "", "a sentence on what the case is for is needed"});
-  // The corpus is checked by every law, not by the one that it was found by.
+  // Every law checks the corpus, not only the law that found the case.
   c->found.reset();
   const Result<void> written = cases::write_file(file, cases::to_json(*c));
   if (!written) return fail(written.error());

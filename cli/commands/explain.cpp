@@ -1,4 +1,4 @@
-// `rastercheck explain CASE --pixel X,Y`: how one sample came about, and what it should be.
+// `rastercheck explain CASE --pixel X,Y`: shows how one sample was drawn, and the exact result.
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ struct Options {
 constexpr const char* kDepth = "depth";
 constexpr std::uint64_t kMostNumber = std::numeric_limits<std::uint32_t>::max();
 
-/// "3,5" as a pixel; throws CLI::ValidationError where it is none.
+/// Reads a pixel such as "3,5"; throws CLI::ValidationError for any other text.
 Pixel pixel_of(const std::string& text) {
   const auto numbers = two_whole_numbers_in(text, ',');
   if (numbers && numbers->first <= kMostNumber && numbers->second <= kMostNumber) {
@@ -56,7 +56,7 @@ Pixel pixel_of(const std::string& text) {
       "--pixel", fmt::format("{} is not X,Y, two whole numbers as in 3,5", cases::printable(text)));
 }
 
-/// What the options settle; fails where there is no such attribute.
+/// Returns the request that the options describe; fails if the attribute does not exist.
 Result<properties::FocusRequest> request_of(const Options& options, const cases::Case& c) {
   properties::FocusRequest request;
   request.triangle = options.triangle;
@@ -78,7 +78,7 @@ Result<properties::FocusRequest> request_of(const Options& options, const cases:
             fmt::format("there is no attribute '{}'", cases::printable(options.attribute))});
 }
 
-/// The value to show, of a sample's; all without --attribute.
+/// Returns the index of the value to show of a sample; empty, for all values, without --attribute.
 std::optional<std::size_t> shown_value(const properties::FocusRequest& request) {
   if (request.attribute) return 1 + *request.attribute;
   return request.is_depth ? std::optional<std::size_t>(0) : std::nullopt;

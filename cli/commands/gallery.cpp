@@ -1,4 +1,5 @@
-// `rastercheck gallery`: the figures of the texts that RasterCheck is about, drawn anew.
+// `rastercheck gallery`: redraws the figures of the textbooks and papers that RasterCheck is based
+// on.
 
 #include "cli/gallery/gallery.h"
 

@@ -1,4 +1,4 @@
-// `rastercheck import MESH`: a mesh as a case file.
+// `rastercheck import MESH`: turns a mesh into a case file.
 
 #include <fmt/format.h>
 

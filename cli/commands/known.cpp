@@ -1,4 +1,4 @@
-// `rastercheck known add` and `known expect`: what is wrong with a backend and is to stay so.
+// `rastercheck known add` and `known expect`: record known defects of a backend.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -76,7 +76,7 @@ Result<Given> read_given(const AddOptions& options) {
   return given;
 }
 
-/// The list so far; an empty one of a file that is not there.
+/// Reads the list; returns an empty one if the file does not exist.
 Result<records::KnownList> read_list(const std::string& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return records::KnownList();
@@ -90,14 +90,14 @@ Result<records::KnownList> read_list(const std::string& file) {
   return list;
 }
 
-/// Whether a name of an entry, and of its case's file, may have this.
+/// True if the name of an entry, and of its case's file, may contain this character.
 bool is_of_word(char c) {
   constexpr std::string_view kOthers = "-_.+";
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
          kOthers.find(c) != std::string_view::npos;
 }
 
-/// "little" of "plugin:build/liblittle.so", "cpu" of "cpu:precision=float32".
+/// Returns "little" for "plugin:build/liblittle.so", "cpu" for "cpu:precision=float32".
 std::string stem_of(const std::string& backend) {
   const std::string name = properties::known_name_of(backend);
   const std::size_t colon = name.find(':');
@@ -110,7 +110,7 @@ std::string stem_of(const std::string& backend) {
   return stem.empty() ? "known" : stem;
 }
 
-/// The first of "little-1", "little-2", … that no entry has, of the list or another one.
+/// Returns the first of "little-1", "little-2", … that no entry uses, in this list or another one.
 std::string free_id(const std::string& stem, const records::KnownList& list,
                     const properties::KnownDefects& known) {
   std::set<std::string> ids;
@@ -125,11 +125,11 @@ bool is_plain_word(const std::string& word) {
   return !word.empty() && word.front() != '.' && std::all_of(word.begin(), word.end(), &is_of_word);
 }
 
-/// Writes the entry and its case; the list last, so that none names a case that is not there.
+/// Writes the entry's case, then the list with the entry, so that no list names a missing case.
 Result<void> write_entry(const std::string& file, records::KnownList list,
                          const records::KnownEntry& entry, const cases::Case& shown) {
   list.entries.push_back(entry);
-  // Nothing is written that could not be read again.
+  // Writes nothing that could not be read back.
   const std::string text = cases::json_of(list).dump(2) + "\n";
   if (const auto read = records::parse_known(text, file); !read) {
     return tl::unexpected(read.error());
@@ -150,7 +150,8 @@ Result<void> write_entry(const std::string& file, records::KnownList list,
   });
 }
 
-/// Says what is waived, and of what: an entry of laws hides whatever else is wrong with these.
+/// Says what the entry waives and for which laws: an entry that names laws also hides every other
+/// defect that violates them.
 void print_entry(const records::KnownEntry& entry, const std::string& file,
                  const std::string& sentence) {
   const nlohmann::json list = cases::json_of(records::KnownList{std::nullopt, {entry}});
@@ -181,7 +182,7 @@ ExitCode add(const AddOptions& options) {
   }
   const auto backend = factory.make(given->backend);
   if (!backend) return fail(backend.error());
-  // Faults that are known already are put right before this one is looked for.
+  // Corrects already known faults in the drawings before looking for this fault.
   properties::KnownSources sources = known_sources_of(properties::KnownSources());
   std::error_code ignored;
   if (fs::exists(file, ignored)) sources.push_back(file);

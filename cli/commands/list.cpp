@@ -1,4 +1,4 @@
-// `rastercheck list [KIND]`: what there is, and whether it can run here.
+// `rastercheck list [KIND]`: lists what exists, and whether it can run here.
 
 #include <fmt/format.h>
 
@@ -26,9 +26,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What is to be listed: of backends, and of known defects.
+/// Which backends and known defects to list.
 struct Asked {
-  std::vector<std::string> backends;  ///< by their specifications; none: all
+  std::vector<std::string> backends;  ///< specifications; empty: all
   std::vector<records::KnownList> known;
   backends::BackendFactory factory = {};
 };
@@ -37,10 +37,10 @@ struct Asked {
 struct ListedKind {
   std::string_view name;
   std::vector<ordered_json> (*rows)(const Asked& asked);
-  std::size_t columns = 4;  ///< of a table, at most; JSON has all
+  std::size_t columns = 4;  ///< most columns of a table; JSON has all
 };
 
-/// A backend that was asked for by its specification.
+/// Returns the row of a backend given by its specification.
 ordered_json row_of(const backends::BackendFactory& factory, const std::string& specification) {
   const auto backend = factory.make(specification);
   return {{"name", specification},

@@ -1,4 +1,4 @@
-// `rastercheck merge DIR…`: the shards of a campaign put together to the run that it is.
+// `rastercheck merge DIR…`: merges the shards of a campaign into one run.
 
 #include <fmt/format.h>
 
@@ -28,6 +28,7 @@ struct Options {
   std::vector<std::string> formats = reports::default_format_names();
   bool json = false;
   bool quiet = false;
+  bool all = false;
 };
 
 Result<properties::MergedRun> merged_run(const Options& options) {
@@ -43,8 +44,8 @@ Result<properties::MergedRun> merged_run(const Options& options) {
   return std::move(merge).finish();
 }
 
-/// What is drawn once more for the run rather than taken from its shards. Where that cannot be, it
-/// is theirs, and is said to be.
+/// Adds the results that need drawing once more. If drawing is impossible, takes them from the
+/// shards and says so.
 void add_drawn(properties::MergedRun& merged) {
   const Result<void> inspected = inspect_merged(merged);
   if (inspected) return;
@@ -67,7 +68,7 @@ ExitCode merge(const Options& options) {
   if (options.json) {
     fmt::print("{}\n", reports::summary_json(run, rows));
   } else {
-    print_results(run, rows, options.output, options.quiet);
+    print_results(run, rows, options.output, detail_of(options.quiet, options.all));
     if (!options.quiet) {
       const auto seconds = run.environment.find("seconds");
       fmt::print("Seed {}, {} shards, {} s.{}", run.plan.seed, merged->looked_at.size(),
@@ -90,7 +91,8 @@ Action set_up(CLI::App& app) {
       ->capture_default_str();
   add_formats(app, options->formats);
   app.add_flag("--json", options->json, "Prints the table as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only");
+  CLI::Option* quiet = app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only");
+  app.add_flag("--all", options->all, kAllHelp)->excludes(quiet);
   app.footer(
       "Exit codes are those of `rastercheck run`; 2 if shards are missing or do not go "
       "together.\n\n"

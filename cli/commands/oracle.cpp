@@ -33,12 +33,12 @@ struct Options {
   bool all = false;
 };
 
-/// Of every so many fragments one is held against the referee, beside the first ones.
+/// The referee checks the first fragments, and then one of every kCheckedEvery.
 constexpr std::size_t kCheckedFirst = 16;
 constexpr std::size_t kCheckedEvery = 256;
 
-/// Hands every fragment to `print`, and a share of them to the oracle's self-check; what that
-/// found.
+/// Hands every fragment to `print`, and some of them to the oracle's self-check, whose result it
+/// returns.
 Result<void> for_each_checked(
     const oracle::SceneTruth& scene,
     const std::function<void(const Fragment&, const TriangleTruth&)>& print) {
@@ -56,7 +56,7 @@ Result<void> for_each_checked(
   return {};
 }
 
-/// CONTRACT, `oracle` and `render` output.
+/// Scripts rely on this output (README, Commands).
 Result<void> print_json(const oracle::SceneTruth& scene, const Options& options) {
   fmt::print(R"({{"format": "rastercheck-oracle", "version": 1, "case": {}, "fragments": [)",
              cases::json_string(scene.source().name));
@@ -72,11 +72,12 @@ Result<void> print_json(const oracle::SceneTruth& scene, const Options& options)
 
 // --- A table for people --------------------------------------------------------------------------
 
-constexpr int kDigits = 9;  // a float32 is told from its neighbours by nine
+constexpr int kDigits = 9;  // nine digits tell a float32 from its neighbours
 
-/// The exact value where it is short enough to be read, else a decimal of which each digit counts.
+/// Returns the exact value if it is short enough to read; otherwise a decimal with only significant
+/// digits.
 std::string readable(const oracle::Rational& value) {
-  constexpr std::size_t kReadable = 13;  // with the decimal before it, a column
+  constexpr std::size_t kReadable = 13;  // fits into one column, after the decimal
   std::string decimal = records::to_decimal(value.enclosure(), kDigits);
   const std::string fraction = value.to_string();
   if (fraction == decimal || fraction.size() > kReadable) return decimal;

@@ -1,5 +1,5 @@
-// `rastercheck plugin new DIR`: a project to begin a plugin with, which builds and holds what it
-// promises before anything of one's own is in it.
+// `rastercheck plugin new DIR`: makes a starter project for a plugin, which builds and keeps its
+// promises without changes.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ struct Options {
   bool quiet = false;
 };
 
-/// Makes the folder, or finds it empty, or with nothing but a git repository.
+/// Makes the folder, or checks that it is empty or holds only a git repository.
 Result<void> make_empty(const std::string& folder) {
   std::error_code why;
   fs::create_directories(folder, why);

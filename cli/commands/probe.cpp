@@ -1,4 +1,4 @@
-// `rastercheck probe BACKEND`: what a backend does, measured, beside what it declares.
+// `rastercheck probe BACKEND`: measures what a backend does and compares it with what it declares.
 
 #include "properties/probing/probe.h"
 
@@ -41,7 +41,7 @@ struct Options {
 
 Error refused(const std::string& option, const std::string& reason) { return {option, "", reason}; }
 
-/// "exact", "snapped:8" or "snapped:8:half_up".
+/// Reads "exact", "snapped:8" or "snapped:8:half_up".
 Result<cases::Coverage> read_coverage(const std::string& text) {
   if (text == "exact") return cases::Coverage();
   constexpr std::string_view kSnapped = "snapped:";
@@ -122,7 +122,7 @@ void print_table(const records::Probe& probe, bool quiet) {
              probe.failure.empty() ? "" : ": " + cases::one_line(probe.failure));
 }
 
-/// A backend may be a file, as in "plugin:FILE": the contract is not written over that.
+/// Refuses to overwrite the backend's own file, as in "plugin:FILE", with the contract.
 Result<void> check_contract_out(const Options& options) {
   const std::size_t colon = options.backend.find(':');
   if (colon == std::string::npos) return {};
@@ -141,6 +141,7 @@ ExitCode run(const Options& options) {
   };
   const Result<records::Probe> probe =
       properties::probe(options.backend, **backend, *read, progress);
+  bar.erase();
   if (!probe) {
     fail(probe.error());
     return ExitCode::backend_unavailable;

@@ -1,4 +1,4 @@
-// `rastercheck render CASE --backend B`: what a backend draws, as fragments.
+// `rastercheck render CASE --backend B`: prints what a backend draws, as fragments.
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ struct Options {
   bool quiet = false;
 };
 
-/// CONTRACT, `oracle` and `render` output.
+/// Scripts rely on this output (README, Commands).
 void print_json(const std::string& backend, const cases::Fragments& drawn) {
   fmt::print(R"({{"format": "rastercheck-fragments", "version": 1, "backend": {}, "fragments": [)",
              cases::json_string(backend));
@@ -76,7 +76,7 @@ void print_table(const cases::Case& c, const cases::Fragments& drawn, bool quiet
   if (!quiet) fmt::print("{} fragments\n", drawn.size());
 }
 
-/// Whether the picture, if one is wanted, may have that name.
+/// Checks the name of the picture, if the user wants one.
 Result<void> check_png(const Options& options) {
   if (options.png.empty()) return {};
   std::string ending = std::filesystem::path(options.png).extension().string();

@@ -1,4 +1,4 @@
-// `rastercheck replay FILE…`: saved cases and counterexamples once more.
+// `rastercheck replay FILE…`: checks saved cases and counterexamples again.
 
 #include <fmt/format.h>
 
@@ -40,17 +40,18 @@ struct Options {
   bool quiet = false;
 };
 
-/// Those of run; a saved case says itself whether it has a depth test.
+/// Ways to draw, as in `rastercheck run`. Only those without a depth test are offered: a saved case
+/// itself says whether it has one.
 constexpr auto kWays = names_of(cases::DrawBy());
 
-/// A law checked on a file's case.
+/// The result of one law on a file's case.
 struct Outcome {
   std::string file;
   std::string law;
   std::string backend;
   properties::Check check;
-  std::string found;  ///< the verdict the file was saved with; empty where it says none
-  std::vector<std::string> close_up;  ///< of the first violation
+  std::string found;                  ///< the verdict saved in the file; empty if it has none
+  std::vector<std::string> close_up;  ///< for the first violation
 
   std::string verdict() const {
     return check.is_applicable ? properties::verdict_of(check) : "not applicable";
@@ -58,7 +59,7 @@ struct Outcome {
   bool is_violated() const { return check.violation_count > 0 && check.known.empty(); }
 };
 
-/// The laws to check: the one it was found by, or all.
+/// Returns the laws to check: the one that found the case, or all.
 Result<std::vector<const properties::Law*>> laws_for(const cases::Case& c,
                                                      const std::string& file) {
   std::vector<const properties::Law*> chosen;
@@ -112,7 +113,7 @@ void print_json(const std::vector<Outcome>& outcomes) {
   fmt::print("{}\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-/// A file's case, and what it is to be checked by.
+/// A file's case, and the laws and backend to check it with.
 struct Input {
   std::string file;
   cases::Case source;
@@ -124,7 +125,7 @@ Result<std::vector<Input>> read_inputs(const Options& options) {
   std::vector<Input> inputs;
   for (const std::string& file : options.files) {
     Result<cases::Case> c = cases::read_case(file);
-    // What positions beyond float32 draw is no question to a backend.
+    // Refuses cases whose clip positions are beyond float32: no backend can be asked to draw them.
     if (c) c = oracle::to_clip_case(*c, file).map([&c](const cases::Case&) { return *c; });
     if (!c) return tl::unexpected(c.error());
     auto laws = laws_for(*c, file);
@@ -136,7 +137,7 @@ Result<std::vector<Input>> read_inputs(const Options& options) {
   return inputs;
 }
 
-/// What draws, and what is known of it.
+/// A backend, and its known defects.
 struct Drawer {
   std::unique_ptr<backends::Backend> backend;
   std::optional<properties::KnownDefects> known;
@@ -152,7 +153,7 @@ Result<Drawer> make_drawer(const backends::BackendFactory& factory,
   return Drawer{*std::move(backend), *std::move(known)};
 }
 
-/// One law on one input.
+/// Checks one law on one input.
 Outcome check_law(const properties::Law& law, const Input& input, const Drawer& by) {
   const cases::Case& source = input.source;
   const cases::Found found = source.found.value_or(cases::Found());
@@ -169,7 +170,7 @@ Outcome check_law(const properties::Law& law, const Input& input, const Drawer& 
   return outcome;
 }
 
-/// What draws, by specification.
+/// Backends by specification.
 using Drawers = std::map<std::string, Drawer>;
 
 Result<Drawers> make_drawers(const backends::BackendFactory& factory,
@@ -185,8 +186,8 @@ Result<Drawers> make_drawers(const backends::BackendFactory& factory,
   return made;
 }
 
-/// Checks all laws of all inputs, and prints what it finds as it goes unless it is to be JSON.
-/// Fails where the oracle does.
+/// Checks all laws on all inputs. Prints results as they come, except for JSON. Fails if the oracle
+/// fails.
 Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs, const Drawers& drawers,
                                           const Options& options) {
   std::vector<Outcome> outcomes;
@@ -196,7 +197,7 @@ Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs, cons
     bool is_shown = false;
     for (const properties::Law* law : input.laws) {
       {
-        // Gone before anything is printed.
+        // The bar disappears before anything is printed.
         ProgressBar bar(options.quiet || all == 1);
         bar.show(outcomes.size(), all, "checks");
         outcomes.push_back(check_law(*law, input, drawers.at(input.backend)));

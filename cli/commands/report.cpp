@@ -1,4 +1,4 @@
-// `rastercheck report DIR`: the reports of a run, made again from its run.json.
+// `rastercheck report DIR`: makes a run's reports again from its run.json.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
-  std::error_code unknown;  // to read run.json says why
+  std::error_code unknown;  // reading run.json reports the cause
   if (std::filesystem::is_regular_file(options.directory, unknown)) {
     return fail({options.directory, "", "is a file, not the folder that a run wrote"});
   }

@@ -1,4 +1,4 @@
-// `rastercheck run`: a campaign, and the folder with what it found.
+// `rastercheck run`: runs a campaign and writes a folder with its findings.
 
 #include "records/run.h"
 
@@ -48,22 +48,23 @@
 namespace rastercheck::cli::run_command {
 namespace {
 
-/// Limits of --shrink-seconds and --max-time: a millisecond and a day.
+/// Limits of the values of --shrink-seconds and --max-time: one millisecond and one day.
 constexpr double kLeastSeconds = 0.001;
 constexpr double kMostSeconds = 86400;
-/// Between a signal and the end, whatever is being drawn. What was done is in the checkpoint.
+/// Seconds from a signal until the process ends, whatever is being drawn. The checkpoint has the
+/// finished work.
 constexpr unsigned kGraceSeconds = 2;
 
 using Clock = std::chrono::steady_clock;
 
-/// When the time that the run was given is up; never without one.
+/// Returns the time at which the run must end; the latest possible time if it has no limit.
 Clock::time_point end_of(const RunOptions& options, Clock::time_point start) {
   if (!options.max_time) return Clock::time_point::max();
   const std::chrono::duration<double> most(*options.max_time);
   return start + std::chrono::duration_cast<Clock::duration>(most);
 }
 
-/// Whether reports can be written there; asked before the work rather than after it.
+/// Checks that reports can be written, before the work rather than after it.
 Result<void> check_output(const RunOptions& options, bool keeps_cases) {
   for (const std::string& name : options.formats) {
     const auto format = reports::find_format(name);
@@ -78,7 +79,7 @@ Result<void> check_output(const RunOptions& options, bool keeps_cases) {
   return {};
 }
 
-/// What is to be done, and read for it.
+/// The work to do, and the files read for it.
 struct Work {
   properties::Checkpoint start;
   std::vector<cases::Case> corpus;
@@ -94,7 +95,7 @@ Result<Work> prepare(const RunOptions& options) {
               return properties::begin_run(plan, options.output, warn, options.rerun_failed);
             });
   if (!start) return tl::unexpected(start.error());
-  // Another time-out may be given: it changes only which drawings count as hung.
+  // A new time-out is allowed: it changes only which drawings count as hung.
   if (options.resume && options.plan.timeout != records::Plan().timeout) {
     start->plan.timeout = options.plan.timeout;
   }
@@ -110,7 +111,7 @@ Result<Work> prepare(const RunOptions& options) {
   if (!corpus) return tl::unexpected(corpus.error());
   work.corpus = *std::move(corpus);
   if (!options.resume) work.start.program = RASTERCHECK_VERSION;
-  // The first shard draws it.
+  // Only the first shard draws the scene.
   if (!plan.scene.empty() && plan.shard.value_or(records::ShardNumber()).index == 1) {
     Result<cases::Case> scene = read_scene(plan);
     if (!scene) return tl::unexpected(scene.error());
@@ -119,14 +120,13 @@ Result<Work> prepare(const RunOptions& options) {
   return work;
 }
 
-/// What the run will be held against.
+/// The baseline and policy that the run will be judged by.
 struct RunGate {
   gate::Side baseline;
   gate::Policy policy;
 };
 
-/// Reads it, where there is one, and what the run has to be for it: of one that goes on, that is
-/// settled.
+/// Reads the baseline, if given, and adopts its case set; a resumed run keeps its own.
 Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& options) {
   if (options.baseline.empty()) return std::nullopt;
   Result<gate::Side> baseline = gate::read_side(options.baseline);
@@ -148,8 +148,8 @@ Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& opt
   });
 }
 
-/// Whether the run's contract says what that of the baseline says, as far as that is known: asked
-/// before the work rather than after it.
+/// Checks that the run's contract equals the baseline's, as far as known, before the work rather
+/// than after it.
 Result<void> check_contract(const std::optional<RunGate>& gate, const records::Plan& plan) {
   if (!gate || !plan.contract) return {};
   const Result<gate::CaseSet> set =
@@ -166,7 +166,7 @@ Result<void> check_contract(const std::optional<RunGate>& gate, const records::P
                         set->section, then, digest)});
 }
 
-/// Holds the run against the baseline, where there is one.
+/// Compares the run with the baseline, if given.
 ExitCode hold_run(const RunOptions& options, const std::optional<RunGate>& gate,
                   const records::Run& run) {
   if (!gate) return ExitCode::ok;
@@ -180,7 +180,7 @@ ExitCode hold_run(const RunOptions& options, const std::optional<RunGate>& gate,
       {gate->policy, options.output, false, options.quiet, !options.json, run.plan.timeout});
 }
 
-/// Ends a run whose results cannot be written: what it found is on the terminal already.
+/// Ends a run whose results cannot be written; the terminal already shows its findings.
 ExitCode fail_to_write(const RunOptions& options, const Error& error) {
   const ExitCode code = fail(error);
   print_problem(
@@ -190,7 +190,7 @@ ExitCode fail_to_write(const RunOptions& options, const Error& error) {
   return code;
 }
 
-/// Writes and prints what was found; the outcome of the run alone.
+/// Writes and prints the findings. Returns the exit code of the run alone.
 ExitCode tell(const RunOptions& options, const records::Run& run,
               const std::vector<records::BackendPromises>& promises, double seconds) {
   const std::vector<records::LawSummary> rows = records::summarize(run);
@@ -198,14 +198,14 @@ ExitCode tell(const RunOptions& options, const records::Run& run,
   if (options.json) {
     fmt::print("{}\n", reports::summary_json(run, rows));
   } else {
-    print_results(run, rows, options.output, options.quiet);
+    print_results(run, rows, options.output, detail_of(options.quiet, options.all));
     if (!options.quiet) {
       fmt::print("Seed {}, {:.1f} s.{}", run.plan.seed, seconds,
                  written ? " " + where_reports_are(options.output, options.formats) : "\n");
     }
   }
   if (!written) return fail_to_write(options, written.error());
-  // Of shards the merge tells.
+  // For shards, the merge reports to GitHub.
   if (run.shard) return exit_code_of_shard(rows);
   if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
   return exit_code_of(run, rows, promises);
@@ -227,7 +227,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (const auto can_write = check_output(options, plan.keeps_cases); !can_write) {
     return fail(can_write.error());
   }
-  // Last: input that cannot be read goes before backends that cannot run.
+  // Checked last, because unreadable input takes precedence over backends that cannot run.
   properties::Conduct conduct = conduct_of(plan, options.output, options.jobs);
   if (const ExitCode code = check_backends(conduct.backends, plan.backends); code != ExitCode::ok) {
     return code;
@@ -267,7 +267,8 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   run.shard = shard_of(prepared->start(), prepared->promises(), work->scene);
   const bool is_whole = prepared->is_whole();
   if (run.shard) run.shard->is_whole = is_whole;
-  // Cases are drawn once more for these, however long that takes. Who goes on gets them later.
+  // Draws cases once more for inspections, however long that takes. An interrupted run gets its
+  // inspections when it is resumed.
   if (is_whole || !is_interrupted()) {
     const cases::Case* scene = work->scene ? &*work->scene : nullptr;
     properties::look_closely(run, {work->corpus, work->start.saved, prepared->known(), scene},
@@ -275,6 +276,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   }
   const std::chrono::duration<double> seconds = Clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
+  bar.erase();
 
   const ExitCode told = tell(options, run, prepared->promises(), seconds.count());
   if (told == ExitCode::usage) return told;
@@ -283,7 +285,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   return is_interrupted() && !is_whole ? first_of(code, ExitCode::interrupted) : code;
 }
 
-/// Adds the options for how much a "held" says.
+/// Adds the options that decide how much a "held" means.
 void add_scrutiny(CLI::App& app, records::Plan& plan) {
   app.add_option("--power", plan.power,
                  "Makes the drawing of one in N random cases wrong in all ways, to see what is "
@@ -395,14 +397,16 @@ Action set_up(CLI::App& app) {
     rerun->excludes(settled);
   }
   rerun->excludes(resume)->excludes(baseline)->excludes("--timeout");
-  // Of a part there is nothing to compare.
+  // A partial run cannot be compared.
   baseline->excludes("--max-time")->excludes("--fail-fast");
   app.add_option("--jobs", options->jobs, "Processes that work side by side")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("--json", options->json, "Prints the table as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only, and no progress bar");
+  CLI::Option* quiet = app.add_flag("-q,--quiet", options->quiet,
+                                    "Prints the table's rows only, and no progress bar");
+  app.add_flag("--all", options->all, kAllHelp)->excludes(quiet);
   app.footer(
       "Exit code 0 if every property held, or was violated in known ways only, 1 if one was "
       "violated otherwise, 3 if one is worse than the baseline, 4 if a backend cannot run here, 5 "

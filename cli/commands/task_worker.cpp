@@ -1,4 +1,4 @@
-// `rastercheck task-worker`: the process that `rastercheck run --jobs` hands its tasks to. Not for
+// `rastercheck task-worker`: the process to which `rastercheck run --jobs` hands tasks. Not for
 // users.
 
 #include <memory>

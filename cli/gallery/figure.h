@@ -14,15 +14,16 @@
 
 namespace rastercheck::gallery {
 
-/// How large pictures are, and how many samples a pixel has.
+/// The size of pictures, and the samples of a pixel.
 struct Canvas {
-  int size = 320;  ///< width and height in pixels; of 5 · 2^k figure 6-1 has a square of 2^(k + 2)
-  int samples = 4;  ///< of a pixel: 1, 2, 4, 8 or 16
+  /// Width and height in pixels. With 5 · 2^k, the square of figure 6-1 is 2^(k + 2) pixels wide.
+  int size = 320;
+  int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16
 };
 
 struct Figure {
-  /// Its text and its place in there, as "002-4", figure 4 of seed 002: the page has figures in the
-  /// order of their names.
+  /// Source and figure number: "002-4" is figure 4 of Heckbert & Moreton 1991. The page shows
+  /// figures in the order of their names.
   std::string_view name;
   Result<reports::GalleryFigure> (*draw)(const Canvas& canvas) = nullptr;
 };

@@ -9,11 +9,10 @@
 
 namespace rastercheck::gallery {
 
-/// All figures that are registered, drawn and judged.
+/// Draws and judges all registered figures.
 Result<std::vector<reports::GalleryFigure>> draw_gallery(const Canvas& canvas);
 
-/// Writes index.html and, of each picture, NAME.png and NAME-errors.png into a folder that is
-/// there.
+/// Writes index.html and, for each picture, NAME.png and NAME-errors.png into an existing folder.
 Result<void> write_gallery(const std::vector<reports::GalleryFigure>& figures,
                            const std::string& folder);
 

@@ -16,7 +16,7 @@ std::vector<Figure>& registry() {
 std::span<const Figure> figures() { return registry(); }
 
 FigureRegistration::FigureRegistration(const Figure& figure) {
-  // The order in which files register is the linker's; the page has one of its own.
+  // Files register in the linker's order; the page shows figures by name.
   const auto after =
       std::find_if(registry().begin(), registry().end(),
                    [&figure](const Figure& other) { return other.name > figure.name; });

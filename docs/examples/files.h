@@ -1,6 +1,6 @@
 #pragma once
 
-// What the examples read and write besides drawing: meshes by assimp, pictures by libpng.
+// Reading meshes with assimp and writing pictures with libpng, for the examples.
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -22,7 +22,7 @@ struct Model {
   std::vector<glm::uvec3> triangles;
 };
 
-/// The first mesh of a file; nothing where there is none. Normals are smooth.
+/// Reads the first mesh of a file, with smooth normals; nothing if the file has none.
 inline std::optional<Model> read_model(const char* file) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(
@@ -42,7 +42,7 @@ inline std::optional<Model> read_model(const char* file) {
   return model;
 }
 
-/// The texels of two by two squares, white and red, `size` texels a side.
+/// The texels of a checkerboard of two by two squares, white and red, with `size` texels per side.
 inline std::vector<std::uint8_t> checkerboard(std::size_t size) {
   std::vector<std::uint8_t> rgba(4 * size * size, 255);
   for (std::size_t y = 0; y < size; ++y) {
@@ -54,8 +54,9 @@ inline std::vector<std::uint8_t> checkerboard(std::size_t size) {
   return rgba;
 }
 
-/// Writes a picture, rows from above; whether that worked. Where samples of a pixel were not drawn
-/// their mean is darker and less opaque by the same share: a PNG wants the colour alone.
+/// Writes a picture, top row first. Returns true on success. If some samples of a pixel were not
+/// drawn, the pixel's mean colour is darker by the same factor as its alpha. A PNG stores colours
+/// without that factor, so they are divided by alpha.
 inline bool write_png(const char* file, int width, int height, std::span<const std::uint8_t> rgba) {
   std::vector<std::uint8_t> straight(rgba.begin(), rgba.end());
   for (std::size_t i = 0; i < straight.size(); ++i) {

@@ -1,9 +1,9 @@
-// A loop as viewers have it: viewer MESH [THREADS] draws a bunny that turns once every ten frames,
-// 100 frames, and checks that they need no more memory than the first ten.
+// A loop like that of a viewer. viewer MESH [THREADS] draws 100 frames of a bunny that turns once
+// every ten frames, and checks that all of them need no more memory than the first ten.
 //
-// What outlives a frame is allocated once: clip positions, the framebuffer, the picture. Frames i
-// and i + 10 draw the same, so that every pose, with all the memory that its draw takes and gives
-// back, comes within the first turn.
+// Everything that outlives a frame is allocated once: clip positions, the framebuffer, the picture.
+// Frames i and i + 10 draw the same pose. So the first turn contains every pose, with all the
+// memory that drawing it takes and gives back.
 #include <malloc.h>
 #include <unistd.h>
 
@@ -25,12 +25,12 @@ constexpr int kFrames = 100;
 constexpr int kFramesPerTurn = 10;
 constexpr int kSide = 256;
 
-/// Bytes that may come to be resident after the first turn: holes in the heap, as threads take and
-/// give back in an order that is chance. Were but one tile forgotten in every frame (64 × 64
-/// pixels, 128 KiB with four samples of depth and colour), it would be 11 MiB.
+/// How many more bytes may be resident after the first turn. The heap may get holes, because
+/// threads take and give back memory in a random order. Forgetting only one tile in every frame (64
+/// × 64 pixels, 128 KiB with four samples of depth and colour) would add 11 MiB.
 constexpr long kSlack = 4L << 20;
 
-/// Bytes of this process that are in memory.
+/// The number of bytes of this process that are in memory.
 long resident_bytes() {
   std::ifstream statm("/proc/self/statm");
   long all = 0;
@@ -47,11 +47,11 @@ struct Viewer {
   std::vector<glm::vec4> clip;
   Picture frame;
   Picture picture;
-  unsigned threads = 0;  ///< 0: as many as the machine has
+  unsigned threads = 0;  ///< 0 means as many as the machine has
 
   bool set_up(const char* file);
   bool draw_frame(float angle);
-  /// Where everything lies that outlives a frame.
+  /// The addresses of all data that outlives a frame.
   std::array<const void*, 5> buffers() const {
     return {clip.data(), frame.depth.data(), frame.bytes.data(), picture.depth.data(),
             picture.bytes.data()};
@@ -89,8 +89,8 @@ bool Viewer::draw_frame(float angle) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  // One heap for all threads: else each has its own and keeps what it once held, so that it is
-  // chance when the last of them has grown.
+  // All threads share one heap. Otherwise each thread would have its own heap, which keeps the
+  // memory that it once held, and it would be chance when the last heap has grown to its full size.
   mallopt(M_ARENA_MAX, 1);
   Viewer viewer;
   if (count < 2 || !viewer.set_up(arguments[1])) return 2;

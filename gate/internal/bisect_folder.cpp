@@ -20,7 +20,7 @@ tl::unexpected<Error> folder_failure(const std::string& file, const std::string&
   return tl::unexpected(Error{file, "", what + ": " + why.message()});
 }
 
-/// Whether a path that is there lies below a folder, links followed.
+/// True if an existing path lies below a folder, with links resolved.
 bool is_below(const fs::path& path, const fs::path& folder) {
   std::error_code ignored;
   const fs::path real = fs::weakly_canonical(path, ignored);
@@ -28,7 +28,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return std::mismatch(top.begin(), top.end(), real.begin(), real.end()).first == top.end();
 }
 
-/// The folders on the way to a path, and it itself, that are not there; the innermost first.
+/// Returns the missing folders on the way to a path, including the path itself, innermost first.
 std::vector<fs::path> missing(fs::path path) {
   std::error_code why;
   std::vector<fs::path> all;
@@ -61,7 +61,7 @@ void BisectFolder::discard() const {
        entry.increment(end)) {
     fs::remove_all(entry->path(), ignored);
   }
-  // One that another has put something into stays.
+  // A folder stays if somebody else put something into it.
   for (const fs::path& folder : made_) fs::remove(folder, ignored);
 }
 
@@ -102,7 +102,7 @@ Result<records::Plan> BisectFolder::with_copies(records::Plan plan,
   for (std::size_t i = 0; i < plan.known.size(); ++i) {
     std::string& source = plan.known[i];
     const fs::path folder = "known-" + std::to_string(i);
-    // Entries name their cases from where the list is; a list's own name says what it is.
+    // Entries name their cases relative to the list. The list keeps its name, which tells its kind.
     std::string shown = (fs::path(source).parent_path() / "known").string();
     const fs::path name = folder / fs::path(source).filename();
     const bool is_file = !fs::is_directory(source);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The folder of a bisection: all that is drawn and said, outside of what git checks out.
+// The output folder of a bisection, outside the checked-out files.
 
 #include <filesystem>
 #include <string>
@@ -13,11 +13,11 @@ namespace rastercheck::gate {
 
 class BisectFolder {
  public:
-  /// The folder `output`, which is made where it is missing and has to be empty; where it has no
-  /// name a temporary one, which goes with this.
+  /// Opens the folder `output`, which is created if missing and must be empty. If `output` is
+  /// empty, makes a temporary folder, which is removed with this object.
   static Result<BisectFolder> make(const std::string& output);
 
-  /// Removes what is in it, and what make() made: as if there had been no bisection.
+  /// Removes the folder's content and everything that make() made.
   void discard() const;
 
   BisectFolder(BisectFolder&& other) noexcept;
@@ -28,20 +28,21 @@ class BisectFolder {
 
   const std::string& path() const { return path_.native(); }  ///< absolute
 
-  /// A plan whose folders, where they lie below `work_tree`, are copies of them as they are now:
-  /// other commits may have others there, or none. The contract's file is one in this folder.
+  /// Returns the plan with files and folders below `work_tree` replaced by copies of their present
+  /// state, as other commits may change or lack them. Writes the plan's contract to a file in this
+  /// folder and points the plan to it.
   Result<records::Plan> with_copies(records::Plan plan, const std::string& work_tree) const;
 
  private:
   BisectFolder(std::filesystem::path path, std::vector<std::filesystem::path> made,
                bool is_temporary);
 
-  /// Puts a copy in the place of a folder below the work tree.
+  /// Replaces a file or folder below the work tree by a copy.
   Result<void> copy(std::string& folder, const std::string& name,
                     const std::string& work_tree) const;
 
   std::filesystem::path path_;
-  std::vector<std::filesystem::path> made_;  ///< that make() made, the innermost first
+  std::vector<std::filesystem::path> made_;  ///< folders made by make(), innermost first
   bool is_temporary_;
 };
 

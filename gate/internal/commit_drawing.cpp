@@ -27,7 +27,8 @@ constexpr const char* kPlanFile = "/plan.json";
 constexpr const char* kJudgedFile = "/judged.jsonl";
 constexpr std::size_t kShortHash = 10;
 
-/// How `rastercheck run` ends that has judged: all held, a law was violated, nothing was checked.
+/// True if `rastercheck run` ended with an exit code that it returns after judging: all laws held,
+/// a law was violated, or nothing was checked.
 bool has_judged(const cases::ProcessEnd& end) {
   constexpr int kViolated = 1;
   constexpr int kNothingChecked = 5;
@@ -35,7 +36,8 @@ bool has_judged(const cases::ProcessEnd& end) {
          (end.exit_code == 0 || end.exit_code == kViolated || end.exit_code == kNothingChecked);
 }
 
-/// "cc -shared …" and how it ended, with what it said of that.
+/// Names a command, such as "cc -shared …", and says how it ended, with the most telling line of
+/// its output.
 Error ended(const std::string& what, const cases::ProcessEnd& end, const std::string& log) {
   const std::string said = telling_line(cases::read_text(log).value_or(""));
   return {what, "", to_string(end) + (said.empty() ? "" : "; it said: " + said)};
@@ -47,7 +49,8 @@ std::string joined(const std::vector<std::string>& words) {
   return cases::printable(line);
 }
 
-/// Keeps what each case gave, which a comparison needs, and makes no counterexample smaller.
+/// Returns the plan for one commit: it keeps each case's result, which a comparison needs, and
+/// shrinks no counterexample.
 records::Plan plan_of_commit(const BisectPlan& plan) {
   records::Plan drawn = plan.plan;
   drawn.keeps_cases = true;
@@ -55,7 +58,7 @@ records::Plan plan_of_commit(const BisectPlan& plan) {
   return drawn;
 }
 
-/// `rastercheck run`, as the plan has it, into a folder.
+/// Returns the `rastercheck run` command that carries out the plan into a folder.
 std::vector<std::string> run_words(const BisectPlan& plan, const std::string& folder) {
   std::vector<std::string> words{plan.program, "run"};
   for (const std::string& backend : plan.plan.backends) {
@@ -74,7 +77,7 @@ void keep_laws(Map& map, const std::set<std::string>& laws) {
   std::erase_if(map, [&](const auto& entry) { return !laws.contains(entry.first.law); });
 }
 
-/// Has the rastercheck draw that was built.
+/// Draws with the rastercheck program that was built.
 Result<records::Run> run_program(const BisectPlan& plan, const std::string& name, OutsideRun how) {
   const std::string folder = plan.folder + "/" + name;
   how.log = folder + "/run.log";
@@ -131,7 +134,8 @@ std::string pattern_of(const std::set<std::string>& laws) {
   for (const std::string& law : laws) {
     if (!all.empty()) all += '|';
     for (const char c : law) {
-      // As a set of one: a backslash before them does not part '|' and brackets from a list.
+      // Writes each special character as a set of one, because a backslash does not keep '|' and
+      // brackets from having a meaning in a list.
       const bool is_special = std::string_view("*?[]\\(|)").find(c) != std::string_view::npos;
       all += !is_special ? std::string(1, c) : c == '\\' ? R"([\\])" : fmt::format("[{}]", c);
     }
@@ -141,7 +145,7 @@ std::string pattern_of(const std::set<std::string>& laws) {
 
 Result<std::vector<records::Comparison>> against_good(const records::Run& good,
                                                       records::Run current) {
-  current.plan.properties = good.plan.properties;  // which differ in the laws alone
+  current.plan.properties = good.plan.properties;  // the patterns choose laws, which may differ
   const Result<records::Baseline> before = baseline_of(good);
   if (!before) return tl::unexpected(before.error());
   const Result<records::Baseline> after = baseline_of(current);
@@ -208,7 +212,7 @@ std::vector<JudgedCommit> read_judged(const std::string& folder) {
       return JudgedCommit{root["commit"].text(), root["verdict"].enumerator<CommitVerdict>(),
                           root["reason"].text()};
     });
-    if (commit) all.push_back(*commit);  // else: a line that is being written
+    if (commit) all.push_back(*commit);  // no commit: a line that is still being written
   }
   return all;
 }

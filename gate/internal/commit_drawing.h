@@ -1,6 +1,6 @@
 #pragma once
 
-// One commit of a bisection: built, drawn, and held against the good one.
+// Builds and draws one commit of a bisection and compares it with the good one.
 
 #include <set>
 #include <string>
@@ -12,49 +12,49 @@
 
 namespace rastercheck::gate {
 
-/// The folders of the two commits that a bisection begins with, below that of the plan; of the
-/// others it is their hash.
+/// Folder names, within the plan's folder, of the bisection's first two commits; other commits use
+/// their hash.
 inline constexpr const char* kGoodFolder = "good";
 inline constexpr const char* kBadFolder = "bad";
 
-/// Builds what is checked out and has it drawn; what both say and the run are kept in `name`. Fails
-/// where either does; that a law was violated is no failure. The log of `how` is not used.
+/// Builds the checked-out commit and draws with it; keeps both logs and the run in folder `name`.
+/// Fails if either step fails; a violated law is not a failure. Ignores the log of `how`.
 Result<records::Run> draw_commit(const BisectPlan& plan, const std::string& name, OutsideRun how);
 
-/// The run of a commit that was drawn before, and its file.
+/// Return the path of a drawn commit's run, and the run itself.
 std::string run_file(const std::string& folder, const std::string& name);
 Result<records::Run> read_drawing(const std::string& folder, const std::string& name);
 
-/// A run as if it had been of these laws only: what it has of frozen cases, and no more.
+/// Restricts a run to these laws and to its frozen cases.
 records::Run only_laws(records::Run run, const std::set<std::string>& laws);
 
-/// A pattern of --property that these laws match, and no others.
+/// Returns a --property pattern that matches exactly these laws.
 std::string pattern_of(const std::set<std::string>& laws);
 
-/// A run against that of the good commit.
+/// Compares a run with the good commit's.
 Result<std::vector<records::Comparison>> against_good(const records::Run& good,
                                                       records::Run current);
 
-/// The laws of entries that are worse.
+/// Returns the laws of entries that are worse.
 std::set<std::string> worse_laws(const std::vector<records::Comparison>& comparisons);
 
-/// What became of a commit.
+/// The outcome of a commit.
 struct JudgedCommit {
   std::string hash;
   CommitVerdict verdict = CommitVerdict::skipped;
-  std::string reason;  ///< why it is skipped; of a bad one what is worse
+  std::string reason;  ///< why the commit is skipped; for a bad one, what is worse
 };
 
 /// "ab12cd34ef skipped: …".
 std::string judged_text(const JudgedCommit& commit);
 
-/// Keeps a plan for judge_commit(): how to build and draw, and of which laws.
+/// Saves a plan for judge_commit(): how to build and draw, and which laws to check.
 Result<void> write_plan(const BisectPlan& plan);
 Result<BisectPlan> read_plan(const std::string& folder);
 
-/// Adds to those that judge_commit() has judged.
+/// Adds an outcome to the list of outcomes of judge_commit().
 Result<void> note(const std::string& folder, const JudgedCommit& commit);
-/// All of them so far, in their order.
+/// Returns all outcomes so far, in order.
 std::vector<JudgedCommit> read_judged(const std::string& folder);
 
 }  // namespace rastercheck::gate

@@ -11,7 +11,7 @@ using records::CaseOutcome;
 using records::Enclosure;
 using records::WorstError;
 
-/// A number to order growths by; what they are is shown as both errors.
+/// Returns the size of a growth for ordering only; reports show both errors.
 double size_of_growth(const records::CaseGrowth& growth) {
   if (!growth.after) return 0;
   const double before = growth.before ? records::magnitude_bound(growth.before->error) : 0;
@@ -30,16 +30,16 @@ Enclosure size_of(const WorstError* worst) {
   return worst == nullptr ? Enclosure() : records::magnitude(worst->error);
 }
 
-/// How much there is to hold a growth against: 2 of an error that was one before, 1 of an error
-/// where none is known of before, be it that no value was off or that none was judged, 0 without.
+/// Ranks a growth by its reference: 2 if there was an error before, 1 if none is known (every error
+/// 0, or nothing judged), 0 if there is no error now.
 int footing(const records::CaseGrowth& growth) { return !growth.after ? 0 : growth.before ? 2 : 1; }
 
-/// Whether the error of the first grew more, as far as that can be said.
+/// True if the first error grew more, as far as this can be decided.
 bool grew_more(const records::CaseGrowth& a, const records::CaseGrowth& b) {
   return std::pair(footing(a), size_of_growth(a)) > std::pair(footing(b), size_of_growth(b));
 }
 
-/// The error of the case that grew most, if one did.
+/// Finds the case's error that grew most, if any grew.
 void find_grown_error(const records::CaseFigures& before, const records::CaseFigures& after,
                       records::CaseGrowth& growth) {
   for (const auto& [kind, strata] : after.worst) {
@@ -56,7 +56,7 @@ void find_grown_error(const records::CaseFigures& before, const records::CaseFig
   }
 }
 
-/// The larger of all strata of a kind.
+/// Returns the largest error of a kind in all strata.
 Enclosure size_in(const records::CaseFigures& figures, records::AttributeKind kind) {
   Enclosure largest;
   const auto strata = figures.worst.find(kind);
@@ -67,18 +67,18 @@ Enclosure size_in(const records::CaseFigures& figures, records::AttributeKind ki
   return largest;
 }
 
-/// From what a law wants to what it wants least.
+/// Ranks outcomes from best to worst.
 int badness(CaseOutcome outcome) {
   return outcome == CaseOutcome::violated ? 2 : outcome == CaseOutcome::known ? 1 : 0;
 }
 
 bool is_worse(CaseOutcome after, CaseOutcome before) { return badness(after) > badness(before); }
 
-/// The cases of a law then and now.
+/// The cases of a law before and after.
 struct LawPair {
   const records::LawCases& before;
   const records::LawCases& after;
-  bool are_outcomes_known = false;  ///< of both
+  bool are_outcomes_known = false;  ///< on both sides
 
   CaseOutcome outcome(const records::CaseFigures& figures) const {
     return are_outcomes_known ? figures.outcome : CaseOutcome::held;
@@ -89,7 +89,7 @@ struct LawPair {
   }
 };
 
-/// All laws that both have.
+/// Returns all laws that both sections have.
 std::map<std::string, LawPair> law_pairs(const records::BaselineSection& before,
                                          const records::BaselineSection& after) {
   std::map<std::string, LawPair> pairs;
@@ -149,7 +149,7 @@ class CaseComparer {
     for (const auto& [number, was] : pair.before.cases) {
       const auto is = pair.after.cases.find(number);
       if (is == pair.after.cases.end()) {
-        ++comparison_.changed_cases;  // of which the law says nothing any more
+        ++comparison_.changed_cases;  // the law no longer applies
       } else if (!pair.are_same(was, is->second)) {
         ++comparison_.changed_cases;
         compare(law, number, pair, was, is->second);
@@ -212,7 +212,7 @@ std::map<records::EntryKey, std::uint64_t> grown_cases(const records::BaselineSe
       const auto is = pair.after.cases.find(number);
       if (is != pair.after.cases.end()) count_growth(law, pair, was, is->second, counts);
     }
-    // Errors of a case that the law said nothing of have nothing to be held against.
+    // Errors of a case that was not applicable before have no reference.
     for (const auto& [number, is] : pair.after.cases) {
       if (pair.before.cases.contains(number)) continue;
       if (is_worse(is.outcome, CaseOutcome::not_applicable)) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Cases of two sections, one by one.
+// Compares the cases of two sections one by one.
 
 #include <cstdint>
 #include <map>
@@ -11,17 +11,17 @@
 
 namespace rastercheck::gate {
 
-/// Whether one magnitude is larger than the other. Enclosures of errors are as narrow as doubles
-/// get and depend on the fragment alone, so that of two, the larger pair of ends, the far one
-/// first, is of the larger error or of one that doubles do not tell from it (as records/record.cpp
-/// has it): equal errors never count as grown.
+/// True if the magnitude of `a` is larger than that of `b`. Error enclosures are the narrowest in
+/// doubles and depend on the fragment alone. So the lexicographically larger pair of ends (far end
+/// first) belongs to the larger error, unless doubles cannot tell the two errors apart (as in
+/// records/record.cpp). Equal errors never count as grown.
 bool is_larger(const records::Enclosure& a, const records::Enclosure& b);
 
-/// Of each entry how many cases grew (Figure::grown_cases); only of those where some did.
+/// Returns the number of grown cases per entry (Figure::grown_cases); leaves out entries with none.
 std::map<records::EntryKey, std::uint64_t> grown_cases(const records::BaselineSection& before,
                                                        const records::BaselineSection& after);
 
-/// Fills in growths and the numbers of cases.
+/// Fills in the comparison's growths and numbers of cases.
 void compare_cases(const records::BaselineSection& before, const records::BaselineSection& after,
                    const CompareOptions& options, records::Comparison& comparison);
 

@@ -53,7 +53,7 @@ Result<std::string> Git::ask(const std::vector<std::string>& words) const {
 Result<std::string> Git::commit(const std::string& name) const {
   return ask({"rev-parse", "--verify", "--quiet", "--end-of-options", name + "^{commit}"})
       .map_error([&](const Error& error) {
-        // Without --quiet it speaks of a "single revision" that it needs.
+        // Without --quiet, git's message is about a "single revision" that it needs.
         return error.file.empty() ? error : Error{name, "", "is no commit of this repository"};
       });
 }
@@ -84,7 +84,8 @@ Result<std::string> Git::changed_files() const {
 }
 
 Result<std::string> Git::head() const {
-  // Without its folder it is a branch to `git checkout`, even where a tag has the same name.
+  // Without the prefix refs/heads/, `git checkout` takes the name as a branch, even if a tag has
+  // the same name.
   const std::string branches = "refs/heads/";
   const Result<std::string> branch = ask({"symbolic-ref", "--quiet", "HEAD"});
   if (branch && branch->starts_with(branches)) return branch->substr(branches.size());

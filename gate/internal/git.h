@@ -1,6 +1,6 @@
 #pragma once
 
-// A user's repository, through the program git alone.
+// Accesses a user's repository, only through the program git.
 
 #include <string>
 #include <vector>
@@ -11,28 +11,28 @@
 
 namespace rastercheck::gate {
 
-/// git in the current folder. A command that fails is an error that says what git said.
+/// git in the current folder. If a command fails, the error quotes git's message.
 class Git {
  public:
-  /// `folder` is for what it says: answers, and a log of the rest.
+  /// `folder` receives git's output: answers, and a log of everything else.
   explicit Git(std::string folder);
 
-  /// What a command says on standard output, without the end of its last line.
+  /// Returns a command's standard output, without the final newline.
   Result<std::string> ask(const std::vector<std::string>& words) const;
-  /// How a command ends; how it ends is no error.
+  /// Runs a command and returns how it ended; a failing exit status is not an error.
   Result<cases::ProcessEnd> run(const std::vector<std::string>& words,
                                 const std::function<bool()>& is_to_end) const;
-  /// The last of what was said by a command that was run.
+  /// Returns the last output of the command that run() ran.
   std::string last_said() const;
 
-  /// The full hash of what names a commit.
+  /// Returns the full hash of a named commit.
   Result<std::string> commit(const std::string& name) const;
   Result<records::CommitTitle> title(const std::string& commit) const;
-  /// Whether a file is there that git keeps beside the repository, as "BISECT_LOG".
+  /// Returns true if a file such as "BISECT_LOG" exists in git's own folder.
   Result<bool> has_file(const std::string& name) const;
-  /// Files of the work tree that git tracks and that are not as they were committed.
+  /// Returns the tracked files of the work tree that differ from the commit.
   Result<std::string> changed_files() const;
-  /// The branch that is checked out, or the commit where none is.
+  /// Returns the checked-out branch, or the commit if detached.
   Result<std::string> head() const;
   Result<void> check_out(const std::string& what) const;
 

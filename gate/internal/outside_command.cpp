@@ -16,9 +16,9 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-/// How often is_to_end() is asked.
+/// Time between two calls of is_to_end().
 constexpr milliseconds kTurn{100};
-/// What a command has to end in its own way: git takes its locks away.
+/// Time that a command has to end in its own way: git removes its locks.
 constexpr seconds kGrace{10};
 
 Result<cases::Descriptor> open_file(const std::string& file, int flags) {
@@ -49,7 +49,7 @@ Result<cases::ProcessEnd> run_outside(const std::vector<std::string>& command,
     if (!how.is_to_end()) continue;
     child->kill(SIGTERM);
     static_cast<void>(child->has_ended_within(kGrace));
-    child->kill();  // also what it left behind
+    child->kill();  // also any processes that it left behind
     break;
   }
   return child->wait();

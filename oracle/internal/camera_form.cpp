@@ -12,7 +12,7 @@ std::optional<FieldMatrix3> q_matrix(const std::array<FieldVector3, 3>& vertices
   abc.col(0) = plane.a;
   abc.col(1) = plane.b;
   abc.col(2) = plane.c;
-  // Gaussian elimination with exact pivots: the rank it finds is the rank.
+  // Gaussian elimination with exact pivots finds the exact rank.
   const Eigen::FullPivLU<FieldMatrix3> lu(m);
   if (!lu.isInvertible()) return std::nullopt;
   return FieldMatrix3(lu.solve(abc));

@@ -8,16 +8,17 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// How far lines are moved inwards, in bands. A band is at least 8u of the line's terms. Computed
-/// values are off by one at most, in a cut at either end; each of up to kMostLines cuts rounds a
-/// position once along each axis, by u of what the line's terms are. That is less than 6 bands.
+/// The distance, in bands, by which lines are moved inwards. A band is at least 8u of the line's
+/// terms. A computed value is off by at most one band, and a cut uses two values. Each of up to
+/// kMostLines cuts rounds a position once along each axis, by u of the line's terms. All this adds
+/// up to less than 6 bands.
 constexpr double kBandsInwards = 16;
 
 double at(const FilterLine& line, const std::array<double, 2>& p) {
   return line.a * p[0] + (line.b * p[1] + line.c);
 }
 
-/// Whether the line certainly is positive all over the box.
+/// True if the line is certainly positive all over the box.
 bool is_positive(const Line& line, const PixelBox& box) {
   const std::optional<FilterLine> known = filter_line(line, box);
   const double width = box.x1 - box.x0;
@@ -32,8 +33,8 @@ std::optional<CentroidFilter> CentroidFilter::make(const TriangleSetup& triangle
                                                    const ProjectiveMap& map,
                                                    const std::array<FilterLine, 3>& edges,
                                                    const PixelBox& box) {
-  // Where coverage comes from snapped vertices and values from the exact ones, a sample may be
-  // covered at which there is no value; then there is none in its pixel.
+  // If coverage comes from the snapped vertices and values from the exact ones, a sample without a
+  // value may be covered; the centroid of its pixel then has no value either.
   const bool may_lack_value =
       triangle.shape == Shape::placed && triangle.value_map() == &triangle.ideal;
   if (may_lack_value && !is_positive(map.inverse_w(), box)) return std::nullopt;
@@ -63,7 +64,7 @@ std::optional<CentroidFilter> CentroidFilter::make(const TriangleSetup& triangle
   return filter;
 }
 
-/// Sutherland and Hodgman (1974), line by line.
+/// Cuts the pixel line by line (Sutherland & Hodgman 1974).
 void CentroidFilter::cut_pixel(int x, int y) {
   const double left = x - box_.x0;
   const double top = y - box_.y0;
@@ -80,7 +81,8 @@ void CentroidFilter::cut_pixel(int x, int y) {
     Corners rest{};
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      // Rounded corners need not be convex: nothing is said of a pixel that gets too many.
+      // Rounded corners need not form a convex polygon, so there may be too many; the pixel is then
+      // left open.
       if (kept + 2 > rest.size()) {
         count_ = 0;
         return;

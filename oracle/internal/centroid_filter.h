@@ -1,13 +1,14 @@
 #pragma once
 
-// The first level's inner bound of a centroid where the rules name no place for it (OpenGL,
-// Vulkan): every value is permitted that the triangle has somewhere in the pixel. A value between
-// those at the corners of what the triangle covers of the pixel is one of them, as that is convex
-// and the value continuous there.
+// An inner bound, in doubles, of the values that a centroid may have under OpenGL and Vulkan. These
+// rules name no place for a centroid and permit every value that the triangle has somewhere in the
+// pixel. The part of the pixel that the triangle covers is convex and the value is continuous on
+// it, so every value between those at its corners is permitted.
 //
-// The pixel is cut in doubles, by each line moved inwards by more than all that may be wrong: the
-// line's values at the two corners that a new one lies between, and the rounding of its position in
-// this cut and those that follow. So every corner lies inside, certainly.
+// The filter cuts the pixel, in doubles, by every line that bounds this part. Each line is first
+// moved inwards by more than the sum of all possible errors: the errors of the line's values at the
+// two corners between which a new corner lies, and the rounding of the new corner in this cut and
+// the following ones. So every corner is certain to lie inside.
 
 #include <array>
 #include <cstddef>
@@ -22,19 +23,20 @@ namespace rastercheck::oracle {
 
 class CentroidFilter {
  public:
-  /// Of a triangle's map, which is its one or, where the contract leaves several, the exact one;
-  /// `edges` are its, about the corner of `box`, which holds all pixels that will be asked for.
-  /// Nothing where doubles say too little of it.
+  /// Makes the filter for `map`, which is the triangle's only map or, if the contract allows
+  /// several, the exact triangle's. `edges` are the map's edges, relative to the corner of `box`,
+  /// which must hold all pixels that will be asked for. Empty if doubles are too inaccurate.
   static std::optional<CentroidFilter> make(const TriangleSetup& triangle, const ProjectiveMap& map,
                                             const std::array<FilterLine, 3>& edges,
                                             const PixelBox& box);
 
-  /// Whether a computed value certainly is one that the triangle has in pixel (x, y).
+  /// True if the triangle certainly has the computed value somewhere in pixel (x, y).
   bool holds(int x, int y, const ValueFilter& value, double computed);
 
  private:
-  /// The triangle's edges, the viewport's sides, and all planes that cut it: two of depth and
-  /// cases::kMaxClipDistances; each adds one corner to the pixel's four.
+  /// Counts the triangle's edges, the viewport's sides, and the planes that may cut the triangle:
+  /// two depth planes and cases::kMaxClipDistances others. Each line adds one corner to the pixel's
+  /// four.
   static constexpr std::size_t kMostLines = 3 + 4 + 2 + cases::kMaxClipDistances;
   using Corners = std::array<std::array<double, 2>, 4 + kMostLines>;
 
@@ -44,11 +46,11 @@ class CentroidFilter {
 
   std::array<FilterLine, 3> edges_;
   PixelBox box_;
-  std::vector<FilterLine> lines_;  ///< inside is above the band
+  std::vector<FilterLine> lines_;  ///< inside: the line's value is above its band
 
-  // The pixel asked for last: several samples and attributes ask for the same.
+  // Cache of the last pixel, because several samples and attributes ask for the same pixel.
   std::optional<std::array<int, 2>> pixel_;
-  std::size_t count_ = 0;                                        ///< of its corners
+  std::size_t count_ = 0;                                        ///< number of the pixel's corners
   std::array<std::array<double, 3>, 4 + kMostLines> weights_{};  ///< [corner]: E_i
 };
 

@@ -5,7 +5,7 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// Where two lines that are not parallel meet: their cross product, or its negative.
+/// The point where two lines that are not parallel meet: their cross product, or its negative.
 HomogeneousPoint meeting_point(const Line& first, const Line& second) {
   HomogeneousPoint p{first.b * second.c - first.c * second.b,
                      first.c * second.a - first.a * second.c,
@@ -64,7 +64,8 @@ void ConvexRegion::clip(const Line& line) {
     const bool is_crossed = at[i] * at_next < 0;
     if (at[i] >= 0) {
       kept.push_back(std::move(corners_[i]));
-      // From a corner on the line to one beyond it: what follows is the line.
+      // The polygon leaves the half-plane at this corner, which lies on the line, so the corner's
+      // next side is the line.
       if (at[i] == 0 && at_next < 0) kept.back().side = side;
     }
     if (is_crossed) {

@@ -3,9 +3,10 @@
 // A convex polygon in window space, for values that the rules leave open within a region: centroid
 // sampling (any point of pixel ∩ triangle) and vertices moved by snapping after clipping.
 //
-// Sides are lines and corners the points where two of them meet, in homogeneous coordinates:
-// nothing is divided, and a corner is of degree two in the lines' coefficients however many cuts
-// led to it. Most questions are which side of a line a corner is on; doubles answer nearly all.
+// Sides are lines, and corners are the meeting points of two lines, in homogeneous coordinates. So
+// nothing is divided, and a corner has degree two in the lines' coefficients however many cuts led
+// to it. Most questions ask on which side of a line a corner lies; doubles answer nearly all of
+// them.
 
 #include <cstddef>
 #include <vector>
@@ -15,19 +16,19 @@
 
 namespace rastercheck::oracle {
 
-/// A closed convex polygon, perhaps flat or a single point, perhaps empty.
+/// A closed convex polygon; may be flat, a single point, or empty.
 class ConvexRegion {
  public:
   /// The closed rectangle [lo.u, hi.u] × [lo.v, hi.v].
   ConvexRegion(const Point& lo, const Point& hi);
 
-  /// Keeps what lies in the closed half-plane line >= 0 (Sutherland & Hodgman 1974; exact here, so
-  /// that shared vertices need no care).
+  /// Keeps the part in the closed half-plane line >= 0 (Sutherland & Hodgman 1974; exact here, so
+  /// shared vertices need no special care).
   void clip(const Line& line);
-  /// Keeps what lies in the closed half-plane line >= least.
+  /// Keeps the part in the closed half-plane line >= least.
   void clip_above(const Line& line, const Ring& least) { clip({line.a, line.b, line.c - least}); }
 
-  /// Whether the line is zero somewhere in it.
+  /// True if the line is zero somewhere in the region.
   bool meets(const Line& line) const;
 
   bool is_empty() const { return corners_.empty(); }
@@ -37,7 +38,7 @@ class ConvexRegion {
  private:
   struct Corner {
     HomogeneousPoint point;
-    std::size_t side = 0;  ///< of `sides_`, from here to the next corner
+    std::size_t side = 0;  ///< index into `sides_`: the side from here to the next corner
     NearPoint near;
   };
 

@@ -10,8 +10,8 @@ using records::Reason;
 using records::SampleVerdict;
 using records::Verdict;
 
-/// What is known of "the point is inside": in some reading of the contract, in every one, and
-/// whether a boundary went exactly through it.
+/// Says whether a point is inside in some reading of the contract (`possible`), whether it is
+/// inside in every reading (`sure`), and whether a boundary goes exactly through the point (`tie`).
 struct Membership {
   bool possible = true;
   bool sure = true;
@@ -27,7 +27,8 @@ struct Membership {
 
 constexpr Membership kOutside{.possible = false, .sure = false};
 
-/// A boundary's answer for a point where it has that sign, its inward normal those.
+/// The answer of a boundary whose value at the point has the sign `sign` and whose inward normal
+/// (A, B) has the signs `sign_a` and `sign_b`.
 Membership side(int sign, int sign_a, int sign_b, const Scene& scene) {
   if (sign > 0) return {};
   if (sign < 0) return kOutside;
@@ -75,11 +76,11 @@ SampleVerdict decide_exact(const TriangleSetup& triangle, const Point& p) {
   return {Verdict::required, all.tie ? Reason::tie : Reason::inside};
 }
 
-/// Whether a placement is drawn, as far as culling goes.
+/// Says whether culling keeps a placement.
 Membership kept_by_culling(const TriangleSetup& triangle, int orientation_when_placed) {
   const Scene& scene = *triangle.scene;
   const auto kept = [&scene](int orientation) -> Membership {
-    if (orientation == 0) return {.possible = true, .sure = false};  // neither front nor back
+    if (orientation == 0) return {.possible = true, .sure = false};  // neither front nor back face
     const bool drawn = !scene.is_culled(orientation);
     return {.possible = drawn, .sure = drawn};
   };
@@ -98,9 +99,9 @@ Membership kept_by_culling(const TriangleSetup& triangle, int orientation_when_p
           .sure = by_ideal.sure && by_snapped.sure};
 }
 
-/// Whether p lies outside the closed convex hull of the points that the vertices may be placed on:
-/// iff some line through p and one of them has all of them on one closed side, and those on the
-/// line itself on one side of p.
+/// True if p lies outside the closed convex hull of the points at which the vertices may be placed.
+/// This holds iff, for some line through p and one of the points, all points lie on one closed side
+/// of the line, and the points on the line itself lie on one side of p.
 bool is_outside_hull(const Point& p, const Placements& placements) {
   std::vector<std::array<double, 2>> points;
   for (const auto& of_vertex : placements.points) {
@@ -122,8 +123,8 @@ bool is_outside_hull(const Point& p, const Placements& placements) {
   });
 }
 
-/// |line(p)| against tolerance · (|A| + |B|), the most that the line changes when it is moved by
-/// the tolerance along both axes: 1 inside, −1 outside, 0 within.
+/// Compares |line(p)| with tolerance · (|A| + |B|), the largest change of the line's value under a
+/// move by the tolerance along both axes: 1 inside, −1 outside, 0 within.
 int side_within(const Line& line, const Ring& tolerance, const Point& p) {
   const double near_tolerance = near_double(tolerance);
   if (has_normal_products(near_tolerance, tolerance)) {
@@ -137,7 +138,8 @@ int side_within(const Line& line, const Ring& tolerance, const Point& p) {
   return value < -band ? -1 : 0;
 }
 
-/// What the distance from the exact edges settles (TriangleSetup::edge_bands): nearly every sample.
+/// Decides by the distance from the exact edges (TriangleSetup::edge_bands), which settles nearly
+/// every sample; empty for the rest.
 std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, const Point& p) {
   const int orientation = triangle.ideal.orientation();
   if (orientation == 0) return std::nullopt;
@@ -153,12 +155,12 @@ std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, c
                   : SampleVerdict{Verdict::forbidden, Reason::culled};
 }
 
-/// Says what all placements make of a point, and of facing.
+/// Combines the answers of all placements for a point, including facing.
 Membership over_placements(const TriangleSetup& triangle, const Placements& placements,
                            const Point& p) {
   const Scene& scene = *triangle.scene;
   const NearPoint near = near_point(p);
-  // [edge][orientation > 0][first end · count + second end]: each pair of ends is asked once.
+  // [edge][orientation > 0][first end · count + second end]: each pair of ends is evaluated once.
   std::array<std::array<std::vector<Membership>, 2>, 3> sides;
   for (std::size_t edge = 0; edge < 3; ++edge) {
     for (const auto& a : placements.points[(edge + 1) % 3]) {
@@ -195,10 +197,11 @@ Membership over_placements(const TriangleSetup& triangle, const Placements& plac
   return all;
 }
 
-/// Decides by the placements that were looked at. If they are the extreme ones only: an edge
-/// function is affine in every vertex coordinate, so its least value is taken at one of them, and
-/// whatever is covered in some placement lies in the hull of the points. The determinant is affine
-/// in every coordinate, too: if none turns the other way, none between does.
+/// Decides by the examined placements. If only the extreme placements were examined, they still
+/// prove that a sample is required or forbidden. An edge function is affine in every vertex
+/// coordinate, so its least value occurs at an extreme placement, and a point covered in any
+/// placement lies in the hull of the points. The determinant is affine in every coordinate, too, so
+/// if no extreme placement turns the other way, no placement between them does.
 SampleVerdict decide_by_placements(const TriangleSetup& triangle, const Placements& placements,
                                    const Membership& over_them, const Point& p) {
   const std::vector<int>& turns = placements.orientations;
@@ -230,9 +233,9 @@ SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
   return {Verdict::permitted, only_ties ? Reason::tie : Reason::snapping};
 }
 
-/// The answer of an edge both of whose ends are snapped, over all their candidates. Where it is
-/// turned, its line is not the polygon's boundary: then the exact edge answers, off by `reach`, as
-/// any corner may be.
+/// The answer of an edge with two snapped ends, over all candidates of the ends. If the edge is
+/// turned (TriangleSetup::SnappedEdge), its line is not the polygon's boundary. The exact edge then
+/// answers with an error of `reach`, because any corner may move that far.
 Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, const Point& p) {
   Membership over_all{.possible = false, .sure = true};
   for (const TriangleSetup::SnappedEdge& snapped : triangle.snapped_edge(edge)) {
@@ -250,7 +253,7 @@ Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, co
   return over_all;
 }
 
-/// Whether p lies in the closed ideal triangle and inside all its clip functionals.
+/// True if p lies in the closed ideal triangle and inside all its clip functionals.
 bool is_in_clipped_triangle(const TriangleSetup& triangle, const Point& p) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (triangle.ideal.edge(i).sign_at(p) < 0) return false;
@@ -260,7 +263,7 @@ bool is_in_clipped_triangle(const TriangleSetup& triangle, const Point& p) {
       [&p](const ClipFunctional& functional) { return functional.line.sign_at(p) >= 0; });
 }
 
-/// Whether p is within the tolerance of a vertex with w ≠ 0, along both axes.
+/// True if p is, along both axes, within the tolerance of a vertex with w ≠ 0.
 bool is_beside_a_vertex(const TriangleSetup& triangle, const Point& p) {
   return std::any_of(triangle.columns.begin(), triangle.columns.end(),
                      [&](const RingVector3& column) {
@@ -273,8 +276,9 @@ bool is_beside_a_vertex(const TriangleSetup& triangle, const Point& p) {
                      });
 }
 
-/// A triangle without area that is cut: its new vertices may give it some, near its line and no
-/// farther along it than its vertices.
+/// Decides for a cut triangle without area. The new vertices that clipping makes may give it some
+/// area, but only near the line through its vertices and, if all w > 0, not beyond the outermost of
+/// them.
 SampleVerdict decide_cut_degenerate(const TriangleSetup& triangle, const Point& p, Reason cut) {
   const SampleVerdict open{Verdict::permitted, cut};
   const SampleVerdict never{Verdict::forbidden, Reason::degenerate};
@@ -287,23 +291,23 @@ SampleVerdict decide_cut_degenerate(const TriangleSetup& triangle, const Point& 
   for (std::size_t i = 0; i < 3; ++i) {
     const Line& line = triangle.ideal.edge(i);
     if (line.is_constant()) continue;
-    // All rows of adj(M) are multiples of one line.
+    // All rows of adj(M) are multiples of one line, so the first that is not constant decides.
     return side_within(line, triangle.tolerance, p) == 0 ? open : never;
   }
-  return is_beside_a_vertex(triangle, p) ? open : never;  // all are one point
+  return is_beside_a_vertex(triangle, p) ? open : never;  // all vertices are one point
 }
 
-/// Why samples near a boundary of a triangle of shape cut are open.
+/// The reason why samples near a boundary of a triangle of shape cut are open.
 Reason reason_of_cut(const TriangleSetup& triangle) {
   if (triangle.has_nonpositive_w) return Reason::nonpositive_w;
   const bool is_open = triangle.scene->contract().has_open_viewport();
   return is_open ? Reason::viewport : Reason::clip_edge;
 }
 
-/// Clipping makes new vertices, which are snapped too: an edge that was cut, and the clip edge, may
-/// be off by the tolerance along each axis. Moving a polygon's corners by at most t per axis keeps
-/// every point inside whose distance from its boundary exceeds t per axis, and covers none that is
-/// farther than t from the polygon.
+/// Decides for shape cut. Clipping makes new vertices, which are snapped too, so a cut edge and the
+/// clip edge may be off by the tolerance along each axis. If a polygon's corners move by at most t
+/// per axis, every inner point farther than t per axis from the boundary stays inside, and no point
+/// farther than t from the polygon becomes covered.
 SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
   const Reason cut = reason_of_cut(triangle);
   if (triangle.ideal.orientation() == 0) return decide_cut_degenerate(triangle, p, cut);
@@ -331,7 +335,7 @@ SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
     near_cut = near_cut || is_near;
   }
 
-  // Lines meet far beyond a sharp or a moved corner; nothing drawn reaches there.
+  // The moved lines may meet far beyond a sharp corner or a moved one, where nothing is drawn.
   if (!is_in_clipped_triangle(triangle, p) &&
       triangle.clipped_to_triangle(box_around(p, triangle.reach)).is_empty()) {
     return {Verdict::forbidden, Reason::outside};
@@ -361,7 +365,7 @@ std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle)
   if (triangle.corner_count() > 1) {
     if (orientation == 0) return std::nullopt;
     const bool is_drawn = kept_by_culling(triangle, orientation).sure;
-    // A triangle that is culled may be drawn where it is placed the other way round.
+    // A culled triangle may be drawn if it is placed the other way round.
     const bool is_open = !is_drawn && triangle.scene->contract().basis != cases::Basis::ideal &&
                          !triangle.has_certain_orientation();
     if (is_open) return std::nullopt;
@@ -375,7 +379,7 @@ std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle)
 
 CutFacing facing_of_cut(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
-  // Facing that comes from the moved corners is open where they may turn the polygon round.
+  // If the moved corners may turn the polygon round, the facing computed from them is open.
   const bool is_open = scene.source().cull != cases::Cull::none && triangle.may_turn &&
                        scene.contract().basis != cases::Basis::ideal;
   if (is_open) return CutFacing::open;
@@ -397,7 +401,7 @@ SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
 
 namespace {
 
-/// Decides for a triangle that may be drawn a little beside the viewport's sides, or not quite up
+/// Decides for a triangle that may be drawn slightly beyond the viewport's sides, or not quite up
 /// to them.
 SampleVerdict decide_beside(const TriangleSetup& triangle, int x, int y, int sample) {
   const Scene& scene = *triangle.scene;
@@ -457,7 +461,7 @@ std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangl
   for (const Line& boundary : boundaries) {
     const Ring value = boundary.at(p);
     if (boundary.is_constant()) {
-      // A clip plane that the whole triangle lies beyond, at one depth: no point is near inside.
+      // The whole triangle lies equally far beyond a clip plane, so no point is near the inside.
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       if (sign_of(value) < 0) return records::Enclosure{-kInfinity, -kInfinity};
       continue;

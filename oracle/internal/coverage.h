@@ -10,36 +10,38 @@
 
 namespace rastercheck::oracle {
 
-/// The verdict of a sample of any pixel, drawn as the scene's contract allows.
+/// The verdict of a sample of any pixel under the scene's contract.
 records::SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample);
 
-/// The verdict of a point as if it were a sample, whatever viewport and scissor say.
+/// The verdict of a point as if it were a sample, ignoring viewport and scissor.
 records::SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p);
 
-/// What decides most samples by the signs of three edge functions.
+/// Three edge functions whose signs decide most samples.
 struct CoverageBoundary {
-  /// Forbidden where an edge of this map is negative.
+  /// A sample at which an edge function of this map is negative is forbidden.
   const ProjectiveMap* map;
-  /// Where all edges are positive, and so are the clip functionals of a triangle that
-  /// `is_cut_by_planes`: required, else forbidden.
+  /// A sample at which all edge functions (and all clip functionals, if the triangle
+  /// `is_cut_by_planes`) are positive is required if is_drawn, else forbidden.
   bool is_drawn;
-  /// Both hold only of edges that are farther from zero than TriangleSetup::edge_bands.
+  /// If true, both rules hold only for edge functions farther from zero than
+  /// TriangleSetup::edge_bands.
   bool has_bands;
 };
 
-/// Nothing where no map's edges say so much: of a triangle that was snapped and cut, one whose
-/// facing is open, or one of which nothing is promised. Samples near the viewport's sides may be
-/// open all the same (TriangleSetup::has_open_sides).
+/// Empty if no single map's edges decide most samples: if the triangle is snapped and cut, if its
+/// exact positions are degenerate and it has several placements, if its facing is open, or if
+/// nothing is promised about it. Samples near the viewport's sides may still be open
+/// (TriangleSetup::has_open_sides).
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle);
 
-/// What becomes of a triangle of shape cut, whose positions are not on one line: drawn, culled, or
-/// left open by its contract.
+/// The facing of a triangle of shape cut whose positions are not on one line: drawn, culled, or
+/// left open by the contract.
 enum class CutFacing { drawn, culled, open };
 CutFacing facing_of_cut(const TriangleSetup& triangle);
 
 /// The signed distance from a point to the boundary that decides it, in pixels: the least over all
-/// edges, clip functionals and viewport sides, positive inside. Of a triangle with several
-/// placements: of the exact one. Nothing for a triangle without orientation.
+/// edges, clip functionals and viewport sides, positive inside. With several placements, the
+/// distance to the exact triangle's boundary. Empty for a triangle without orientation.
 std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangle, const Point& p);
 
 }  // namespace rastercheck::oracle

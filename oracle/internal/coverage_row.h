@@ -15,14 +15,14 @@ namespace rastercheck::oracle {
 /// The verdicts of a row of pixels.
 class CoverageRow {
  public:
-  /// A sample that doubles do not decide.
+  /// A sample that the first level of the cascade leaves open.
   struct OpenSample {
     int x = 0;
     int sample = 0;
-    std::optional<records::SampleVerdict> decision;  ///< nothing until it is decided
+    std::optional<records::SampleVerdict> decision;  ///< empty until decided
   };
 
-  /// Sets the verdicts of all samples of row y of the filter's box, which is a row of that box.
+  /// Decides all samples of row y, which must be a row of the filter's box.
   void classify(const TriangleTruth& truth, const TriangleFilter& filter, int y,
                 records::LevelCounts& levels);
 
@@ -32,10 +32,11 @@ class CoverageRow {
     const auto bit = static_cast<std::size_t>(x - x0_);
     return (verdicts_[static_cast<std::size_t>(sample)].required[bit / 64] >> (bit % 64) & 1U) != 0;
   }
-  /// Samples that are not strictly inside or outside: required by a tie, or permitted. By x, then
-  /// sample.
+  /// The samples that are neither strictly inside nor outside: those required by a tie, and those
+  /// permitted. Ordered by x, then sample.
   const std::vector<OpenSample>& special() const { return special_; }
-  /// Calls take(x, sample, decision) for each required or permitted sample, by x, then sample.
+  /// Calls take(x, sample, decision) for each required or permitted sample, ordered by x, then
+  /// sample.
   template <typename Take>
   void for_each_covered(const Take& take) const {
     auto next = special_.begin();
@@ -50,8 +51,8 @@ class CoverageRow {
     }
   }
 
-  std::uint64_t required() const { return required_; }    ///< how many samples
-  std::uint64_t permitted() const { return permitted_; }  ///< how many samples
+  std::uint64_t required() const { return required_; }    ///< number of samples
+  std::uint64_t permitted() const { return permitted_; }  ///< number of samples
 
  private:
   void decide_open(const TriangleTruth& truth, const TriangleFilter& filter, int y,
@@ -60,7 +61,7 @@ class CoverageRow {
   int x0_ = 0;
   int x1_ = 0;
   std::vector<RowVerdicts> verdicts_;  ///< [sample]
-  std::vector<OpenSample> open_;       ///< what the first level left open
+  std::vector<OpenSample> open_;       ///< samples that the first level left open
   std::vector<OpenSample> special_;
   std::uint64_t required_ = 0;
   std::uint64_t permitted_ = 0;

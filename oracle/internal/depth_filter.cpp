@@ -8,8 +8,8 @@ namespace rastercheck::oracle {
 
 namespace {
 
-/// How far from a covered sample the exact triangle may have the depth of a placement there, pixels
-/// along both axes; nothing where doubles do not tell.
+/// If a placement has some depth at a covered sample, the exact triangle has that depth at a point
+/// at most this far away, in pixels per axis. Empty if doubles cannot tell.
 std::optional<double> moved_by(const TriangleSetup& triangle) {
   constexpr double kUp = 1 + 0x1p-40;  // for roundings
   const double reach = triangle.reach.to_interval().second;
@@ -35,8 +35,8 @@ std::optional<double> moved_by(const TriangleSetup& triangle) {
 DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& coverage)
     : box_(coverage.box()) {
   const ProjectiveMap* map = triangle.value_map();
-  // Else samples may be covered that lie outside the map's triangle, where a depth may be
-  // undefined.
+  // Requires that this map's edges decide coverage: if they do not, covered samples may lie outside
+  // its triangle, where a depth may be undefined.
   if (map != nullptr) {
     if (coverage.edges_of(map) != nullptr) set_line(triangle, *map, 0);
     return;
@@ -49,11 +49,11 @@ DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& co
   }
 }
 
-/// Depths of a map, where it is evaluated up to so many pixels beside a sample.
+/// Sets the line for a map's depths at points up to `moved` pixels from a sample.
 void DepthFilter::set_line(const TriangleSetup& triangle, const ProjectiveMap& map, double moved) {
   const Scene& scene = *triangle.scene;
-  // Sums of the line are multiples of 2^-656 (triangle_filter.cpp), their band is at least 2^-651
-  // or 0: within these limits both stay normal doubles when divided.
+  // Sums of the line are multiples of 2^-656 (triangle_filter.cpp), and their band is at least
+  // 2^-651 or 0. Within these limits of |det M|, both stay normal doubles when divided by it.
   constexpr double kLeast = 0x1p-300;
   constexpr double kMost = 0x1p300;
   const double determinant = near_double(map.determinant());
@@ -63,8 +63,8 @@ void DepthFilter::set_line(const TriangleSetup& triangle, const ProjectiveMap& m
                                    scene.depth_numerator(triangle.indices[2])}),
                       box_);
   if (!line_) return;
-  // The line's value is off by the band at most; what near_double, the reciprocal, the product and
-  // the ends' rounding add is less than another one (proofs/depth.g).
+  // The line's value is off by the band at most. near_double, the reciprocal, the product and the
+  // rounding of the ends add less than another band (proofs/depth.g).
   reciprocal_ = 1 / determinant;
   radius_ = 2 * line_->band * reciprocal_;
   if (moved > 0) {

@@ -9,28 +9,30 @@
 
 namespace rastercheck::oracle {
 
-/// Doubles around the depths of a triangle's required and permitted samples, of which a depth test
-/// compares many and needs few exactly.
+/// Encloses the depths of a triangle's required and permitted samples in doubles. A depth test
+/// compares many depths and needs few of them exactly.
 ///
-/// Where a contract leaves several placements, the depth of any of them at a sample p is that of
-/// the exact triangle at a point q (placement_filter.h, whose ρ and S these are)
+/// If the contract allows several placements, the depth of each at a sample p is the depth of the
+/// exact triangle at some point q (placement_filter.h, which defines ρ and S):
 ///
-///   |p − q| <= reach S/(1 − ρ),  S = 1 + 2ρ,     of shape cut  |p − q| <= reach,
+///   |p − q| <= reach S/(1 − ρ),  S = 1 + 2ρ;     shape cut:  |p − q| <= reach.
 ///
-/// so that it is off from the exact depth at p by that times |∂d/∂u| + |∂d/∂v|.
+/// So the placement's depth differs from the exact depth at p by at most this distance times
+/// |∂d/∂u| + |∂d/∂v|.
 ///
-/// Any placement counts, also one that does not cover p, as long as it is not turned round (ρ < 1)
-/// and has 1/w > 0 at p; else all depths between those of the vertices do. 1/w at p is that of the
-/// exact triangle at q, Σ α_i(q)/w_i. As p lies in some placement, q is within 2 reach/(1 − ρ) of a
-/// point of the exact triangle, where no α_i is negative. Σ ∂α_i = 0, so that the negative α_i(q)
-/// sum up to at most N = ρ/(1 − ρ), as Σ |∂α_i| = ρ/reach. So 1/w > 0 if N/(1 + N) = ρ is less than
-/// the share that the least w is of the greatest.
+/// The bound includes every placement, even one that does not cover p, if all keep their
+/// orientation (as they do for ρ < 1) and have 1/w > 0 at p; otherwise all depths between the
+/// vertices' depths are permitted. The 1/w of a placement at p is the exact triangle's 1/w at q, Σ
+/// α_i(q)/w_i. As p lies in some placement, q is within 2 reach/(1 − ρ) of a point of the exact
+/// triangle, where no α_i is negative. Σ ∂α_i = 0 and Σ |∂α_i| = ρ/reach, so the negative α_i(q)
+/// sum up to at most N = ρ/(1 − ρ). So 1/w > 0 if N/(1 + N) = ρ is less than the ratio of the least
+/// w to the greatest.
 class DepthFilter {
  public:
-  /// `coverage` is the triangle's; only of its box's samples is asked.
+  /// `coverage` must be the triangle's filter; at() must be called only for samples in its box.
   DepthFilter(const TriangleSetup& triangle, const TriangleFilter& coverage);
 
-  /// Nothing where doubles are not certain to do; then only the exact depth will.
+  /// Empty if doubles cannot enclose the depth; the caller must then compute the exact depth.
   std::optional<records::Enclosure> at(int x, int y, const cases::SamplePosition& sample) const;
 
  private:
@@ -38,9 +40,9 @@ class DepthFilter {
 
   PixelBox box_;
   std::optional<FilterLine> line_;  ///< |det M| times the depth
-  double reciprocal_ = 0;           ///< of |det M|
+  double reciprocal_ = 0;           ///< 1 / |det M|
   double radius_ = 0;
-  records::Enclosure range_;  ///< that the rules clamp to
+  records::Enclosure range_;  ///< the rules clamp depths to this
 };
 
 }  // namespace rastercheck::oracle

@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once for each SIMD target; the processor's best one is chosen at run time.
 
 #include "oracle/internal/filter_kernels.h"
 
@@ -10,7 +10,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "oracle/internal/filter_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// At most eight lanes, so that they divide a word of 64 samples and a batch.
+// At most eight lanes, so that the number of lanes divides both a word of 64 samples and a batch.
 using Doubles = hn::CappedTag<double, 8>;
 
 template <class D, class M>
@@ -45,7 +45,7 @@ void ClassifyRow(std::span<const FilterLine> lines, double x, double y, int coun
       std::uint64_t in = 0;
       std::uint64_t out = 0;
       for (int j = 0; j < end; j += lanes) {
-        // Whole numbers and multiples of 1/16: exact.
+        // The sum is exact, because its terms are integers and multiples of 1/16.
         const auto position = hn::Add(hn::Set(d, x), hn::Iota(d, static_cast<double>(from + j)));
         const auto e = hn::Add(hn::Mul(a, position), row);
         in |= bits_of(d, hn::Gt(e, band)) << j;
@@ -91,6 +91,53 @@ void WeighSamples(const std::array<FilterLine, 3>& edges, const Batch<double>& x
   }
 }
 
+/// True in the lanes where the last `zeros` bits of the double are 0.
+template <class D, class V>
+auto EndsInZeros(D d, V v, int zeros) {
+  const hn::RebindToUnsigned<D> whole;
+  const auto last = hn::Set(whole, (std::uint64_t{1} << static_cast<unsigned>(zeros)) - 1);
+  return hn::RebindMask(d, hn::Eq(hn::And(hn::BitCast(whole, v), last), hn::Zero(whole)));
+}
+
+/// True in the lanes where sum = fl(a + b) is exactly a + b: a rounding error would show as a
+/// changed a or b.
+template <class V>
+auto IsExactSum(V a, V b, V sum) {
+  return hn::And(hn::Eq(hn::Sub(sum, b), a), hn::Eq(hn::Sub(sum, a), b));
+}
+
+/// The quotient of a value, valid only at samples with is_sum_exact.
+template <class V, class M>
+struct ExactQuotient {
+  V quotient;         ///< fl(S/D)
+  M is_sum_exact;     ///< S is exact
+  M is_itself_exact;  ///< the quotient is exact, too
+};
+
+template <class D, class V>
+auto QuotientWithoutRounding(D d, const ValueFilter& value, const BatchWeights& weights,
+                             std::size_t k, V f) {
+  auto sum = hn::Zero(d);
+  auto divisor = hn::Zero(d);
+  auto is_exact = hn::Eq(f, f);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto e = hn::LoadU(d, weights.e[i].data() + k);
+    const auto s = hn::Set(d, value.s[i]);
+    const auto g = hn::Sub(f, s);
+    const auto product = hn::Mul(g, e);
+    const auto next = hn::Add(sum, product);
+    is_exact = hn::And(
+        is_exact, hn::And(IsExactSum(f, hn::Neg(s), g), hn::And(EndsInZeros(d, g, value.exact_bits),
+                                                                IsExactSum(sum, product, next))));
+    sum = next;
+    divisor = hn::Add(divisor, e);
+  }
+  const auto quotient = hn::Div(sum, divisor);
+  const auto is_itself_exact = hn::And(is_exact, hn::And(EndsInZeros(d, quotient, value.exact_bits),
+                                                         hn::Eq(hn::Mul(quotient, divisor), sum)));
+  return ExactQuotient<V, decltype(is_exact)>{quotient, is_exact, is_itself_exact};
+}
+
 void ValueErrors(const ValueFilter& value, const BatchWeights& weights,
                  const Batch<double>& computed, int count, Batch<double>& lo, Batch<double>& hi) {
   const Doubles d;
@@ -111,22 +158,32 @@ void ValueErrors(const ValueFilter& value, const BatchWeights& weights,
       sum = hn::Add(sum, hn::Mul(g, e));
       sum_error = hn::Add(sum_error, hn::Mul(hn::Abs(g), e_error));
     }
-    // Where D is not certain to be positive, not even an affine value is certain to be defined.
+    // If D is not certain to be positive, not even an affine value is certain to be defined.
     const auto of_sum = hn::LoadU(d, weights.reciprocal.data() + k);
     const auto reciprocal =
         value.is_perspective ? of_sum
                              : hn::IfThenElse(hn::Eq(of_sum, of_sum), constant_reciprocal, of_sum);
-    const auto divisor_error =
+    auto divisor_error =
         value.is_perspective ? hn::LoadU(d, weights.error.data() + k) : constant_error;
-    const auto q = hn::Mul(sum, reciprocal);
+    auto q = hn::Mul(sum, reciprocal);
+    auto has_no_error = hn::Eq(sum_error, hn::Zero(d));
+    if (value.exact_bits > 0) {
+      const auto exact = QuotientWithoutRounding(d, value, weights, static_cast<std::size_t>(k), f);
+      // Like q, the quotient is NaN if D is not certain.
+      const auto quotient = hn::IfThenElse(hn::Eq(of_sum, of_sum), exact.quotient, of_sum);
+      q = hn::IfThenElse(exact.is_sum_exact, quotient, q);
+      sum_error = hn::IfThenZeroElse(exact.is_sum_exact, sum_error);
+      divisor_error = hn::IfThenZeroElse(exact.is_sum_exact, divisor_error);
+      has_no_error = hn::Or(has_no_error, exact.is_itself_exact);
+    }
     const auto size = hn::Abs(q);
     const auto absolute = hn::Mul(hn::Add(sum_error, hn::Mul(size, divisor_error)), reciprocal);
     const auto h =
         hn::Add(hn::Mul(absolute, hn::Set(d, 1 + 0x1p-18)), hn::Mul(hn::Set(d, 0x1p-51), size));
-    // Where products underflow they lose less than this, and it is so much that the products with
-    // `units`, which is at least 2^-104, do not. Of constants nothing was multiplied.
-    const auto least = hn::IfThenElseZero(hn::Gt(sum_error, hn::Zero(d)), hn::Set(d, 0x1p-900));
-    const auto radius = hn::Add(h, least);
+    // Products that underflow lose less than 2^-900. The sum of h and 2^-900 is large enough that
+    // its product with `units`, which is at least 2^-104, does not underflow. Reproduced constants
+    // involve no product but 0, and exact values lose nothing.
+    const auto radius = hn::IfThenZeroElse(has_no_error, hn::Add(h, hn::Set(d, 0x1p-900)));
     hn::StoreU(hn::Mul(hn::Sub(q, radius), units), d, lo.data() + k);
     hn::StoreU(hn::Mul(hn::Add(q, radius), units), d, hi.data() + k);
   }
@@ -191,7 +248,7 @@ void FindBetweenReadings(const ValueFilter& value, const ShiftedReadings& readin
       along_y = hn::Add(along_y, hn::Mul(g, hn::Set(d, readings.edges[i].b)));
       error = hn::Add(error, hn::Mul(hn::Abs(g), e_error));
     }
-    // For products that underflow, as in ValueErrors.
+    // Covers products that underflow, as in ValueErrors.
     error = hn::Add(error, hn::IfThenElseZero(hn::Gt(error, zero), hn::Set(d, 0x1p-900)));
     auto least = here;
     auto greatest = here;
@@ -211,7 +268,7 @@ void FindBetweenReadings(const ValueFilter& value, const ShiftedReadings& readin
     const auto is_asked =
         hn::And(hn::Ge(f, hn::Set(d, readings.least)), hn::Le(f, hn::Set(d, readings.greatest)));
     const auto shift = hn::LoadU(d, shifts.x[0].data() + k);
-    // Where D is not certain to be positive the sample itself may have no reading.
+    // If D is not certain to be positive, the sample itself may have no reading.
     const auto reciprocal = hn::LoadU(d, weights.reciprocal.data() + k);
     const auto has_readings = hn::And(hn::Eq(shift, shift), hn::Eq(reciprocal, reciprocal));
     const auto is_known = hn::And(has_readings, hn::FirstN(d, static_cast<std::size_t>(count - k)));
@@ -241,7 +298,7 @@ void CountErrors(const ErrorLimits& limits, const Batch<double>& lo, const Batch
     const auto high = hn::LoadU(d, hi.data() + k);
     const auto low_size = hn::Abs(low);
     const auto high_size = hn::Abs(high);
-    // NaN keeps no limit.
+    // NaN fails these comparisons, so it keeps no limit.
     const auto keeps_bound = hn::And(hn::Le(low_size, bound), hn::Le(high_size, bound));
     const auto keeps_limits = hn::And(hn::Ge(low, least_limit), hn::Le(high, most_limit));
     const auto is_asked = hn::And(hn::And(keeps_bound, keeps_limits),

@@ -7,7 +7,7 @@
 
 namespace rastercheck::oracle {
 
-/// Of float32: the exponent of its least normal number, and the bits of its fraction.
+/// The exponent of the least normal float32, and the number of its fraction bits.
 inline constexpr int kLeastExponent = -126;
 inline constexpr int kFractionBits = 23;
 inline constexpr int kLeastUlpExponent = kLeastExponent - kFractionBits;

@@ -4,9 +4,9 @@
 
 namespace rastercheck::oracle {
 
-/// As long as it lives, this thread computes as IEEE 754 has it by default: rounds to nearest, and
-/// neither flushes subnormals nor takes them for zero. What the caller had comes back, its sticky
-/// flags included.
+/// Switches this thread to IEEE 754 default arithmetic for the object's lifetime: round to nearest,
+/// subnormals neither flushed nor read as zero. Restores the caller's environment, with its sticky
+/// flags, on destruction.
 class DefaultFloatingPoint {
  public:
   DefaultFloatingPoint() {

@@ -1,11 +1,11 @@
 #pragma once
 
-// The cascade's second level: interval arithmetic, whose error is what happened and not what might
-// have. Exact wherever the numbers fit into doubles, as they do on grids: a sample on an edge, an
-// error of just half an ULP.
+// The cascade's second level: interval arithmetic, which bounds the rounding that actually
+// occurred, not the worst that might occur. It is exact as long as the numbers fit into doubles, as
+// they do on grids, so it decides a sample on an edge or an error of exactly half an ULP.
 //
-// CGAL::Interval_nt<false> leaves the rounding mode to its user: all that computes with Interval
-// lives as long as an UpwardRounding does.
+// CGAL::Interval_nt<false> leaves the rounding mode to its user: an UpwardRounding must be alive
+// during all arithmetic on Interval.
 
 #include <CGAL/Interval_nt.h>
 
@@ -22,7 +22,7 @@ inline Interval interval_of(const Ring& value) {
   return {around.lo, around.hi};
 }
 
-/// a·x + b·y + c, of positions relative to a pixel.
+/// The line a·x + b·y + c in positions relative to a pixel.
 struct IntervalLine {
   Interval a;
   Interval b;

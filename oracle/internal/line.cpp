@@ -15,7 +15,8 @@ NearPoint near_point(const HomogeneousPoint& p) {
   const double v = near_double(p.v);
   const double t = near_double(p.t);
   NearPoint near{u / t, v / t};
-  // Quotients of such may be as far from 1 as 2^±960, which is too far: they are asked as well.
+  // The quotients may be as large or small as 2^±960, which is beyond the limits, so they are
+  // tested as well.
   near.has_normal_products = has_normal_products(u, p.u) && has_normal_products(v, p.v) &&
                              has_normal_products(t, p.t) && has_normal_products(near.u, p.u) &&
                              has_normal_products(near.v, p.v);
@@ -51,7 +52,7 @@ int turn_of(const std::array<double, 2>& a, const std::array<double, 2>& b, cons
   const double to_x = near.u - a[0];
   const double to_y = near.v - a[1];
   const double turn = along_x * to_y - along_y * to_x;
-  // u and v are off by 2^-51 of themselves, and there are four roundings of 2^-53 each.
+  // u and v are off by at most 2^-51 relative, and four roundings add 2^-53 each.
   const double error = (std::abs(along_x) * (std::abs(near.v) + std::abs(to_y)) +
                         std::abs(along_y) * (std::abs(near.u) + std::abs(to_x))) *
                        0x1p-47;

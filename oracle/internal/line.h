@@ -1,7 +1,7 @@
 #pragma once
 
-// Lines in window space as affine functionals, and the points that they are asked at. Which side of
-// a line a point is on doubles mostly tell for certain; else exact numbers do.
+// Lines in window space as affine functionals, and the points they are evaluated at. Mostly,
+// doubles decide on which side of a line a point lies; if they cannot, exact numbers do.
 
 #include <array>
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace rastercheck::oracle {
 
-/// A window position in pixels; dyadic, as all samples are.
+/// A window position in pixels, with dyadic coordinates, as all samples have.
 struct Point {
   Ring u;
   Ring v;
 };
 
-/// The window position (u/t, v/t) in pixels, t > 0: one that need not be dyadic, such as a
-/// polygon's corner.
+/// The window position (u/t, v/t) in pixels, t > 0, for points that need not be dyadic, such as a
+/// polygon's corners.
 struct HomogeneousPoint {
   HomogeneousPoint() = default;
   HomogeneousPoint(Ring u_, Ring v_, Ring t_)
@@ -29,8 +29,8 @@ struct HomogeneousPoint {
   Ring t;
 };
 
-/// A window position in doubles, each within 2^-48 of itself if they have normal products
-/// (number.h).
+/// A window position in doubles. Each coordinate has a relative error of at most 2^-48 if
+/// has_normal_products is true (number.h).
 struct NearPoint {
   double u = 0;
   double v = 0;
@@ -50,15 +50,15 @@ class Line {
   Ring c;
 
   Ring at(const Point& p) const { return a * p.u + b * p.v + c; }
-  /// t times the value there.
+  /// t times the value at p.
   Ring at(const HomogeneousPoint& p) const { return a * p.u + b * p.v + c * p.t; }
   bool is_constant() const { return sign_of(a) == 0 && sign_of(b) == 0; }
 
-  /// The sign of at(p): by doubles where it is far from zero, as nearly everywhere.
+  /// The sign of at(p); computed in doubles unless too close to zero.
   int sign_at(const Point& p) const;
-  /// 1 where doubles are sure that the value is positive however far p is moved along both axes, up
-  /// to `reach` pixels; −1 where that it is negative; and 0 where they are not. `reach` is a double
-  /// that near_double() may have made.                                         (proofs/side.g)
+  /// 1 if doubles prove the value positive for every move of p by up to `reach` pixels along each
+  /// axis; −1 if they prove it negative; else 0. `reach` must be a double, possibly one made by
+  /// near_double().                                                        (proofs/side.g)
   int certain_side(const NearPoint& p, double reach = 0) const;
 
  private:
@@ -68,15 +68,17 @@ class Line {
     double c = 0;
     bool has_normal_products = false;
   };
-  mutable std::optional<Near> near_;  ///< made when first asked for; a, b and c then stay
+  mutable std::optional<Near> near_;  ///< made when first asked for; a, b and c must not change
+                                      ///< afterwards
 };
 
-/// Which way one turns at b on the way from a to b to p: the sign of (b − a) × (p − a). a and b are
-/// points of a subpixel grid, with coordinates of at most 32 bits; `near` is near_point(p).
+/// The sign of (b − a) × (p − a): the direction of the turn at b on the way from a to b to p. a and
+/// b must be points of a subpixel grid, with coordinates of at most 32 bits; `near` must be
+/// near_point(p).
 int turn_of(const std::array<double, 2>& a, const std::array<double, 2>& b, const Point& p,
             const NearPoint& near);
 
-/// How much a line changes where a point moves by `reach` along both axes.
+/// The largest change of a line's value when a point moves by up to `reach` along both axes.
 Ring band_of(const Line& line, const Ring& reach);
 
 }  // namespace rastercheck::oracle

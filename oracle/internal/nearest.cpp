@@ -19,19 +19,20 @@ using records::Verdict;
 constexpr double kFarthest = std::numeric_limits<double>::infinity();
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 
-/// Gives the most that a depth which is compared may be off from the exact one, in depth: the
-/// bound, and a step, as it may be rounded to either neighbour.
+/// The largest difference between a compared depth and the exact one, in units of depth. It is the
+/// contract's bound plus one step of the format, because the depth may be rounded to either
+/// neighbour.
 double near_depth_slack(const TriangleSetup& triangle) {
   const cases::Viewport& viewport = triangle.scene->source().viewport;
   const float largest = std::max(viewport.min_depth, viewport.max_depth);
-  // A float32 times a power of 2: exact.
+  // Exact, because it is a float32 times a power of 2.
   const double bound =
       std::ldexp(double{triangle.promise.bounds.depth.constant}, ulp_exponent(largest));
   const double step = cases::depth_step(triangle.scene->contract().depth_format);
   return step == 0 ? bound : (bound + step) * (1 + 0x1p-50);
 }
 
-/// Gives it exactly.
+/// Like near_depth_slack(), but exact.
 Field depth_slack(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
@@ -40,8 +41,8 @@ Field depth_slack(const TriangleSetup& triangle) {
          Field(cases::depth_step(scene.contract().depth_format));
 }
 
-/// Gives the least that a depth buffer may begin with: the beginning is rounded to a step as well,
-/// if it is not one that every format has.
+/// The least initial value of the depth buffer. The buffer's format may round the case's value by
+/// up to a step, except 1, which every format represents exactly.
 double nearest_clear_depth(const SceneTruth& scene) {
   const double clear{scene.source().depth_clear.value_or(1)};
   return clear == 1 ? clear : clear - cases::depth_step(scene.contract().depth_format);
@@ -69,7 +70,7 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
       y1_(y1),
       clear_depth_(nearest_clear_depth(scene)),
       triangles_(&triangles) {
-  // Where the case does not say what the buffer begins with, that may lie beyond all depths.
+  // If the case does not name the buffer's initial value, it may lie beyond all depths.
   const double horizon = scene.source().depth_clear
                              ? std::nextafter(double{*scene.source().depth_clear}, -kFarthest)
                              : kFarthest;
@@ -114,7 +115,7 @@ void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
 }
 
 void NearestBand::add(Sample& sample, const Covering& covering) const {
-  // Comparisons that NaN fails: what has no depth is neither nearer nor behind.
+  // NaN fails these comparisons, so a covering without a depth is neither nearer nor behind.
   sample.is_required =
       sample.is_required || (is_required(covering.decision) && covering.depth.hi < clear_depth_);
   if (covering.depth.lo > sample.horizon) return;
@@ -128,10 +129,10 @@ void NearestBand::add(Sample& sample, const Covering& covering) const {
   sample.coverings.erase(behind, sample.coverings.end());
 }
 
-/// A covering that is compared exactly with others.
+/// A covering to be compared exactly with others.
 struct NearestBand::Rival {
   const Covering* covering = nullptr;
-  /// The depths that a backend may compute; nothing where any is right.
+  /// The depths that a backend may compute; empty if any is right.
   std::optional<FieldRange> depth;
 
   bool is_surely_nearer_than(double other) const { return depth && depth->hi < Field(other); }
@@ -140,9 +141,10 @@ struct NearestBand::Rival {
   }
 };
 
-/// Coverings that are surely behind a required one are gone. That changes nothing for the others:
-/// the nearest of the required ones is still there; and where several remain, what is surely nearer
-/// than these is nearer than all that these hide.
+/// Coverings certainly behind a required one, or behind the buffer's initial value, have been
+/// dropped. This does not affect the others: the nearest required covering remains, and a covering
+/// certainly nearer than all that remain, and than the initial value, is also nearer than those
+/// that were dropped.
 bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
                           std::vector<Candidate>& candidates) {
   candidates.clear();

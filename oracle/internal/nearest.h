@@ -1,6 +1,6 @@
 #pragma once
 
-// Which fragment a depth test `less` may leave at each sample (oracle/judge.h).
+// Finds the fragments that a depth test `less` may leave at each sample (oracle/judge.h).
 
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace rastercheck::oracle {
 
-/// Triangles whose truth is at hand; at most so many, then all are prepared anew.
+/// A cache of triangles' truths and filters; emptied when it is full.
 class PreparedTriangles {
  public:
   struct Prepared {
@@ -30,7 +30,7 @@ class PreparedTriangles {
 
   PreparedTriangles(const SceneTruth& scene, Level first) : scene_(&scene), first_level_(first) {}
 
-  /// Prepares it if it is not. The answer holds until the next call.
+  /// Prepares the triangle unless cached. The reference holds until the next call.
   const Prepared& of(std::uint32_t triangle);
 
  private:
@@ -41,8 +41,8 @@ class PreparedTriangles {
   std::unordered_map<std::uint32_t, Prepared> prepared_;
 };
 
-/// The answers for a band of rows. What the depth test cannot leave is forgotten as soon as that is
-/// certain, so that memory is bounded by the band's samples and the depths that are too near to
+/// Finds the answers for a band of rows. A triangle is dropped as soon as the depth test certainly
+/// cannot leave it, so memory is bounded by the band's samples and the depths that are too close to
 /// tell apart.
 class NearestBand {
  public:
@@ -51,38 +51,42 @@ class NearestBand {
     std::uint32_t triangle = 0;
     records::SampleVerdict decision;
   };
-  /// Takes a sample's candidates, required or permitted, in ascending order of triangles, and
-  /// whether some triangle has to be drawn there, whichever. All others are forbidden.
+  /// Receives a sample's candidates, required or permitted, in ascending order of triangles. If
+  /// `is_required`, some triangle must be drawn at the sample, no matter which. Triangles that are
+  /// not candidates are forbidden.
   using Take = std::function<void(int y, int x, int sample, std::span<const Candidate> candidates,
                                   bool is_required)>;
 
-  /// Rows y0 <= y < y1. All must outlive it.
+  /// Covers the rows y0 <= y < y1. The scene and the triangles must outlive the band.
   NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles);
 
-  /// Adds a triangle of which the contract promises something, and that may cover pixels of the
-  /// band. Others are not added: a sample that shows one is not judged further, and all other
-  /// samples are judged as if it were absent.
+  /// Adds a triangle that may cover pixels of the band and about which the contract promises
+  /// something. Triangles without a promise are not added: a sample that shows one is not judged
+  /// further, and all other samples are judged as if that triangle were absent.
   void add(std::uint32_t triangle, records::LevelCounts& levels);
 
-  /// Calls take for each sample that something may cover, by y, x, sample. Depths are compared as
-  /// far as a backend can know them: one is surely nearer where the two stay apart when each is
-  /// moved towards the other by the contract's depth bound, and on to the next step of what its
-  /// depth tests compare. Not judged: which of two equal depths was drawn first. What is not surely
-  /// nearer than the depth buffer's beginning does not have to be drawn.
+  /// Calls take for each sample that a triangle may cover, ordered by y, x, sample. Depths are
+  /// compared as precisely as a backend can know them. One of two depths is certainly nearer if
+  /// they stay apart after each is moved towards the other by the contract's depth bound, and then
+  /// on to the next step of the depth test's format. Which of two equal depths was drawn first is
+  /// not judged. A fragment not certainly nearer than the depth buffer's initial value need not be
+  /// drawn.
   void for_each_answer(const Take& take);
 
  private:
-  /// A triangle that covers a sample, or may.
+  /// A triangle that covers or may cover a sample.
   struct Covering {
     std::uint32_t triangle = 0;
     records::SampleVerdict decision;
-    /// Around the depths that a backend may compute; not a number where any is right.
+    /// Encloses the depths that a backend may compute; NaN if any depth is right.
     records::Enclosure depth;
   };
   struct Sample {
-    boost::container::small_vector<Covering, 1> coverings;  ///< not surely behind a required one
+    boost::container::small_vector<Covering, 1> coverings;  ///< not certainly behind a required
+                                                            ///< covering
     bool is_required = false;
-    /// Greater depths are surely behind a required one, or no nearer than the buffer's beginning.
+    /// Greater depths are certainly behind a required covering, or no nearer than the buffer's
+    /// initial value.
     double horizon = 0;
   };
   struct Rival;
@@ -90,13 +94,13 @@ class NearestBand {
   void add(Sample& sample, const Covering& covering) const;
   records::Enclosure depth_of(const PreparedTriangles::Prepared& triangle,
                               const DepthFilter& filter, double slack, int x, int y, int s) const;
-  /// Says whether something has to be drawn there.
+  /// Returns true if some triangle must be drawn at the sample.
   bool resolve(const Sample& sample, int y, int x, int s, std::vector<Candidate>& candidates);
 
   const SceneTruth* scene_;
   int y0_;
   int y1_;
-  /// Depths that are surely nearer pass the depth test of an empty buffer.
+  /// Depths certainly nearer than this pass the depth test against an empty buffer.
   double clear_depth_;
   PreparedTriangles* triangles_;
   std::vector<Sample> samples_;

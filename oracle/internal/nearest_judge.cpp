@@ -14,28 +14,28 @@ namespace {
 
 using records::FragmentClass;
 
-/// Rows of a band: few enough for their samples to be held at a time, and enough for triangles not
-/// to be set up for each row.
+/// The number of rows in a band: few enough to hold their samples in memory, and enough to amortise
+/// setting up triangles.
 int rows_of_band(const cases::FramebufferSize& size) {
   constexpr int kSamples = 65536;
   return std::clamp(kSamples / (size.width * size.samples), 1, 64);
 }
 
-/// Gives rows that hold all samples that a triangle may cover, the first and the one past the last:
-/// by doubles, which need no exact set-up.
+/// Returns the first row and the row after the last of a range that holds all samples that a
+/// triangle may cover. Computed in doubles, without an exact set-up.
 std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::size_t triangle,
                                                 const cases::TrianglePromise& promise) {
   const cases::Case& source = scene.source();
   const std::pair<std::uint16_t, std::uint16_t> all(0, source.framebuffer.height);
   if (source.camera) return all;
   const cases::Contract& contract = scene.contract();
-  double spread = 1;  // pixels; for what lies beyond a whole row
+  double spread = 1;  // pixels; covers the part beyond whole rows
   if (contract.coverage) {
     spread +=
         std::ldexp(1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance,
                    -contract.coverage->subpixel_bits);
     if (contract.has_open_viewport()) {
-      // What vertices are moved by grows with the viewport (TriangleSetup::open_viewport).
+      // The moves of vertices grow with the viewport (TriangleSetup::open_viewport).
       spread = spread * cases::most_growth(source.viewport, contract.viewport_error) +
                contract.viewport_error + 1;
     }
@@ -47,9 +47,9 @@ std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::si
   for (const std::uint32_t vertex : source.triangles[triangle]) {
     const cases::ClipVertex& p = source.positions[vertex];
     if (!(exact_double(p.w) > 0)) return all;
-    // Either way up: half of the viewport's height is of either sign.
+    // `half` may be negative, as a viewport may be either way up.
     const double share = exact_double(p.y) / exact_double(p.w) * half;
-    // Far more than the roundings, in any mode.
+    // Far more than the roundings can add in any rounding mode.
     const double slack = (std::abs(share) + std::abs(middle)) * 0x1p-40;
     const bool is_turned = source.rules == cases::Rules::d3d;
     const double v = middle + (is_turned ? -share : share);
@@ -69,7 +69,7 @@ std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::si
 
 NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
     : context_(&context), sink_(&sink), order_(context.drawn->size()) {
-  // By row, in the order that they were drawn in; bands sort their own.
+  // Sorted by row, otherwise in drawing order; bands sort their own fragments.
   const std::vector<std::uint16_t>& rows = context.drawn->y;
   row_begins_.resize(std::size_t{std::numeric_limits<std::uint16_t>::max()} + 2);
   for (const std::uint16_t y : rows) ++row_begins_[std::size_t{y} + 1];
@@ -91,7 +91,7 @@ NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
   }
 }
 
-/// The fragments of some rows, by y, x, sample, triangle.
+/// Returns the fragments of the rows y0 <= y < y1, ordered by y, x, sample, triangle.
 std::span<const std::size_t> NearestJudge::sorted_rows(std::size_t y0, std::size_t y1) {
   const cases::Fragments& drawn = *context_->drawn;
   const std::span<std::size_t> fragments(order_.data() + row_begins_[y0],
@@ -122,10 +122,10 @@ JudgedDrawing NearestJudge::run() {
   return judged;
 }
 
-/// The fragments of a band, beside the answers.
+/// Walks the fragments of a band alongside the answers.
 class NearestJudge::Band {
  public:
-  /// `fragments` are the band's, in their order.
+  /// `fragments` are those of the band, sorted.
   Band(const JudgeContext& context, std::span<const std::size_t> fragments, bool is_seen)
       : context_(&context),
         samples_(context, is_seen ? Emit([this](const JudgedSample& sample,
@@ -147,7 +147,8 @@ class NearestJudge::Band {
   PreparedTriangles& triangles() { return triangles_; }
   SampleJudge& samples() { return samples_; }
 
-  /// Hands out what was seen, by y, x, sample, triangle, of equal ones the right one first.
+  /// Emits the judged samples ordered by y, x, sample, triangle; of several at one place, the
+  /// correct one comes first.
   void let_out(const JudgeSink& sink) {
     const auto key = [](const auto& seen) {
       const JudgedSample& s = seen.first;
@@ -168,7 +169,7 @@ class NearestJudge::Band {
     records::SampleVerdict decision;
   };
 
-  /// Where the next fragment is.
+  /// The sample of the next fragment.
   Sample next_sample() const {
     const cases::Fragments& drawn = *context_->drawn;
     const std::size_t next = fragments_.front();
@@ -197,12 +198,12 @@ class NearestJudge::Band {
     } else if (!take_if_unpromised()) {
       take_unasked(is_required ? FragmentClass::wrong_triangle : FragmentClass::extra);
     }
-    // More than one fragment of a sample: the depth test leaves one.
+    // Further fragments of the sample are extra, because the depth test leaves only one.
     while (is_next(where)) take_unasked(FragmentClass::extra);
   }
 
-  /// Gives the verdict of the next fragment where the contract promises nothing of its triangle;
-  /// forbidden where it does.
+  /// The verdict of the next fragment if the contract promises nothing about its triangle;
+  /// otherwise forbidden.
   records::SampleVerdict unpromised_verdict() {
     const cases::SamplePlace place = context_->drawn->place_of(fragments_.front());
     const cases::Case& source = context_->scene->source();
@@ -216,15 +217,15 @@ class NearestJudge::Band {
                                  static_cast<int>(place.sample));
   }
 
-  /// Takes the next fragment, at a sample where every triangle of which something is promised is
-  /// forbidden, and all others there.
+  /// Takes the next fragment, at a sample where every triangle with a promise is forbidden, and all
+  /// other fragments of that sample.
   void take_unanswered() {
     const Sample where = next_sample();
     take_if_unpromised();
     while (is_next(where)) take_unasked(FragmentClass::extra);
   }
 
-  /// Takes the next fragment if the contract leaves it open whether its triangle is drawn there.
+  /// Takes the next fragment if the contract leaves open whether its triangle is drawn there.
   bool take_if_unpromised() {
     const records::SampleVerdict verdict = unpromised_verdict();
     if (verdict.verdict == records::Verdict::forbidden) return false;
@@ -233,7 +234,7 @@ class NearestJudge::Band {
     return true;
   }
 
-  /// Triangle by triangle, which is how values are judged quickly.
+  /// Judges values triangle by triangle, which is fast.
   void judge_values() {
     std::stable_sort(right_.begin(), right_.end(),
                      [](const Right& a, const Right& b) { return a.triangle < b.triangle; });
@@ -256,7 +257,7 @@ class NearestJudge::Band {
                   triangles_.of(candidate.triangle).truth);
   }
 
-  /// Takes the next fragment, which no triangle of the case answers for at its sample.
+  /// Takes the next fragment, which matches no candidate at its sample.
   void take_unasked(FragmentClass fragment_class) {
     const cases::SamplePlace place = context_->drawn->place_of(take_next());
     const bool is_of_the_case = place.triangle < context_->scene->source().triangles.size();
@@ -268,8 +269,8 @@ class NearestJudge::Band {
   std::vector<std::pair<JudgedSample, std::shared_ptr<const TriangleTruth>>> seen_;
   SampleJudge samples_;
   PreparedTriangles triangles_;
-  std::span<const std::size_t> fragments_;  ///< that were not taken
-  std::vector<Right> right_;                ///< whose values are to be judged
+  std::span<const std::size_t> fragments_;  ///< the fragments not yet taken
+  std::vector<Right> right_;                ///< fragments whose values are still to be judged
 };
 
 void NearestJudge::judge_band(int y0, int y1, std::size_t index, Turns& turns) {
@@ -289,7 +290,7 @@ void NearestJudge::judge_band(int y0, int y1, std::size_t index, Turns& turns) {
   findings_.merge(std::move(findings), *context_);
 }
 
-/// What lies below the framebuffer.
+/// Takes the fragments below the framebuffer.
 void NearestJudge::take_the_rest() {
   const DefaultFloatingPoint floating_point;
   const int height = context_->scene->source().framebuffer.height;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Judges what a depth test left: what is drawn at a sample has to be among the fragments that may
-// be the nearest there. Band of rows by band of rows.
+// Judges the result of a depth test: the triangle drawn at a sample must be among those that may be
+// the nearest there. Works on one band of rows after the other.
 
 #include <cstdint>
 #include <span>
@@ -30,10 +30,11 @@ class NearestJudge {
 
   const JudgeContext* context_;
   const JudgeSink* sink_;
-  std::vector<std::size_t> order_;  ///< fragments, by row; of a band that was asked for, sorted
-  std::vector<std::size_t> row_begins_;  ///< [y]: where in order_ a row begins; one more at the end
-  std::vector<std::pair<std::uint16_t, std::uint16_t>> rows_;  ///< of a triangle: first and past
-  std::uint64_t unpromised_ = 0;    ///< triangles of which the contract promises nothing
+  std::vector<std::size_t> order_;       ///< fragments by row; sorted within bands asked for so far
+  std::vector<std::size_t> row_begins_;  ///< [y]: begin of row y in order_; one more at the end
+  /// [triangle]: its first row, and the row after its last row.
+  std::vector<std::pair<std::uint16_t, std::uint16_t>> rows_;
+  std::uint64_t unpromised_ = 0;    ///< triangles the contract promises nothing about
   SampleJudge::Findings findings_;  ///< written by the band whose turn it is
 };
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t kFractionMask = (1U << kFractionBits) - 1;
 constexpr std::uint32_t kSignBit = 1U << 31;
 constexpr std::uint32_t kInfinityBits = 0xffU << kFractionBits;
 
-/// An integer with GMP's lifetime rules wrapped up.
+/// A GMP integer that frees itself.
 class Integer {
  public:
   Integer() { mpz_init(value_); }
@@ -30,13 +30,13 @@ class Integer {
   mpz_t value_;
 };
 
-/// An MPFR number that an exact value is rounded into, in a given direction. Every result is
-/// rounded once more, in the same direction, into a double, and rounding twice in one direction is
-/// still a bound, for the value itself even the tightest one. A function of the rounded value falls
-/// short of the exact one's by a few units of kBits; a double that lies between the two makes the
-/// bound one double wider than need be. No double comes so near a root of p/q with p, q < 2^60: d²
-/// differs from p/q by at least 2^-(2·53 + 60) units of its exponent, unless it is equal. Where a
-/// double holds the result, kBits hold it too, so that both directions give that double.
+/// An exact value rounded to an MPFR number in a given direction. Every result is rounded again, in
+/// the same direction, to a double. Rounding twice in one direction still gives a bound, and for
+/// the value itself the tightest one. A function of the rounded value differs from the function of
+/// the exact value by a few units in the last of kBits bits; if a double lies between the two
+/// results, the bound is one double wider than necessary. No double d comes so near a root of p/q
+/// with p, q < 2^60: unless d² equals p/q, the two differ by at least 2^-(2·53 + 60) relative. If a
+/// double holds the result, kBits bits hold it as well, and both directions give that double.
 class Rounded {
  public:
   static constexpr mpfr_prec_t kBits = 192;
@@ -67,7 +67,8 @@ class Rounded {
 
 }  // namespace
 
-/// Of a subnormal one by its bits: an integer times 2^-149, which no mode of the processor flushes.
+/// Converts a subnormal by its bits: an integer times 2^-149, which no mode of the processor
+/// flushes.
 double exact_double(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const bool is_subnormal_or_zero = (bits & ~kSignBit) <= kFractionMask;
@@ -136,9 +137,9 @@ float nearest_float(const Field& value) {
   const Field rest = in_ulps - Field(count);
   const Field half = Field(1, 2);
   if (rest > half || (rest == half && count % 2 != 0)) ++count;
-  // A count below 2^23 is a subnormal's fraction. From there on its leading bit adds one to the
-  // exponent field, which is thus counted from 2^-149; and a count of 2^24 carries into the next
-  // exponent, after the last into infinity.
+  // A count below 2^23 is a subnormal's fraction. From 2^23 on, its leading bit adds one to the
+  // exponent field, which therefore counts from 2^-149; a count of 2^24 carries into the next
+  // exponent, and after the last one into infinity.
   const auto exponent_field = static_cast<std::uint32_t>(ulp_exponent - kLeastUlpExponent);
   const auto bits = std::min((exponent_field << kFractionBits) + static_cast<std::uint32_t>(count),
                              kInfinityBits);
@@ -146,9 +147,9 @@ float nearest_float(const Field& value) {
 }
 
 records::Enclosure enclose(const Ring& value) {
-  // CGAL's own takes any number of more than one limb for one between two doubles. Of such as lie
-  // near or below the least doubles it is wrong where rounding is upwards: it multiplies by a power
-  // of two that ldexp makes 2^-1074 at least.
+  // CGAL's to_interval() puts any number of more than one limb strictly between two doubles. Near
+  // or below the least doubles its interval is wrong when rounding upwards: it multiplies by a
+  // power of two that ldexp makes at least 2^-1074.
   const auto [lo, hi] = value.to_interval();
   if (lo > -0x1p-1000 && hi < 0x1p-1000 && sign_of(value) != 0) return enclose(Field(value));
   const auto is_at = [&value](double end) { return std::isfinite(end) && value == Ring(end); };

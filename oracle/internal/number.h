@@ -1,9 +1,9 @@
 #pragma once
 
 // The oracle's numbers. Every input is a finite float32, hence dyadic: sums, differences and
-// products stay in the ring Z[1/2] and are exact in CGAL::Mpzf, without a gcd. Where a value has to
-// be divided it becomes a CGAL::Gmpq, in lowest terms. Nothing in this folder rounds, except the
-// functions below that say so in their name.
+// products stay in the ring Z[1/2] and are exact in CGAL::Mpzf, without a gcd. Divided values
+// become CGAL::Gmpq, in lowest terms. Nothing in this folder rounds, except functions whose names
+// below say so.
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Mpzf.h>
@@ -23,8 +23,8 @@ using RingVector3 = Eigen::Matrix<Ring, 3, 1>;
 using RingVector4 = Eigen::Matrix<Ring, 4, 1>;
 using RingMatrix4 = Eigen::Matrix<Ring, 4, 4>;
 
-/// Exactly the float32. Not even the processor rounds: under DAZ or FTZ a conversion of its own
-/// would take a subnormal for zero.
+/// Converts a float32 exactly. A subnormal is converted by its bits, because under DAZ or FTZ the
+/// processor's own conversion would read zero.
 double exact_double(float value);
 Ring exact_ring(float value);
 Field exact_field(float value);
@@ -36,7 +36,7 @@ int sign_of(const Field& value);
 Ring magnitude(const Ring& value);
 Field magnitude(const Field& value);
 
-/// numerator / denominator, in lowest terms; the denominator is not zero.
+/// numerator / denominator, in lowest terms; the denominator must not be zero.
 Field quotient(const Ring& numerator, const Ring& denominator);
 
 /// 2^exponent.
@@ -44,18 +44,18 @@ Field power_of_two(long exponent);
 
 /// The largest integer <= value.
 Field floor_of(const Field& value);
-/// The same; the value lies within ±2^62.
+/// The largest integer <= value; the value must lie within ±2^62.
 long floor_to_long(const Field& value);
-/// The smallest integer >= value; the value lies within ±2^62.
+/// The smallest integer >= value; the value must lie within ±2^62.
 long ceil_to_long(const Field& value);
 
-/// The largest e with 2^e <= |value|; the value is not zero.
+/// The largest e with 2^e <= |value|; the value must not be zero.
 long floor_log2(const Field& value);
 
 /// The float32 nearest to the value, ties to even, subnormals kept; ±infinity beyond float32.
 float nearest_float(const Field& value);
 
-/// Doubles around the value: equal where a double holds it, else neighbours.
+/// The closest doubles around the value; equal if a double holds the value exactly.
 records::Enclosure enclose(const Ring& value);
 records::Enclosure enclose(const Field& value);
 /// Doubles around sqrt(value), for value >= 0.
@@ -63,13 +63,13 @@ records::Enclosure enclose_sqrt(const Field& value);
 /// Doubles around log2(value), for value > 0.
 records::Enclosure enclose_log2(const Field& value);
 
-/// A double within 2^-51 of the value, relative to either, if it is a normal one: what CGAL makes
-/// of a number's two leading limbs, in at most three roundings.              (proofs/limbs.g)
+/// A double within 2^-51 of the value, relative to either of the two, if the double is normal. CGAL
+/// converts a number's two leading limbs, in at most three roundings (proofs/limbs.g).
 inline double near_double(const Ring& value) { return value.to_double(); }
 inline constexpr double kNearDoubleError = 0x1p-51;
-/// Whether `near`, which near_double() made of `exact`, is within kNearDoubleError of it, and
-/// products of two such, and their sums, stay far from overflow and the subnormal numbers: from
-/// 2^-480 to 2^480, or 0.
+/// True if `near`, the near_double() of `exact`, is within kNearDoubleError of `exact`, and is 0 or
+/// between 2^-480 and 2^480 in magnitude. Products of two such numbers, and sums of the products,
+/// stay far from overflow and subnormal numbers.
 bool has_normal_products(double near, const Ring& exact);
 
 /// A closed interval of exact values.

@@ -11,21 +11,21 @@ namespace {
 
 using records::Enclosure;
 
-/// More than the relative error of a few dozen roundings, each of at most 2^-51.
+/// More than the relative error of several dozen roundings, each of at most 2^-51.
 constexpr double kRounding = 0x1p-40;
 constexpr double kUp = 1 + kRounding;
 
-/// The most that ρ may be: triangles that are moved by more of their height are few, and for these
-/// what is between and what beyond is often open.
+/// The greatest ρ that is accepted: the vertices' move as a fraction of the triangle's height. Few
+/// triangles exceed it, and the filter could seldom decide those.
 constexpr double kMostMoved = 0.25;
 
-/// A number for which near_double() stands, rounded away from zero.
+/// The near_double() of a number, rounded away from zero.
 double upper(const Ring& value) { return near_double(value) * kUp; }
 
 using Vectors = std::array<std::array<double, 2>, 3>;  ///< [vertex][axis]
 
-/// How far vertices are moved to their first and to their last candidate along each axis, times w;
-/// nothing where doubles do not hold that.
+/// The moves of vertices to their first and to their last candidate along each axis, times w; empty
+/// if doubles cannot hold them.
 std::optional<std::array<Vectors, 2>> moves_of(const TriangleSetup& triangle) {
   const int bits = triangle.scene->contract().coverage->subpixel_bits;
   std::array<Vectors, 2> moves{};
@@ -70,7 +70,8 @@ Shift shift_of(const Vectors& moves, const std::array<FilterLine, 3>& edges, dou
   return shift;
 }
 
-/// Adds a line that samples have to be inside of, by so much more than its own error.
+/// Adds a guard: samples must lie inside the line by more than its own error plus `more`. Returns
+/// false if doubles cannot hold the line.
 bool add_guard(const Line& line, double more, const PixelBox& box,
                std::vector<FilterLine>& guards) {
   std::optional<FilterLine> guard = filter_line(line, box);
@@ -89,7 +90,7 @@ std::optional<PlacementFilter> filter_of_placed(const TriangleSetup& triangle,
     return std::nullopt;
   }
   double moved = 0;       // ρ
-  double edge_share = 0;  // what the errors of the edges' values make of p − q, as a share of reach
+  double edge_share = 0;  // effect of the edge functions' errors on p − q, as a share of reach
   std::array<double, 3> bands{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double w = upper(triangle.columns[i][2]);
@@ -119,7 +120,7 @@ std::optional<PlacementFilter> filter_of_placed(const TriangleSetup& triangle,
   }
   const Line& inverse_w = triangle.ideal.inverse_w();
   filter.divisor_change = upper(band_of(inverse_w, triangle.reach)) * shifted * kUp;
-  // Nothing is defined at a centre where some placement has 1/w <= 0.
+  // At a centre, no value is defined if some placement has 1/w <= 0.
   if (at_center && !add_guard(inverse_w, filter.divisor_change, box, filter.guards)) {
     return std::nullopt;
   }
@@ -150,7 +151,7 @@ std::optional<PlacementFilter> filter_of_cut(const TriangleSetup& triangle,
   return filter;
 }
 
-/// Widened by more than a few roundings.
+/// Widens an interval by more than a few roundings.
 Enclosure widened(double lo, double hi) {
   return {lo - std::abs(lo) * kRounding, hi + std::abs(hi) * kRounding};
 }
@@ -163,7 +164,7 @@ Enclosure greatest_of(const Enclosure& a, const Enclosure& b) {
   return {std::max(a.lo, b.lo), std::max(a.hi, b.hi)};
 }
 
-/// The least G of all placements where all are positive, the least −G where all are negative.
+/// The least G of all placements if every G is positive, or the least −G if every G is negative.
 struct NearestSum {
   Enclosure size;
   bool is_above = false;
@@ -206,7 +207,7 @@ std::optional<PlacementFilter> placement_filter(const TriangleSetup& triangle,
                                                 const std::array<FilterLine, 3>& edges,
                                                 const PixelBox& box, bool at_center) {
   if (triangle.shape == Shape::placed) return filter_of_placed(triangle, edges, box, at_center);
-  // What a centre outside of the polygon may be is the exact level's to say.
+  // Centres outside the polygon are left to the exact level.
   if (triangle.shape == Shape::cut && !at_center) return filter_of_cut(triangle, edges, box);
   return std::nullopt;
 }
@@ -219,13 +220,13 @@ std::optional<Enclosure> excess_of(const PlacementFilter& filter, const ValueFil
   const NearestSum sum = nearest_sum(filter, value, readings, weights, shifts, lane, computed);
   const double weight = weights.e[0][lane] + weights.e[1][lane] + weights.e[2][lane];
   const double weight_error = (weights.error[lane] + filter.divisor_change) * kUp;
-  // Else some placement may have no value here; written so that NaN is refused.
+  // If this fails, some placement may have no value here. Written so that NaN fails.
   const bool is_known = sum.size.lo > 0 && weight > weight_error * kUp;
   if (!is_known) return std::nullopt;
   const double divisor = value.is_perspective ? weight : value.determinant;
   const double divisor_error = value.is_perspective ? weight_error : value.determinant_error;
 
-  // Turns all signs of what lies below.
+  // If the value lies below the range, all signs are reversed.
   Enclosure excess = widened(sum.size.lo / (divisor + divisor_error) * value.units,
                              sum.size.hi / (divisor - divisor_error) * value.units);
   const Enclosure end = sum.is_above ? readings.greatest_end : negated(readings.least_end);

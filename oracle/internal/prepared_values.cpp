@@ -1,7 +1,10 @@
 #include "oracle/internal/prepared_values.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "oracle/internal/float_ulp.h"
 #include "oracle/internal/value_bound.h"
@@ -16,7 +19,15 @@ using records::Stratum;
 /// 1/ulp(magnitude), a power of two.
 double units_of(float magnitude) { return std::ldexp(1.0, -ulp_exponent(magnitude)); }
 
-/// The least and the greatest value at a vertex, s/p.
+/// The value of the lowest set bit of a normal number.
+double last_bit_of(double number) {
+  constexpr std::uint64_t kFraction = (std::uint64_t{1} << 52U) - 1;
+  const auto bits = std::bit_cast<std::uint64_t>(std::abs(number));
+  const auto without_it = std::bit_cast<double>(bits & (bits - 1));
+  return (bits & kFraction) == 0 ? std::abs(number) : std::abs(number) - without_it;
+}
+
+/// Sets the least and the greatest vertex value, s/p.
 void set_ends(const ValueFilter& filter, ShiftedReadings& readings) {
   readings.least_end = {ShiftedReadings::kUnbounded, ShiftedReadings::kUnbounded};
   readings.greatest_end = {-ShiftedReadings::kUnbounded, -ShiftedReadings::kUnbounded};
@@ -33,7 +44,7 @@ void set_ends(const ValueFilter& filter, ShiftedReadings& readings) {
 
 }  // namespace
 
-/// Window positions in double are near enough.
+/// Window positions in double are precise enough for this.
 Stratum stratum_of(const TriangleSetup& triangle) {
   constexpr double kHorizon = 16;  // greatest w over least
   constexpr double kSliver = 64;   // longest edge over least height
@@ -60,16 +71,17 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
   stratum_ = stratum_of(*triangle_);
   map_ = triangle_->value_map();
   is_open_ = map_ == nullptr;
-  // The ideal error is against the exact triangle, but for cut ones whose basis is snapped: these
-  // have none.
+  // The ideal error refers to the exact triangle, except that cut triangles with basis snapped have
+  // no ideal error.
   const bool has_ideal =
       triangle_->shape == Shape::placed || scene_->contract().basis == cases::Basis::unspecified;
   if (is_open_ && has_ideal) map_ = &triangle_->ideal;
-  // With a camera w is no float32, and what follows counts on that.
+  // The following assumes that w is a float32, which is not so with a camera.
   const bool is_filtered = map_ != nullptr && map_->orientation() != 0 &&
                            !scene_->source().camera && first_level_ != Level::exact;
   if (!is_filtered) map_ = nullptr;
   if (map_ != nullptr) set_edges();
+  exact_bits_ = map_ != nullptr && first_level_ == Level::filter ? exact_bits_of_edges() : 0;
   set_shifts();
   set_centroids();
 
@@ -106,7 +118,7 @@ void PreparedValues::set_shifts() {
   if (has_center) center_shifts_ = placement_filter(*triangle_, edges_, box, true);
 }
 
-/// Sets the edges of the values' map, or gives that map up.
+/// Sets the edges of the values' map, or drops the map if doubles cannot hold them.
 void PreparedValues::set_edges() {
   if (const FilterLine* edges = coverage_->edges_of(map_)) {
     std::copy_n(edges, 3, edges_.begin());
@@ -122,6 +134,33 @@ void PreparedValues::set_edges() {
   }
 }
 
+/// The number of bits of the edge functions at samples of the box, if doubles hold the edge
+/// functions without error (ValueFilter); else 0.
+int PreparedValues::exact_bits_of_edges() const {
+  // Every sample's distance from the box's corner is a multiple of this.
+  constexpr double kStep = 1.0 / 16;
+  const PixelBox& box = coverage_->box();
+  double unit = std::numeric_limits<double>::infinity();
+  double size = 0;
+  for (const FilterLine& edge : edges_) {
+    for (const double coefficient : {edge.a * kStep, edge.b * kStep, edge.c}) {
+      if (coefficient != 0) unit = std::min(unit, last_bit_of(coefficient));
+    }
+    size += std::abs(edge.a) * (box.x1 - box.x0) + std::abs(edge.b) * (box.y1 - box.y0) +
+            std::abs(edge.c);
+  }
+  // One bit more than necessary, as `size` is rounded.
+  if (!(size < std::ldexp(unit, kMostExactBits - 1))) return 0;
+  const int bits = std::ilogb(size / unit) + 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Line& line = map_->edge(i);
+    const bool is_exact = line.a == Ring(edges_[i].a) && line.b == Ring(edges_[i].b) &&
+                          line.at(corner_of(box)) == Ring(edges_[i].c);
+    if (!is_exact) return 0;
+  }
+  return bits;
+}
+
 PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute) const {
   const cases::Case& source = scene_->source();
   PreparedValue value;
@@ -131,7 +170,7 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   if (value.why_free) return value;
   value.bound = least_bound(*triangle_, attribute);
 
-  cases::Attribute declared;  // of the depth: at the sample
+  cases::Attribute declared;  // the depth keeps the default: at the sample
   if (attribute) declared = source.attributes[*attribute];
   const bool is_flat = declared.interpolation == cases::Interpolation::flat;
   const bool is_centroid = declared.location == cases::Location::centroid && !is_flat;
@@ -166,7 +205,7 @@ void PreparedValues::set_flat_filter(PreparedValue& value) const {
   set_attribute_scale(value);
 }
 
-/// What depends on the vertices' values alone.
+/// Sets everything that depends on the vertices' values alone.
 void PreparedValues::set_attribute_scale(PreparedValue& value) const {
   std::array<float, 3> values{};
   float largest = 0;
@@ -189,13 +228,19 @@ bool PreparedValues::set_filter(PreparedValue& value) const {
   filter.is_perspective = value.kind == AttributeKind::smooth;
   if (!filter.is_perspective) {
     const double determinant = near_double(map_->determinant());
-    // As for the edges' coefficients (triangle_filter.cpp), of degree three in place of two.
+    // Limits as for the edges' coefficients (triangle_filter.cpp), but for degree three instead of
+    // two.
     constexpr double kLeast = 0x1p-900;
     constexpr double kMost = 0x1p900;
     if (determinant <= kLeast || determinant >= kMost) return false;
     filter.determinant = determinant;
     filter.determinant_error = kNearDoubleError * determinant;
   }
+  const auto& vertices = triangle_->indices;
+  const bool is_plain = std::all_of(vertices.begin(), vertices.end(), [&source](auto vertex) {
+    return source.positions[vertex].w == 1;
+  });
+  if (filter.is_perspective || is_plain) filter.exact_bits = exact_bits_;
   if (!value.attribute) {
     value.is_clamped = scene_->scene().clamps_depth() && (source.depth_clamp || !value.is_mean);
     filter.units = units_of(std::max(source.viewport.min_depth, source.viewport.max_depth));
@@ -210,7 +255,7 @@ bool PreparedValues::set_filter(PreparedValue& value) const {
   return true;
 }
 
-/// False where doubles do not know where samples may be shifted to.
+/// Returns false if doubles cannot tell where samples may be shifted to.
 bool PreparedValues::set_readings(PreparedValue& value) const {
   const std::optional<PlacementFilter>& shifts = value.at_center ? center_shifts_ : sample_shifts_;
   if (!shifts) return false;
@@ -233,7 +278,7 @@ bool PreparedValues::set_readings(PreparedValue& value) const {
   return true;
 }
 
-/// False where a vertex's depth · w is no double.
+/// Returns false if a vertex's depth · w is not a double.
 bool PreparedValues::set_depth_filter(ValueFilter& filter) const {
   const cases::Case& source = scene_->source();
   const cases::Viewport& viewport = source.viewport;

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the first two levels of the cascade (docs/oracle.md) know of a triangle's values before any
-// is judged: the map and the numbers that errors are computed with, what has to be asked besides,
-// and where what they decide is counted.
+// A triangle's values, prepared for the first two levels of the cascade (docs/oracle.md): the map
+// and the numbers that errors are computed with, the further questions to ask, and the counters of
+// decided values.
 
 #include <array>
 #include <cstdint>
@@ -21,71 +21,73 @@
 
 namespace rastercheck::oracle {
 
-/// How the first two levels know a value: by the triangle's one map, as a copy of a vertex's, as
-/// one of those that a pixel holds, or not at all.
+/// How the first two levels compute a value: from the triangle's one map, as a copy of a vertex's
+/// value, as one of the values in a pixel, or not at all.
 enum class ValueMethod { exact, copy, map, centroid };
 
 /// A value of the triangle's fragments.
 struct PreparedValue {
   enum class Zero { none, positive, negative };
 
-  std::optional<std::uint32_t> attribute;  ///< nothing for the depth
+  std::optional<std::uint32_t> attribute;  ///< empty for the depth
   records::AttributeKind kind = records::AttributeKind::depth;
   ValueMethod method = ValueMethod::exact;
-  std::optional<records::NotJudged> why_free;  ///< where it is not judged
-  /// The contract leaves no range open, so that one count serves excess and ideal error. Where it
-  /// is false they may still be equal.
+  std::optional<records::NotJudged> why_free;  ///< set if the value is not judged
+  /// True if the contract leaves no range open, so that one count serves excess and ideal error. If
+  /// false, the two may still be equal.
   bool is_single = false;
-  /// The contract leaves a range open: the first two levels know the ideal error, and of the range
-  /// what `readings` say.
+  /// True if the contract leaves a range open. The first two levels then know the ideal error, but
+  /// about the range only what `readings` imply.
   bool is_open = false;
   bool at_center = false;  ///< evaluated at the pixel's centre, which is not the sample
-  /// Surely a mean of the vertices' values, depth within its range; else each value is asked.
+  /// True if the value is certainly a mean of the vertices' values (a depth: within its range). If
+  /// false, each value is tested.
   bool is_mean = false;
-  bool is_clamped = false;      ///< the same, of a depth that the rules clamp
-  Zero only_zero = Zero::none;  ///< what all three vertices have
+  bool is_clamped = false;      ///< each depth is tested to lie within the clamped range
+  Zero only_zero = Zero::none;  ///< set if all three vertices have this zero
   double bound = 0;
   ValueFilter filter;
   ShiftedReadings readings;
-  /// Where what lies beyond an open range is counted, too.
+  /// Where the excess of values beyond an open range is counted.
   EnclosedErrors* excesses = nullptr;
-  EnclosedErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
-  // The extremes so far, where excess and ideal error are counted apart: what may exceed either is
-  // left to the exact level.
+  EnclosedErrors* errors = nullptr;  ///< where the first two levels count the value, if they do
+  // The extremes so far, if excess and ideal error are counted apart. A value that may exceed
+  // either of them is left to the exact level.
   const records::Extremes* ideal_extremes = nullptr;
   const records::Extremes* excess_extremes = nullptr;
 };
 
-/// What makes a triangle's fragments hard.
+/// The property that makes a triangle's fragments hard.
 records::Stratum stratum_of(const TriangleSetup& triangle);
 
-/// The values of one triangle after the other.
+/// Prepares the values of one triangle after another.
 class PreparedValues {
  public:
-  /// All must outlive it.
+  /// The scene and the statistics must outlive the object.
   PreparedValues(const SceneTruth& scene, Level first, ValueStatistics& statistics)
       : scene_(&scene), first_level_(first), statistics_(&statistics) {}
 
-  /// What follows is of this triangle, which must outlive it, as must the filter of its coverage.
+  /// Prepares a triangle. The triangle and the filter of its coverage must outlive their use here.
   void prepare(const TriangleTruth& truth, const TriangleFilter& coverage);
 
   records::Stratum stratum() const { return stratum_; }
-  /// What the first two levels evaluate; nullptr: nothing.
+  /// The map that the first two levels evaluate; nullptr if none.
   const ProjectiveMap* map() const { return map_; }
-  /// That map's, about the corner of the filter's box.
+  /// The map's edges, relative to the corner of the filter's box.
   const std::array<FilterLine, 3>& edges() const { return edges_; }
   /// The depth, then the attributes.
   const std::vector<PreparedValue>& values() const { return values_; }
-  /// What asks for the values that pixels hold; nothing where none does.
+  /// The filter for the values in a pixel; empty if no value needs it.
   std::optional<CentroidFilter>& centroids() { return centroids_; }
   bool has_center() const { return has_center_; }  ///< some value is `at_center`
-  /// Where samples, and the centres of pixels with several, are shifted to, as the contract leaves
-  /// it open; nothing where it does not, or no value asks.
+  /// The shifts of samples, and of the centres of pixels with several samples, that an open
+  /// contract allows; empty if the contract is not open or no value needs them.
   const std::optional<PlacementFilter>& sample_shifts() const { return sample_shifts_; }
   const std::optional<PlacementFilter>& center_shifts() const { return center_shifts_; }
 
  private:
   void set_edges();
+  int exact_bits_of_edges() const;
   void set_shifts();
   void set_centroids();
   bool set_readings(PreparedValue& value) const;
@@ -105,6 +107,7 @@ class PreparedValues {
   records::Stratum stratum_ = records::Stratum::ordinary;
   const ProjectiveMap* map_ = nullptr;
   std::array<FilterLine, 3> edges_{};
+  int exact_bits_ = 0;  ///< ValueFilter::exact_bits for edges_
   std::vector<PreparedValue> values_;
   bool has_center_ = false;
   bool is_open_ = false;  ///< the map is the exact triangle's, one of several

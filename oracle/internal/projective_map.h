@@ -1,12 +1,12 @@
 #pragma once
 
-// The projective map of a triangle (RULES §1; seed 001 p. 7, seed 002 §3.2).
+// The projective map of a triangle (RULES §1; Appendix 5, p. 7; Heckbert & Moreton 1991, §3.2).
 //
 //   M = columns (X_i, Y_i, w_i), window position times w, and w
 //   E_i(u, v) = sign(det M) · row i of adj(M) · (u, v, 1)^T      = |det M| · e_i(u, v)
 //
-// Dividing is never needed for a sign or for a ratio of sums of E_i: with Q = M^-1 = adj(M)/det M,
-// E differs from e = Q (u, v, 1)^T by the positive factor |det M|. So everything below stays in the
+// Neither a sign nor a ratio of sums of E_i needs a division: with Q = M^-1 = adj(M)/det M, E
+// differs from e = Q (u, v, 1)^T by the positive factor |det M|. So everything below stays in the
 // ring and is exact.
 
 #include <array>
@@ -22,10 +22,10 @@ class ProjectiveMap {
   /// `columns[i]` = (X_i, Y_i, w_i).
   explicit ProjectiveMap(const std::array<RingVector3, 3>& columns);
 
-  /// sign(det M): the orientation of the triangle in window space, 0 where it has none.
+  /// sign(det M): the orientation of the triangle in window space; 0 if it has none.
   int orientation() const { return orientation_; }
-  /// E_i; positive on the inner side of the edge opposite vertex i. All zero or parallel where the
-  /// orientation is 0; then the sign is that of adj(M).
+  /// E_i; positive on the inner side of the edge opposite vertex i. If the orientation is 0, all
+  /// E_i are zero or parallel, and have the sign of adj(M).
   const Line& edge(std::size_t i) const { return edges_[i]; }
   /// |det M| = Σ E_i w_i, at every point.
   const Ring& determinant() const { return determinant_; }

@@ -12,7 +12,8 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Verdict;
 
-/// Spreads places evenly, the same on all machines (the first half of SplitMix64's finaliser).
+/// Spreads places evenly, in the same way on all machines (the first half of SplitMix64's
+/// finaliser).
 std::uint64_t scatter(const cases::SamplePlace& place, std::uint64_t seed) {
   // 31 bits of triangle, 14 of each coordinate and 4 of sample stand side by side.
   std::uint64_t h = (std::uint64_t{place.triangle} << 33) ^ (std::uint64_t{place.y} << 18) ^
@@ -22,13 +23,13 @@ std::uint64_t scatter(const cases::SamplePlace& place, std::uint64_t seed) {
   return (h ^ (h >> 27)) * 0x94d049bb133111ebU;
 }
 
-/// Sorts them, without repetitions.
+/// Sorts the triangles and removes repetitions.
 void keep_one_of_each(std::vector<std::uint32_t>& triangles) {
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
-/// The contract that the referee answers for.
+/// The contract that the referee implements.
 cases::Contract exact_contract(const cases::Case& source) {
   cases::Contract contract;
   contract.tie_rule = source.fill_rule;
@@ -97,7 +98,7 @@ void SampleJudge::flush() {
 void SampleJudge::take(const cases::SamplePlace& place, const records::SampleVerdict& decision,
                        FragmentClass fragment_class,
                        const std::shared_ptr<const TriangleTruth>& truth) {
-  flush();  // in their order, and in the same batches whether or not someone watches
+  flush();  // keeps the order, and makes the batches the same with or without a sink
   ++findings_.statistics.of(AttributeKind::coverage).classes[fragment_class];
   if (fragment_class == FragmentClass::missing) see_triangle(place.triangle);
   if (scatter(place, self_check_seed_) < self_check_below_) check_oracle(place);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the judge does with a sample once its class is known, however it came to know it: counts it,
-// holds a share against the referee, hands it to the sink.
+// Handles samples whose class is known: counts them, compares a share of them with the referee, and
+// passes them to the sink.
 
 #include <functional>
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace rastercheck::oracle {
 
-/// What is the same for all of a judgement's threads.
+/// Everything that all threads of a judgement share.
 class JudgeContext {
  public:
   JudgeContext(const SceneTruth& judged_scene, const cases::Fragments& judged_drawing,
@@ -28,48 +28,49 @@ class JudgeContext {
   const cases::Fragments* drawn;
   const JudgeOptions* options;
 
-  /// Holds the exact triangle's answer at a sample against the referee; one line where they differ.
+  /// Compares the exact triangle's answer at a sample with the referee's; returns one line if they
+  /// differ.
   std::optional<std::string> self_check(const cases::SamplePlace& place) const;
   void settle(EnclosedErrors& errors) const;
 
  private:
   mutable std::once_flag is_made_;
-  mutable std::unique_ptr<SceneTruth> exact_scene_;  ///< by the contract that the referee knows
+  mutable std::unique_ptr<SceneTruth> exact_scene_;  ///< under the contract that the referee knows
 };
 
-/// Takes a judged sample, with the truth of its triangle, if it has one.
+/// Receives a judged sample, with the truth of its triangle if it has one.
 using Emit = std::function<void(const JudgedSample&, const std::shared_ptr<const TriangleTruth>&)>;
 
-/// Judges samples that are known to be drawn or not.
+/// Judges samples for which it is known whether they were drawn.
 class SampleJudge {
  public:
   /// `emit` may be empty.
   SampleJudge(const JudgeContext& context, Emit emit);
 
-  /// What follows is of this triangle; the filter is of its coverage and outlives the triangle.
+  /// Begins a triangle; `filter` must be the filter of its coverage, and must outlive its use here.
   void begin(std::shared_ptr<const TriangleTruth> truth, std::uint32_t triangle,
              const TriangleFilter& filter);
 
-  /// A fragment of a required or permitted sample of the triangle. Its values are judged when
-  /// enough of them are together; all are after flush().
+  /// Takes a fragment at a required or permitted sample of the triangle. Values are judged in
+  /// batches; all are judged after flush().
   void take_drawn(std::size_t fragment, const records::SampleVerdict& decision) {
     fragments_[pending_] = fragment;
     decisions_[pending_] = decision;
     if (++pending_ == kBatchSize) flush();
   }
-  /// Any other: missing, or drawn where it should not be. `truth` is nullptr where the place names
-  /// no triangle of the case.
+  /// Takes any other sample: missing, or drawn where it should not be. `truth` is nullptr if the
+  /// place names no triangle of the case.
   void take(const cases::SamplePlace& place, const records::SampleVerdict& decision,
             records::FragmentClass fragment_class,
             const std::shared_ptr<const TriangleTruth>& truth);
   void flush();
 
   void count(records::Verdict verdict, std::uint64_t times);
-  /// Whether samples of which there is nothing to say have to be seen one by one.
+  /// True if samples with this decision must be shown one by one even if they are unremarkable.
   bool shows(const records::SampleVerdict& decision) const;
   records::Levels& levels() { return findings_.statistics.levels(); }
 
-  /// All that was judged, for Findings to be added up.
+  /// The results of everything judged. Findings can be merged.
   struct Findings {
     ValueStatistics statistics;
     std::optional<std::string> fault;
@@ -96,7 +97,7 @@ class SampleJudge {
 
   std::shared_ptr<const TriangleTruth> truth_;
   std::uint32_t triangle_ = 0;
-  // Fragments that wait to be judged together, and what was decided of each.
+  // Fragments waiting to be judged together, and the decision for each.
   std::size_t pending_ = 0;
   Batch<std::size_t> fragments_{};
   Batch<records::SampleVerdict> decisions_{};

@@ -26,8 +26,8 @@ PixelBox framebuffer_pixels(const cases::Case& c) {
   return box;
 }
 
-/// The first and one past the last pixel that a closed range of window coordinates touches, within
-/// [0, cases::kMaxSize].
+/// Returns the first pixel, and one past the last, that a closed range of window coordinates
+/// touches, within [0, cases::kMaxSize].
 std::pair<int, int> touched_pixels(const Ring& lo, const Ring& hi) {
   const Ring most(cases::kMaxSize);
   const Ring from = std::clamp(lo, Ring(0), most);
@@ -36,7 +36,7 @@ std::pair<int, int> touched_pixels(const Ring& lo, const Ring& hi) {
           static_cast<int>(floor_to_long(Field(to))) + 1};
 }
 
-/// The pixels of [0, cases::kMaxSize] that a range of window coordinates holds whole.
+/// The pixels of [0, cases::kMaxSize] that lie wholly in a range of window coordinates.
 std::pair<int, int> held_pixels(const Ring& lo, const Ring& hi) {
   const Ring most(cases::kMaxSize);
   return {static_cast<int>(ceil_to_long(Field(std::clamp(lo, Ring(0), most)))),
@@ -113,13 +113,13 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   const Ring y1 = y0 + exact_ring(v.height);
   viewport_lo_ = {std::min(x0, x1), std::min(y0, y1)};
   viewport_hi_ = {std::max(x0, x1), std::max(y0, y1)};
-  // A sample on the far border lies in a pixel that may begin there: closed ranges.
+  // The ranges are closed, because a sample on the far border may lie in a pixel that begins there.
   const auto [left, right] = touched_pixels(viewport_lo_.u, viewport_hi_.u);
   const auto [low, high] = touched_pixels(viewport_lo_.v, viewport_hi_.v);
   target_pixels_ = framebuffer_pixels(c);
   pixels_ = intersection(target_pixels_, {left, low, right, high});
   // Samples lie at least 1/16 before the far sides of their pixel, so a pixel that ends with the
-  // viewport has none on its border.
+  // viewport has no sample on the viewport's border.
   const auto [inner_left, inner_right] = held_pixels(viewport_lo_.u, viewport_hi_.u);
   const auto [inner_low, inner_high] = held_pixels(viewport_lo_.v, viewport_hi_.v);
   inner_pixels_ = intersection(pixels_, {inner_left, inner_low, inner_right, inner_high});
@@ -181,7 +181,7 @@ bool Scene::has_samples_within(double distance) const {
   const auto is_near = [distance](double side, int sixteenths) {
     const double from = side - sixteenths / 16.0;
     const double beyond = from - std::floor(from);
-    // Rounding is far less than this, of a side on the grid of float32.
+    // Far more than the rounding of a float32 side.
     constexpr double kSlack = 0x1p-20;
     return std::min(beyond, 1 - beyond) <= distance + kSlack;
   };

@@ -17,28 +17,28 @@ namespace rastercheck::oracle {
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b);
 
-/// Where a sample lies with respect to the viewport rectangle. `far_border`: exactly on the side of
-/// largest u or v, which half-open rectangles leave out.
+/// The position of a sample relative to the viewport rectangle. `far_border`: exactly on the side
+/// of largest u or v, which half-open rectangles exclude.
 enum class ViewportSide { inside, far_border, outside };
 
-/// What the rules of an API say (RULES §4).
+/// The conventions of an API (RULES §4).
 struct Conventions {
-  bool window_y_up;             ///< else down
-  bool ndc_y_follows_window_y;  ///< Y = +y H/2 + …; D3D: −
+  bool window_y_up;             ///< if false, down
+  bool ndc_y_follows_window_y;  ///< Y = +y H/2 + …; if false (D3D), −y H/2 + …
   int near_z;                   ///< the near plane is z = near_z · w
   bool depth_is_halved;         ///< depth = n + (f−n)(z/w + 1)/2; else n + (f−n) z/w
   bool depth_always_clamped;
   std::size_t provoking_vertex;
-  bool clip_distance_zero_inside;  ///< D3D: f >= 0; else a zero is a tie
-  bool far_border_permitted;       ///< else the far border of the viewport is outside
-  bool centroid_is_a_sample;       ///< D3D names the location; else any point of the pixel
+  bool clip_distance_zero_inside;  ///< if false (not D3D), a zero is a tie
+  bool far_border_permitted;       ///< if false, the far border is outside
+  bool centroid_is_a_sample;       ///< as in D3D; if false, any point of the pixel
 };
 
-/// Exact clip positions of every vertex: projection · view · model · position, or the positions
-/// themselves where the case has no camera.
+/// Exact clip positions of all vertices: projection · view · model · position, or the positions
+/// themselves without a camera.
 std::vector<RingVector4> clip_positions(const cases::Case& c);
 
-/// What is the same for all triangles of a case.
+/// Everything that all triangles of a case share.
 class Scene {
  public:
   /// The case and the contract must outlive the scene.
@@ -58,39 +58,41 @@ class Scene {
   static Point center_point(int x, int y);
 
   ViewportSide viewport_side(const Point& p) const;
-  /// Whether a point, inside the viewport or outside, is no farther than that from one of its
-  /// sides, in pixels.
+  /// True if a point, inside or outside the viewport, is within `distance` pixels of one of its
+  /// sides.
   bool is_within(const Ring& distance, const Point& p) const;
-  /// Whether there may be samples that are.
+  /// True if samples within `distance` pixels of a side may exist.
   bool has_samples_within(double distance) const;
-  /// The pixels of the framebuffer that the scissor lets be drawn.
+  /// The pixels of the framebuffer inside the scissor.
   const PixelBox& target_pixels() const { return target_pixels_; }
   /// The pixels that can hold samples in or on the viewport, framebuffer and scissor.
   const PixelBox& pixels() const { return pixels_; }
-  /// Those of them all of whose samples lie in the viewport.
+  /// The part of pixels() whose samples all lie in the viewport.
   const PixelBox& inner_pixels() const { return inner_pixels_; }
   /// The viewport rectangle, sorted; in pixels.
   const Point& viewport_lo() const { return viewport_lo_; }
   const Point& viewport_hi() const { return viewport_hi_; }
 
-  /// Whether a point exactly on a boundary is inside, by the signs of the boundary's inward normal
-  /// (A, B): iff A > 0, or A = 0 and ±B > 0 (RULES §2). Meaningless under an unspecified tie rule.
+  /// True if a point exactly on a boundary is inside. The signs of the boundary's inward normal (A,
+  /// B) decide: inside iff A > 0, or A = 0 and ±B > 0 (RULES §2). Meaningless under an unspecified
+  /// tie rule.
   bool owns_tie(int sign_a, int sign_b) const {
     return sign_a > 0 || (sign_a == 0 && tie_sign_ * sign_b > 0);
   }
-  /// Whether a triangle of that orientation (±1) is culled.
+  /// True if a triangle of orientation ±1 is culled.
   bool is_culled(int orientation) const;
 
-  /// A vertex's part in the depth: Σ E_i numerator_i / |det M| is the depth at a point, numerator /
-  /// w that at the vertex itself.
+  /// A vertex's share in the depth: Σ E_i numerator_i / |det M| is the depth at a point, and
+  /// numerator / w is the depth at the vertex itself.
   Ring depth_numerator(std::size_t vertex) const;
-  /// The same of a clip position with that z and w.
+  /// Like above, for a clip position with the given z and w.
   Ring depth_numerator(const Ring& z, const Ring& w) const;
   const Ring& least_depth() const { return least_depth_; }
   const Ring& greatest_depth() const { return greatest_depth_; }
   bool clamps_depth() const;
 
-  /// Whether an attribute that is not flat is claimed to be linear in window space.
+  /// True if the contract claims that the attribute, which must not be flat, is linear in window
+  /// space.
   bool is_affine(std::size_t attribute) const;
 
  private:
@@ -98,15 +100,16 @@ class Scene {
   const cases::Contract* contract_;
   Conventions conventions_;
   std::vector<RingVector4> transformed_;  ///< clip positions of a case with a camera
-  std::array<Ring, 2> half_size_;         ///< of the viewport; signed, for y as window y runs
-  std::array<Ring, 2> middle_;            ///< of the viewport
+  /// Half of the viewport's signed size; y in the direction of window y.
+  std::array<Ring, 2> half_size_;
+  std::array<Ring, 2> middle_;  ///< the viewport's middle
   std::span<const cases::SamplePosition> pattern_;
   Point viewport_lo_;
   Point viewport_hi_;
   PixelBox target_pixels_;
   PixelBox pixels_;
   PixelBox inner_pixels_;
-  int tie_sign_;  ///< ±1: what B is to be multiplied by where A = 0
+  int tie_sign_;  ///< ±1: the factor of B if A = 0
   Ring least_depth_;
   Ring greatest_depth_;
 };

@@ -48,15 +48,15 @@ Ring pixels_of(long coordinate, int subpixel_bits) {
 
 namespace {
 
-/// The floor of a number within `slack` of this one; nothing where there may be several.
+/// The floor of all numbers within `slack` of `value`; empty if their floors differ.
 std::optional<long> certain_floor(double value, double slack) {
   const double below = std::floor(value - slack);
   if (below != std::floor(value + slack) || !(std::abs(below) < 0x1p62)) return std::nullopt;
   return static_cast<long>(below);
 }
 
-/// Gives what candidates() says of numerator/w, w > 0, from doubles; nothing where these are not
-/// sure.
+/// candidates() of numerator/w, w > 0, computed in doubles; empty if doubles leave the range
+/// uncertain.
 std::optional<GridRange> near_candidates(const Ring& numerator, const Ring& w,
                                          const cases::Snapping& snapping) {
   const double near_numerator = near_double(numerator);
@@ -66,12 +66,14 @@ std::optional<GridRange> near_candidates(const Ring& numerator, const Ring& w,
   }
   const double in_units = std::ldexp(near_numerator / near_w, snapping.subpixel_bits);
   const double radius = near_double(candidate_radius(snapping));
-  // 2^-51 of numerator and w each, and as much for the quotient, the radius and their sum.
+  // The numerator and w are off by 2^-51 relative each; the quotient, the radius and their sum add
+  // as much again.
   const double slack = (std::abs(in_units) + radius) * 0x1p-48;
   const bool is_single =
       snapping.rounding != cases::Rounding::unspecified && snapping.position_error == 0;
   if (is_single) {
-    // No tie is certain: both roundings to nearest are the floor of the number and a half.
+    // Ties are never certain here. For all other numbers, both roundings to nearest are the floor
+    // of the number plus a half.
     const std::optional<long> rounded = certain_floor(in_units + 0.5, slack);
     if (!rounded) return std::nullopt;
     return GridRange{*rounded, *rounded};
@@ -79,7 +81,7 @@ std::optional<GridRange> near_candidates(const Ring& numerator, const Ring& w,
   const std::optional<long> below = certain_floor(in_units - radius, slack);
   const std::optional<long> last = certain_floor(in_units + radius, slack);
   if (!below || !last) return std::nullopt;
-  // Neither end is a whole number, so that it does not matter whether the range is closed.
+  // Neither end is an integer, so it does not matter whether the range is closed.
   return GridRange{*below + 1, *last};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// Window positions on the subpixel grid (RULES §3): which grid points a vertex may be placed on.
+// Snapping window positions to the subpixel grid (RULES §3): the grid points at which a vertex may
+// be placed.
 
 #include <array>
 #include <vector>
@@ -17,13 +18,13 @@ struct GridRange {
   long count() const { return last - first + 1; }
 };
 
-/// The grid coordinates that a window coordinate (in pixels) may be placed on: one, under a named
-/// rounding of the exact position; under a position error e all within 1/2 + e units, inclusive;
-/// under an unspecified rounding all within 1 + e units, exclusive: a grid point a whole unit away
-/// is not a rounding of the position.
+/// The grid coordinates at which a window coordinate (in pixels) may be placed. A named rounding of
+/// the exact position allows one. A position error e allows all within 1/2 + e units, inclusive. An
+/// unspecified rounding allows all within 1 + e units, exclusive, because a grid point a whole unit
+/// away is not a rounding of the position.
 GridRange candidates(const Field& coordinate, const cases::Snapping& snapping);
 
-/// The farthest, in grid units per axis, that a placement may lie from the position.
+/// The largest distance, in grid units per axis, between a position and its placement.
 Ring candidate_radius(const cases::Snapping& snapping);
 
 /// A grid coordinate in pixels.
@@ -39,12 +40,12 @@ struct SnappedVertex {
 };
 SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snapping);
 
-/// All columns (x w, y w, w) a vertex may have, x and y in pixels; `corners_only`: those of its
-/// extreme placements.
+/// The columns (x w, y w, w), x and y in pixels, of all placements of a vertex; with
+/// `corners_only`, of its extreme placements.
 std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,
                                         bool corners_only);
 
-/// The same points in pixels; exact, as a coordinate has 32 bits at most.
+/// The same placements as points in pixels; exact, because a coordinate has at most 32 bits.
 std::vector<std::array<double, 2>> placed_points(const SnappedVertex& vertex, int subpixel_bits,
                                                  bool corners_only);
 

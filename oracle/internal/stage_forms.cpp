@@ -15,7 +15,7 @@ bool is_finite(const records::TracedCorner& c) {
   return are_finite(c.x, c.y, c.z, c.w, c.share[0], c.share[1], c.share[2]);
 }
 
-/// a · scale (2 at − shift), as the factor of `at` and the rest.
+/// The term a · scale (2 at − shift), split into the factor of `at` and the constant.
 struct AxisTerm {
   Ring slope;
   Ring constant;

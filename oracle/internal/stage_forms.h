@@ -1,7 +1,7 @@
 #pragma once
 
-// What stages hand on (records/stage_trace.h) as exact functions of the window position: the forms
-// that a value takes on its way (oracle/stage_split.h).
+// The outputs of stages (records/stage_trace.h) as exact functions of the window position: the
+// forms that a value takes from stage to stage (oracle/stage_split.h).
 
 #include <array>
 #include <functional>
@@ -18,51 +18,51 @@
 
 namespace rastercheck::oracle {
 
-/// The case with one of its triangles and with just that triangle's vertices, in its order.
+/// The case reduced to one triangle and its three vertices, in the triangle's order.
 cases::Case triangle_alone(const cases::Case& c, std::uint32_t triangle);
 
-/// A triangle alone with the clip positions that a backend received; nothing where one is not
+/// The one-triangle case with the clip positions that the backend received; empty if one is not
 /// finite.
 std::optional<cases::Case> received_case(const records::SampleTrace& trace, cases::Case alone);
 
-/// Numbers, one for each corner.
+/// One number per corner.
 using Weights = std::array<Ring, 3>;
 
-/// What a value is: Σ n_c E_c / Σ d_c E_c, for any common multiple E_c of e_c.
+/// A value as Σ n_c E_c / Σ d_c E_c, for any common multiple E_c of e_c.
 struct Terms {
   Weights numerators;
   Weights denominators;
 
-  /// Nothing where the denominator is 0.
+  /// Empty if the denominator is 0.
   std::optional<Field> at(const Weights& weights) const;
-  /// The mean of the corners' values by these shares; nothing where they add up to 0, or a corner
-  /// has no value.
+  /// The mean of the corners' values with these shares as weights; empty if the shares sum to 0 or
+  /// a corner has no value.
   std::optional<Field> mean(const Weights& shares) const;
 };
 
-/// What is drawn of a triangle, as some stage has it: its vertices or three other corners.
+/// The three corners of the drawn triangle at some stage: its vertices or other points.
 struct Corners {
   std::array<RingVector3, 3> columns;  ///< (x w, y w, w), x and y in pixels
-  std::array<RingVector3, 3> shares;   ///< of the vertices
+  std::array<RingVector3, 3> shares;   ///< each corner as weights of the vertices
   Weights depths;                      ///< depth times w
 
-  /// Whether they are the vertices, if maybe moved.
+  /// True if the corners are the vertices, possibly moved.
   bool are_vertices() const;
 };
 Corners vertices_of(const TriangleSetup& triangle);
-/// Nothing where a number is not finite.
+/// Empty if a number is not finite.
 std::optional<Corners> traced_corners(const std::array<records::TracedCorner, 3>& corners,
                                       const Scene& scene);
 
-/// An attribute's terms, or those of the depth where `attribute` is nothing. Values and w of the
-/// vertices come from the triangle. Not of flat attributes.
+/// The terms of an attribute, or of the depth if `attribute` is empty. Values and w of the vertices
+/// come from the triangle. Not for flat attributes.
 Terms terms_of(const Corners& corners, const TriangleSetup& triangle,
                std::optional<std::uint32_t> attribute);
 
-/// A value as a function of the window position; nothing where it has none.
+/// A value as a function of the window position; empty where undefined.
 using Form = std::function<std::optional<Field>(const Point&)>;
 Form form_of(const Corners& corners, const Terms& terms);
-/// Lines and planes; nothing where a number is not finite.
+/// The form that traced lines or planes give; empty if a number is not finite.
 std::optional<Form> form_of(const std::array<records::TracedLine, 3>& lines,
                             const records::TracedFrame& frame, const Terms& terms);
 std::optional<Form> form_of(const records::TracedPlane& numerator,
@@ -72,7 +72,7 @@ std::optional<Form> form_of(const records::TracedPlane& numerator,
 /// A traced line as a functional of window positions in pixels.
 std::optional<Line> window_line(const records::TracedLine& line, const records::TracedFrame& frame);
 
-/// Exactly the numbers; nothing where one is not finite.
+/// Converts exactly; empty if a number is not finite.
 std::optional<Weights> exact_weights(const std::array<double, 3>& weights);
 std::optional<Point> exact_point(double u, double v);
 

@@ -58,8 +58,8 @@ Rational StageSplit::Triangles::unit(std::optional<std::uint32_t> attribute,
   return ulp(to_rational(std::max(magnitude(exact), Field(scale))));
 }
 
-/// Whether OpenGL and Vulkan let a centroid be there: in pixel and clipped triangle, or, of one
-/// that is snapped, where a sample would be covered.
+/// True if OpenGL and Vulkan allow a centroid at p: p must lie in the pixel and in the clipped
+/// triangle or, for a snapped triangle, where a sample would be covered.
 bool StageSplit::Triangles::may_be_centroid(int x, int y, const Point& p) const {
   if (p.u < Ring(x) || p.u > Ring(x + 1) || p.v < Ring(y) || p.v > Ring(y + 1)) return false;
   if (drawn.scene.scene().viewport_side(p) == ViewportSide::outside) return false;
@@ -99,7 +99,7 @@ std::optional<StageSplit::Triangles::Start> StageSplit::Triangles::start(
   }
   if (!place) return std::nullopt;
   std::optional<Field> value = given.value_at(attribute, *place);
-  // What only snapping covers may lie where the exact triangle has no value.
+  // Points covered only by snapping may lie where the exact triangle has no value.
   if (!value) value = open.value_at(attribute, *place);
   if (!value) return std::nullopt;
   return Start{clamped(attribute, *std::move(value)), *place};

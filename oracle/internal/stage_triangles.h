@@ -15,15 +15,15 @@
 
 namespace rastercheck::oracle {
 
-/// A triangle alone, as a contract has it.
+/// A triangle drawn alone under a contract.
 struct TriangleUnder {
   TriangleUnder(const cases::Case& alone, const cases::Contract& contract)
       : scene(alone, contract), truth(scene, 0), values(truth.setup()) {}
 
   const TriangleSetup& setup() const { return truth.setup(); }
 
-  /// The value of the triangle that the basis names, as the rules interpolate; nothing where they
-  /// leave it undefined. Not of flat attributes.
+  /// The value of the triangle that the basis names, interpolated as the rules say; empty if the
+  /// rules leave the value undefined. Not for flat attributes.
   std::optional<Field> value_at(std::optional<std::uint32_t> attribute, const Point& p) const;
 
   SceneTruth scene;
@@ -35,24 +35,24 @@ struct StageSplit::Triangles {
   Triangles(const cases::Case& given_alone, const cases::Case& drawn_alone,
             const cases::Contract& contract);
 
-  /// V_0, and where.
+  /// V_0, and the place where it is evaluated.
   struct Start {
     Field value;
     Point place;
   };
-  /// `taken` is where the value was evaluated, if that is told.
+  /// `taken` is the place where the backend evaluated the value, if known.
   std::optional<Start> start(std::optional<std::uint32_t> attribute, int x, int y, int sample,
                              const std::optional<Point>& taken) const;
-  /// The value of a flat attribute; nothing of another, and of the depth.
+  /// The value of a flat attribute; empty for other attributes and the depth.
   std::optional<Field> copy_of(std::optional<std::uint32_t> attribute) const;
-  /// Depths as the rules clamp them.
+  /// Clamps a depth as the rules do; returns attributes unchanged.
   Field clamped(std::optional<std::uint32_t> attribute, Field value) const;
-  /// A scale ULP of errors against an exact value.
+  /// The scale ULP for errors against an exact value.
   Rational unit(std::optional<std::uint32_t> attribute, const Field& exact) const;
 
-  TriangleUnder given;  ///< exact, of the object positions
-  TriangleUnder drawn;  ///< exact, of the clip positions
-  TriangleUnder open;   ///< of these, as the contract has it
+  TriangleUnder given;  ///< exact, from the object positions
+  TriangleUnder drawn;  ///< exact, from the clip positions
+  TriangleUnder open;   ///< from the clip positions, under the contract
 
  private:
   std::optional<Point> centroid(int x, int y, const std::optional<Point>& taken) const;

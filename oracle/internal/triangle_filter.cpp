@@ -10,23 +10,21 @@ using records::Reason;
 using records::SampleVerdict;
 using records::Verdict;
 
-/// Coefficients beyond these limits, if not zero, could take products that a value's error is made
-/// of (filter_kernels.h) out of the normal doubles: a float32 difference and a w of at least 2^-149
-/// each, and an edge function, which is a multiple of 2^(-600 - 4 - 52) at any sample; above, 2^129
-/// times 2^128 times 2^(600 + 15 + 2).
+/// Nonzero coefficients must be within these limits, to keep the products of a value's error
+/// (filter_kernels.h) in the normal doubles. The least product is that of a float32 difference and
+/// a w, of at least 2^-149 each, and an edge function, which is a multiple of 2^(-600 - 4 - 52) at
+/// any sample. The greatest is 2^129 times 2^128 times 2^(600 + 15 + 2).
 constexpr double kLeastCoefficient = 0x1p-600;
 constexpr double kMostCoefficient = 0x1p600;
 
-/// Whether a coefficient, as near_double() made it of `exact`, is within these limits. With a
-/// camera it may be so small that 0 is the double nearest to it.
+/// True if a coefficient, the near_double() of `exact`, is within these limits. With a camera
+/// `exact` may be so small that 0 is the nearest double.
 bool fits_filter(double coefficient, const Ring& exact) {
   const double size = std::abs(coefficient);
   return size == 0 ? sign_of(exact) == 0 : size >= kLeastCoefficient && size <= kMostCoefficient;
 }
 
-Point corner_of(const PixelBox& box) { return {Ring(box.x0), Ring(box.y0)}; }
-
-/// Bits first … last − 1 of words.
+/// Keeps only the bits first … last − 1 of the words.
 void keep_bits(int first, int last, std::vector<std::uint64_t>& words) {
   for (std::size_t w = 0; w < words.size(); ++w) {
     const int from = first - static_cast<int>(w) * 64;
@@ -40,6 +38,8 @@ void keep_bits(int first, int last, std::vector<std::uint64_t>& words) {
 
 }  // namespace
 
+Point corner_of(const PixelBox& box) { return {Ring(box.x0), Ring(box.y0)}; }
+
 std::optional<FilterLine> filter_line(const Line& line, const PixelBox& box) {
   const Ring at_corner = line.at(corner_of(box));
   const double a = near_double(line.a);
@@ -51,8 +51,8 @@ std::optional<FilterLine> filter_line(const Line& line, const PixelBox& box) {
   const double width = box.x1 - box.x0;
   const double height = box.y1 - box.y0;
   const double size = std::abs(a) * width + std::abs(b) * height + std::abs(c);
-  // 4u for the coefficients, and 4u for rounding, of which there are three: the rest holds that of
-  // this sum (proofs/edge.g).
+  // 4u for the coefficients and 4u for three roundings; the rest covers the rounding of this sum
+  // (proofs/edge.g).
   return FilterLine{a, b, c, (kNearDoubleError + 0x1p-51) * size};
 }
 
@@ -76,7 +76,7 @@ TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& bo
   }
   if (triangle.shape == Shape::exact && triangle.is_cut_by_planes) {
     for (const ClipFunctional& functional : triangle.clip_functionals()) {
-      // 0 everywhere is inside, which no band says.
+      // A functional that is 0 everywhere counts as inside, which no band can express.
       const bool is_zero = functional.line.is_constant() && sign_of(functional.line.c) == 0;
       is_filtered = is_filtered && (is_zero || add(functional.line, Ring(0)));
     }
@@ -92,7 +92,8 @@ bool TriangleFilter::is_cut_and_culled() const {
 void TriangleFilter::set_inner_pixels() {
   inner_ = triangle_->scene->inner_pixels();
   if (!triangle_->has_open_sides) return;
-  // One more than whole pixels: as near as the reach itself is open.
+  // One more than the whole pixels of the reach, because a sample exactly at the reach is open,
+  // too.
   const double reach = std::min(triangle_->side_reach.to_interval().second, 0x1p20);
   const int pixels = static_cast<int>(std::floor(reach)) + 1;
   inner_ = {inner_.x0 + pixels, inner_.y0 + pixels, inner_.x1 - pixels, inner_.y1 - pixels};
@@ -108,11 +109,12 @@ bool TriangleFilter::add(const Line& line, const Ring& margin) {
   return true;
 }
 
-/// Adds one line for several readings of a boundary. Where it is beyond its band all readings are
-/// beyond their margins, on the same side.
+/// Adds one line for several readings of a boundary. If the line is beyond its band, all readings
+/// are beyond their margins, on the same side.
 ///
-/// It is the first reading R. Its band is the greatest |s L − R| + s · margin of any reading L,
-/// with any s > 0. Affine functions differ most at corners of the box.
+/// The line is the first reading R. Its band is the greatest |s L − R| + s · margin of any reading
+/// L, where s > 0 may be chosen freely for each L. Two affine functions differ most at corners of
+/// the box.
 bool TriangleFilter::add_enclosing(const std::vector<OpenLine>& readings) {
   std::optional<FilterLine> filter = filter_line(readings.front().line, box_);
   if (!filter) return false;
@@ -146,8 +148,9 @@ bool TriangleFilter::add_enclosing(const std::vector<OpenLine>& readings) {
   return true;
 }
 
-/// Gives every line that the contract allows for an edge whose ends are both snapped. The exact
-/// edge is among them: beside it decide() asks whether anything drawn reaches there at all.
+/// Returns every line that the contract allows for an edge with two snapped ends. The exact edge is
+/// among these lines, because outside it decide() tests whether anything drawn reaches the sample
+/// at all.
 std::vector<TriangleFilter::OpenLine> TriangleFilter::readings_of_edge(std::size_t edge) const {
   const Line& exact = triangle_->ideal.edge(edge);
   std::vector<OpenLine> readings{{exact, Ring(0)}};
@@ -158,8 +161,8 @@ std::vector<TriangleFilter::OpenLine> TriangleFilter::readings_of_edge(std::size
   return readings;
 }
 
-/// Adds a clip plane that cuts the triangle. It is off by the tolerance and by the error of
-/// distances.
+/// Adds a clip plane that cuts the triangle. Its error consists of the tolerance and the error of
+/// clip distances.
 bool TriangleFilter::add_clip_line(const ClipFunctional& functional) {
   std::vector<OpenLine> readings{
       {functional.line, Ring(0)},
@@ -173,8 +176,8 @@ bool TriangleFilter::add_clip_line(const ClipFunctional& functional) {
   return !has_constant && add_enclosing(readings);
 }
 
-/// Adds the line that all vertices lie on. Samples farther from it than corners move are outside;
-/// no sample is inside.
+/// Adds the line that all vertices lie on. Samples farther from the line than corners may move are
+/// outside; no sample is inside.
 void TriangleFilter::add_line_of_degenerate() {
   const TriangleSetup& triangle = *triangle_;
   if (boundary_) return;
@@ -188,7 +191,7 @@ void TriangleFilter::add_line_of_degenerate() {
   }
 }
 
-/// Adds the boundaries that decide() tests of a triangle of shape cut, each with the band that the
+/// Adds the boundaries that decide() tests for a triangle of shape cut, each with the band that the
 /// contract leaves open.
 void TriangleFilter::add_cut_lines() {
   const TriangleSetup& triangle = *triangle_;
@@ -220,7 +223,8 @@ void TriangleFilter::classify(int y, const cases::SamplePosition& sample, RowVer
   if (lines_.empty()) return;
   classify_row(lines_, sample.x / 16.0, y - box_.y0 + sample.y / 16.0, count, row.required.data(),
                row.forbidden.data());
-  // A sample outside an edge is forbidden beyond the viewport, too.
+  // Beyond the inner pixels no sample counts as required, but a sample outside an edge is forbidden
+  // there, too.
   if (y < inner_.y0 || y >= inner_.y1 || inner_.x1 <= inner_.x0) {
     row.required.assign(words, 0);
   } else if (inner_.x0 > box_.x0 || inner_.x1 < box_.x1) {
@@ -257,14 +261,14 @@ std::optional<SampleVerdict> TriangleFilter::decide(int x, int y,
       is_certain = false;
       continue;
     }
-    // What an unspecified rule leaves open is the next level's to say.
+    // An unspecified tie rule leaves the sample to the next level.
     if (scene.contract().tie_rule == cases::TieRule::unspecified) return std::nullopt;
     if (!scene.owns_tie(edge.sign_a, edge.sign_b)) {
       return SampleVerdict{Verdict::forbidden, Reason::outside};
     }
     is_tie = true;
   }
-  // Clip planes through a triangle are rare enough for exact numbers.
+  // Triangles cut by clip planes are rare enough for exact numbers.
   const bool has_planes = triangle_->shape == Shape::exact && triangle_->is_cut_by_planes;
   if (!is_certain || has_planes) return std::nullopt;
   return SampleVerdict{Verdict::required, is_tie ? Reason::tie : Reason::inside};

@@ -1,7 +1,7 @@
 #pragma once
 
-// Coverage of one triangle by the first two levels of the cascade (docs/oracle.md); what they leave
-// open is decide()'s (oracle/internal/coverage.h).
+// Decides the coverage of one triangle by the first two levels of the cascade (docs/oracle.md);
+// decide() (oracle/internal/coverage.h) handles the samples they leave open.
 
 #include <array>
 #include <optional>
@@ -15,41 +15,42 @@
 
 namespace rastercheck::oracle {
 
-/// The verdicts of a row of samples, by two bits each; both zero where they are left open.
+/// The verdicts of a row of samples, two bits each. Both bits of an open sample are zero.
 struct RowVerdicts {
-  std::vector<std::uint64_t> required;   ///< bit x − box.x0; inside all boundaries
-  std::vector<std::uint64_t> forbidden;  ///< outside
+  std::vector<std::uint64_t> required;   ///< bit x − box.x0: inside all boundaries
+  std::vector<std::uint64_t> forbidden;  ///< likewise: outside some boundary
 };
 
-/// A line in doubles about a pixel, for samples of the box; nothing where a coefficient is so large
-/// or small that what is computed from it might leave the normal doubles.
+Point corner_of(const PixelBox& box);
+
+/// Converts a line to doubles relative to the box's corner, for samples of the box. Empty if a
+/// coefficient is so large or small that results might leave the normal doubles.
 std::optional<FilterLine> filter_line(const Line& line, const PixelBox& box);
 
-/// The same in intervals.
+/// Like filter_line(), in intervals.
 IntervalLine interval_line(const Line& line, const PixelBox& box);
 
 class TriangleFilter {
  public:
-  /// The triangle must outlive it. `box` holds all pixels that will be asked for. Levels before
-  /// `first` leave all open.
+  /// The triangle must outlive the filter. `box` must hold all pixels that will be asked for.
+  /// Levels before `first` leave everything open.
   TriangleFilter(const TriangleSetup& triangle, const PixelBox& box, Level first);
 
   const PixelBox& box() const { return box_; }
-  /// Nothing in the box is required or permitted.
+  /// True if no sample in the box is required or permitted.
   bool is_empty() const { return is_empty_; }
 
-  /// Whether the first level says anything of it.
+  /// True if the first level can decide any sample of the triangle.
   bool has_first_level() const { return !lines_.empty(); }
 
-  /// The edges of a map where they are those that coverage is decided by, and no others than
-  /// exactly these; three, or nullptr.
+  /// The three edges of a map, if exactly these decide coverage; else nullptr.
   const FilterLine* edges_of(const ProjectiveMap* map) const;
 
-  /// The first level, for that sample of the pixels of row y. Of pixels some of whose samples may
-  /// lie outside the viewport no sample is required.
+  /// The first level, for one sample of each pixel of row y. Leaves samples open, rather than
+  /// required, in any pixel that may have a sample outside the viewport.
   void classify(int y, const cases::SamplePosition& sample, RowVerdicts& row) const;
 
-  /// The second level; under UpwardRounding. Nothing where it is left open.
+  /// The second level; requires UpwardRounding. Empty if left open.
   std::optional<records::SampleVerdict> decide(int x, int y,
                                                const cases::SamplePosition& sample) const;
 
@@ -59,7 +60,7 @@ class TriangleFilter {
     int sign_a = 0;
     int sign_b = 0;
   };
-  /// A boundary as one reading of the contract has it, off by up to `margin`.
+  /// A boundary under one reading of the contract, with an error of up to `margin`.
   struct OpenLine {
     Line line;
     Ring margin;
@@ -78,10 +79,12 @@ class TriangleFilter {
   PixelBox box_;
   Level first_level_;
   std::optional<CoverageBoundary> boundary_;
-  /// Those whose samples lie within the viewport however far its sides may be off.
+  /// Pixels whose samples lie within the viewport, whatever the error of its sides.
   PixelBox inner_;
   bool is_empty_ = false;
-  std::vector<FilterLine> lines_;  ///< edges, then clip functionals; empty: no first level
+  /// Edges, then clip functionals; or, for a degenerate triangle without boundary_, one line and
+  /// its negative. If empty, the first level decides nothing.
+  std::vector<FilterLine> lines_;
   mutable std::vector<SignedLine> interval_lines_;  ///< made when first asked for
 };
 

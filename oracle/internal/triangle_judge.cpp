@@ -20,7 +20,7 @@ FragmentOrder::FragmentOrder(const cases::Fragments& drawn) : drawn_(&drawn) {
   const auto goes_before = [&drawn](std::size_t a, std::size_t b) {
     return drawn.place_of(a) < drawn.place_of(b);
   };
-  // Of places as many bits as a number holds: all but the sample's.
+  // The place without its sample, for which 64 bits leave no room.
   const auto key = [&drawn](std::size_t i) {
     return (std::uint64_t{drawn.triangle[i]} << 32 | std::uint64_t{drawn.y[i]} << 16) | drawn.x[i];
   };
@@ -82,7 +82,7 @@ void TriangleJudge::judge(std::uint32_t triangle, std::size_t first, std::size_t
   samples_->flush();
 }
 
-/// Any of its samples may be drawn: only those that are have to be looked at.
+/// Any sample may be drawn, so only the drawn ones are examined.
 void TriangleJudge::judge_unpromised(std::size_t first, std::size_t last) {
   const cases::Fragments& drawn = *context_->drawn;
   for (std::size_t i = first; i < last; ++i) {
@@ -115,7 +115,7 @@ void TriangleJudge::judge_row(int y, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) samples_->take_drawn((*order_)[i], kInside);
 }
 
-/// Whether the row's fragments are one for each required sample and no other.
+/// True if the row has exactly one fragment per required sample and no other.
 bool TriangleJudge::is_just_what_is_required(std::size_t first, std::size_t last) const {
   if (last - first != row_.required()) return false;
   const PixelBox& box = filter_->box();
@@ -134,7 +134,7 @@ bool TriangleJudge::is_just_what_is_required(std::size_t first, std::size_t last
   return true;
 }
 
-/// Takes the row's samples and fragments one by one, in their order.
+/// Takes the row's samples and fragments one by one, in order.
 void TriangleJudge::walk_row(int y, std::size_t first, std::size_t last) {
   const PixelBox& box = filter_->box();
   const int samples = row_.samples();
@@ -161,7 +161,7 @@ void TriangleJudge::walk_row(int y, std::size_t first, std::size_t last) {
         continue;
       }
       if (decision.verdict == Verdict::forbidden) {
-        take_extra(next++, truth_->judge(x, y, s));  // for the reason
+        take_extra(next++, truth_->judge(x, y, s));  // judged to learn the reason
       } else {
         samples_->take_drawn((*order_)[next++], decision);
       }

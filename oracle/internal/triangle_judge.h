@@ -1,7 +1,7 @@
 #pragma once
 
 // Judges triangles one by one, each as if drawn alone: walks the rows of its samples and its
-// fragments side by side. A row in which just the required samples are drawn, as nearly all are, is
+// fragments side by side. A row in which exactly the required samples are drawn, the usual case, is
 // settled by comparing bits.
 
 #include <cstdint>
@@ -13,22 +13,23 @@
 
 namespace rastercheck::oracle {
 
-/// A framebuffer's fragments by place: the i-th of them, whichever order they were drawn in.
+/// The fragments of a drawing, sorted by place whatever the order of drawing.
 class FragmentOrder {
  public:
   explicit FragmentOrder(const cases::Fragments& drawn);
   std::size_t size() const { return drawn_->size(); }
   std::size_t operator[](std::size_t i) const { return order_.empty() ? i : order_[i]; }
   cases::SamplePlace place(std::size_t i) const { return drawn_->place_of((*this)[i]); }
-  /// The first position whose place is not before this one.
+  /// The first position whose place is not before `place`.
   std::size_t lower_bound(const cases::SamplePlace& place) const;
 
  private:
   const cases::Fragments* drawn_;
-  std::vector<std::size_t> order_;  ///< empty where they come by place, as they should
+  std::vector<std::size_t> order_;  ///< empty if the fragments are already sorted by place, as they
+                                    ///< should be
 };
 
-/// How many samples a triangle may cover of which the contract promises nothing.
+/// The number of samples that a triangle may cover if the contract promises nothing about it.
 std::uint64_t samples_of_unpromised(const SceneTruth& scene);
 
 class TriangleJudge {

@@ -63,7 +63,8 @@ void TriangleSetup::for_each_clip_plane(const Take& take) const {
 void TriangleSetup::set_up_clipping() {
   const cases::Case& source = scene->source();
   if (!source.camera && source.clip_distance_count == 0) {
-    // Comparing is exact, of doubles even where the processor takes subnormal floats for zero.
+    // Comparisons are exact. The floats are first converted to double, so this holds even if the
+    // processor flushes subnormal floats.
     for (std::size_t i = 0; i < 3 && !source.depth_clamp; ++i) {
       const cases::ClipVertex& p = source.positions[indices[i]];
       const double z = exact_double(p.z);
@@ -84,7 +85,7 @@ void TriangleSetup::set_up_clipping() {
   is_cut_by_planes = is_cut_by_planes || has_clipped_vertex;
 }
 
-/// The greatest clip distance, or max|z| + max|w|.
+/// The greatest magnitude of a user clip distance at a vertex; for a depth plane, max|z| + max|w|.
 Ring TriangleSetup::clip_size(const std::array<Ring, 3>& distances, bool is_user_distance) const {
   std::array<Ring, 2> most{Ring(0), Ring(0)};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -99,7 +100,7 @@ Ring TriangleSetup::clip_size(const std::array<Ring, 3>& distances, bool is_user
   return most[0] + most[1];
 }
 
-/// Of the distances at all vertices that much more: Σ E_i (s_i + more).
+/// The functional with `more` added to the distances at all vertices: Σ E_i (s_i + more).
 Line TriangleSetup::widened(const Line& line, const Ring& more) const {
   if (sign_of(more) == 0) return line;
   const Line& all = ideal.inverse_w();
@@ -121,8 +122,9 @@ const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
   return *clip_functionals_;
 }
 
-/// A point whose square of that half-width lies inside every side is inside whatever corners that
-/// are moved no farther become, and they still run round it the same way.
+/// True if the clipped polygon has a point such that the square of half-width `distance` around it
+/// lies inside every side. If corners move by no more than `distance`, the point stays inside, and
+/// they keep their orientation around it.
 bool TriangleSetup::has_points_deeper_than(const Ring& distance) const {
   ConvexRegion core = guard_band_of(*scene);
   const auto clip_inwards = [&](const Line& line) {
@@ -147,7 +149,7 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   for (std::size_t i = 0; i < 3; ++i) {
     is_clipped[i] = is_clipped[i] || sign_of(columns[i][2]) <= 0 || is_beyond_guard_band(i);
     is_whole = is_whole && !is_clipped[i];
-    // By another viewport it would be rounded elsewhere.
+    // Under another viewport the vertex would be rounded differently.
     is_clipped[i] = is_clipped[i] || scene->contract().has_open_viewport();
     if (is_clipped[i]) {
       shape = Shape::cut;
@@ -174,12 +176,13 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   for (std::size_t i = 0; i < 3; ++i) edge_bands[i] = band_of(ideal.edge(i), reach);
 }
 
-/// Takes everything as the viewport that was asked for shows it. Let A be the affine map, one for
-/// each axis, that takes its sides to those of the one that is drawn by. A vertex that is moved by
-/// δ there is one that is moved by δ/s here, s the factor of A, and what is drawn at p is what
-/// would be here at A^-1(p). Between the sides, which move by the error at most, that is no farther
-/// off than the error, and nothing is drawn beyond them but what the vertices' own moves put there.
-/// As it is one A for all vertices, it turns no triangle round.
+/// Reduces an open viewport to the requested one. Let A be the affine map, one per axis, that takes
+/// the sides of the requested viewport to those of the drawn one. Moving a vertex by δ in the drawn
+/// viewport equals moving it by δ/s in the requested one, where s is the factor of A. The drawn
+/// viewport shows at p what the requested viewport would show at A^-1(p). Between the sides, which
+/// move by at most the error, A^-1(p) is no farther from p than the error; beyond the sides,
+/// something can be drawn only because vertices move on their own. A is the same for all vertices,
+/// so it turns no triangle round.
 void TriangleSetup::open_viewport() {
   const double error = scene->contract().viewport_error;
   const Ring grown(cases::most_growth(scene->source().viewport, error));
@@ -196,8 +199,8 @@ std::size_t TriangleSetup::corner_count() const {
 const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
   std::optional<ProjectiveMap>& map = corners_[number];
   if (!map) {
-    // Three digits of the number, one per vertex. The second and third count from the first, so
-    // that the lowest indices have all three alike.
+    // The number has three digits, one per vertex. The second and third digits count from the
+    // first, so the lowest numbers choose the same extreme for all three vertices.
     const auto& choices = extreme_columns_;
     const std::size_t first = number % choices[0].size();
     const std::size_t second = number / choices[0].size() % choices[1].size();
@@ -234,7 +237,7 @@ std::vector<HomogeneousPoint> TriangleSetup::corners_beside(std::size_t edge) co
     for (std::size_t i = 0; i < polygon.size(); ++i) all.push_back(polygon.vertex(i));
   };
   take(clipped_to_triangle(guard_band_of(*scene)));
-  if (promise.clip_error > 0) {  // as near to the edge as they may come
+  if (promise.clip_error > 0) {  // adds the corners as close to the edge as they may come
     ConvexRegion least = guard_band_of(*scene);
     for (std::size_t i = 0; i < 3; ++i) least.clip(ideal.edge(i));
     for (const ClipFunctional& functional : clip_functionals()) {
@@ -285,14 +288,15 @@ bool TriangleSetup::has_certain_orientation() const {
   if (ideal.orientation() == 0 || has_nonpositive_w) return false;
   if (shape == Shape::cut) return is_whole && !may_turn;
   if (shape == Shape::exact) return !has_clipped_vertex;
-  // Mostly the mean of the vertices' window positions, at which E_i = |det M|/(3 w_i), is deeper
+  // Usually the mean of the vertices' window positions, where E_i = |det M|/(3 w_i), is deeper
   // inside than vertices move.
   bool is_mean_deep = true;
   for (std::size_t i = 0; i < 3; ++i) {
     is_mean_deep = is_mean_deep && ideal.determinant() > Ring(3) * columns[i][2] * edge_bands[i];
   }
   if (is_mean_deep) return true;
-  // The determinant is affine in every coordinate of a vertex: its signs at the corners are all.
+  // The determinant is affine in every coordinate of a vertex, so its signs at the extreme
+  // placements decide.
   for (std::size_t k = 0; k < corner_count(); ++k) {
     if (corner(k).orientation() != ideal.orientation()) return false;
   }
@@ -334,11 +338,13 @@ FieldRange TriangleSetup::extent(Eigen::Index axis) const {
 
 namespace {
 
-/// The pixels along an axis, of those up to `most`, that come as near as `spread` to one between
-/// two of these positions, each within 2^-48 of itself.
+/// Returns the first pixel, and one past the last, along an axis that lie within `spread` of some
+/// point between two of the positions `at`, limited to `most`. Each position is known to within
+/// 2^-48 relative.
 std::pair<int, int> touched(std::span<const double> at, double spread, int most) {
   const auto [least, greatest] = std::ranges::minmax(at);
-  // 2^-48 for the positions, and as much for the spread and these sums in any rounding mode.
+  // The positions may be off by 2^-48, and the spread and these sums by as much again in any
+  // rounding mode.
   const double slack = (std::max(std::abs(least), std::abs(greatest)) + spread) * 0x1p-47;
   if (!(slack < kInfinity)) return {0, most};
   const auto pixel_of = [most](double position) {
@@ -360,8 +366,8 @@ PixelBox TriangleSetup::pixels() const {
   return intersection(all, {x0, y0, x1, y1});
 }
 
-/// Gives the box of a triangle that reaches behind the eye: that of the part which its clip planes
-/// leave in the window, widened by `reach`. decide_cut() finds nothing farther off.
+/// The box of a triangle that reaches behind the eye: the box of the part that its clip planes
+/// leave in the window, widened by `reach`. decide_cut() permits nothing farther away.
 PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all) const {
   if (ideal.orientation() == 0) return all;
   const Ring moved = shape == Shape::exact ? Ring(0) : reach;
@@ -393,7 +399,7 @@ ConvexRegion TriangleSetup::shown_at(const Point& p) const {
 
 ConvexRegion TriangleSetup::clipped_to_triangle(ConvexRegion region) const {
   for (std::size_t i = 0; i < 3; ++i) region.clip(ideal.edge(i));
-  // One that is negative at no vertex is so nowhere in the triangle.
+  // A functional negative at no vertex is negative nowhere in the triangle.
   for (const ClipFunctional& functional : clip_functionals()) {
     if (functional.is_violated) region.clip(functional.outer);
   }
@@ -408,7 +414,8 @@ std::pair<Point, Point> guard_band_box(const Scene& scene) {
   const Ring band = exact_ring(scene.contract().guard_band);
   Point lo = scene.viewport_lo();
   Point hi = scene.viewport_hi();
-  // Where the two do not meet, a vertex between them is in neither.
+  // If viewport and guard band do not overlap along an axis, a vertex between them lies in neither,
+  // so along this axis the box stays that of the viewport.
   if (lo.u <= band && hi.u >= -band) {
     lo.u = std::min(-band, lo.u);
     hi.u = std::max(band, hi.u);

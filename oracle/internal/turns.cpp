@@ -14,7 +14,7 @@ void Turns::run(const std::function<void(std::size_t)>& work) {
       others.push_back(std::async(std::launch::async, [&] { do_pieces(work); }));
     }
   } catch (const std::system_error&) {
-    // No more threads are to be had: those there are do it.
+    // No more threads are available: continue with those started.
   }
   do_pieces(work);
   for (const std::future<void>& other : others) other.wait();
@@ -49,7 +49,7 @@ bool Turns::take(std::size_t& piece) {
   return true;
 }
 
-/// Lets no later piece have its turn, and keeps the first failure.
+/// Cancels the turns of all later pieces, and keeps the first failure.
 void Turns::fail(const std::exception_ptr& failure) {
   const std::lock_guard lock(mutex_);
   if (!failure_) failure_ = failure;

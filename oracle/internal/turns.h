@@ -8,18 +8,18 @@
 
 namespace rastercheck::oracle {
 
-/// Work in pieces that several threads do at a time, and whose results come out in the pieces'
-/// order, the same for any number of threads.
+/// Runs pieces of work on several threads and emits their results in the order of the pieces, which
+/// is the same for any number of threads.
 class Turns {
  public:
   Turns(std::size_t pieces, unsigned jobs) : pieces_(pieces), jobs_(jobs) {}
 
-  /// Calls work(0), …, work(pieces − 1), begun in that order; throws the first thing that one of
-  /// them throws. A piece's turn is over when its call returns.
+  /// Calls work(0), …, work(pieces − 1), begun in that order; rethrows the first exception thrown.
+  /// A piece's turn ends when its call returns.
   void run(const std::function<void(std::size_t)>& work);
 
-  /// Waits until the turns of all pieces before this one are over; throws where one of them failed.
-  /// What is done after it in the same call no other piece does at the same time.
+  /// Waits until the turns of all earlier pieces are over; throws if one of them failed. Code after
+  /// this call, in the same piece, runs while no other piece is in its turn.
   void wait_for(std::size_t piece);
 
  private:

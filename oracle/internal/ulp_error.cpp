@@ -8,7 +8,7 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// What an infinite value is taken for: the number after the largest float32.
+/// The value that an infinity counts as: the number after the largest float32.
 constexpr double kBeyondFloat = 0x1p128;
 
 Ring ring_power_of_two(long exponent) { return {std::ldexp(1.0, static_cast<int>(exponent))}; }
@@ -17,16 +17,17 @@ Ring ring_power_of_two(long exponent) { return {std::ldexp(1.0, static_cast<int>
 long ulp_exponent(const Fraction& exact, const ScaleExponent& scale) {
   const Ring size = magnitude(exact.numerator);
   long exponent = scale.value_or(kLeastExponent);
-  // 2^exponent <= magnitude < 2^(exponent + 1), so a smaller value than that changes nothing.
+  // The magnitude is below 2^(exponent + 1), so an exact value below 2^(exponent + 1) does not
+  // change the exponent.
   if (size >= exact.denominator * ring_power_of_two(exponent + 1)) {
     exponent = floor_log2(quotient(size, exact.denominator));
   }
   return ulp_exponent_at(exponent);
 }
 
-/// Doubles around n/d from doubles around n and d. The division is faithful in every rounding mode,
-/// so one step to either side certifies it; where it comes near the ends of the doubles' range, or
-/// what is rounded is not normal, nothing is returned.
+/// Computes doubles around n/d from doubles around n and d. The division is faithful in every
+/// rounding mode, so one step to either side certifies it. Empty if the quotient comes near the
+/// ends of the doubles' range, or if a rounded number is not normal.
 std::optional<records::Enclosure> quick_quotient(const Ring& n, const Ring& d) {
   constexpr double kLeast = 0x1p-960;
   constexpr double kMost = 0x1p960;

@@ -1,11 +1,11 @@
 #pragma once
 
-// Errors in ULP (RULES §5) as exact numbers that are looked at no closer than a question needs:
+// Errors in ULP (RULES §5) as exact numbers, evaluated only as precisely as a question needs:
 //
 //   (f − n/d) / 2^k  =  (f d − n) / (d 2^k),      d > 0,  2^k = ulp(max(|n/d|, magnitude))
 //
-// Numerator and denominator stay in the ring; a quotient is formed in doubles first, certified by
-// the conversion's own bounds, and exactly only where doubles leave a question open.
+// Numerator and denominator stay in the ring. A quotient is first formed in doubles, certified by
+// the conversion's own bounds. It is formed exactly only if doubles leave a question open.
 
 #include <optional>
 
@@ -32,36 +32,36 @@ struct FractionRange {
 std::optional<FractionRange> hull(const std::optional<FractionRange>& a,
                                   const std::optional<FractionRange>& b);
 
-/// Exactly a computed value that is not NaN; of an infinity ±2^128, which it stands for.
+/// Converts a computed value, which must not be NaN, exactly; ±infinity becomes ±2^128.
 Ring computed_ring(float computed);
 
 /// The sign of computed − exact.
 int compare(const Ring& computed, const Fraction& exact);
 /// The sign of a − b.
 int compare(const Fraction& a, const Fraction& b);
-/// The smaller, and the larger of two; of equal ones the first.
+/// The smaller and the larger of two; the first if equal.
 Fraction least(const Fraction& a, const Fraction& b);
 Fraction greatest(const Fraction& a, const Fraction& b);
 
 /// Certified doubles around n/d, a few units in the last place apart.
 records::Enclosure enclose(const Fraction& value);
 
-/// What scale ULP are measured by: floor(log2(magnitude)); nothing for magnitude 0.
+/// The exponent that scale ULP are based on: floor(log2(magnitude)); empty for magnitude 0.
 using ScaleExponent = std::optional<long>;
 ScaleExponent scale_exponent(const Ring& magnitude);
 
 class UlpError {
  public:
-  /// 0, whatever the value: within a range that the contract leaves open.
+  /// An error of 0, for a value within a range that the contract leaves open.
   UlpError() = default;
   UlpError(const Ring& computed, Fraction exact, const ScaleExponent& scale);
 
   bool is_zero() const { return sign_of(difference_) == 0; }
-  /// Certified, a few units in the last place wide; [0, 0] exactly where the error is zero.
+  /// Certified, a few units in the last place wide; [0, 0] exactly if the error is zero.
   records::Enclosure enclosure() const;
   /// The error itself.
   Field value() const;
-  /// The value it is measured from.
+  /// The exact value that the error refers to.
   const Fraction& exact() const { return exact_; }
 
  private:

@@ -12,7 +12,7 @@ using records::FragmentClass;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// The least magnitude of an enclosed number.
+/// The least magnitude of a number in the enclosure.
 double least_magnitude(const Enclosure& e) {
   if (e.lo <= 0 && e.hi >= 0) return 0;
   return std::min(std::abs(e.lo), std::abs(e.hi));
@@ -29,7 +29,7 @@ bool may_be_extreme(const records::Extremes& seen, const Enclosure& error,
          limit_of(seen.most_negative).lets(-error.lo, place);
 }
 
-/// Whether all vertices have the same zero, and the value is the other one.
+/// True if all vertices have the same zero and the value is the zero of the other sign.
 bool is_wrong_zero(const PreparedValue& prepared, float actual) {
   return prepared.only_zero != PreparedValue::Zero::none && actual == 0 &&
          std::signbit(actual) != (prepared.only_zero == PreparedValue::Zero::negative);
@@ -84,6 +84,10 @@ void ValueCascade::gather(std::span<const std::size_t> fragments) {
     center_x_[k] = x + 0.5;
     center_y_[k] = y + 0.5;
   }
+  first_place_ = drawn_->place_of(fragments.front());
+  for (const std::size_t fragment : fragments) {
+    first_place_ = std::min(first_place_, drawn_->place_of(fragment));
+  }
   if (prepared_.map() == nullptr) return;
   const int count = static_cast<int>(fragments.size());
   weigh_samples(prepared_.edges(), x_, y_, count, at_sample_);
@@ -99,15 +103,16 @@ void ValueCascade::gather(std::span<const std::size_t> fragments) {
   }
 }
 
-/// Which of a column's first `count` values certainly lie within what the contract leaves open.
+/// Finds which of a column's first `count` values certainly lie within the range that the contract
+/// leaves open.
 void ValueCascade::find_between(const PreparedValue& prepared, int count) {
   find_between_readings(
       prepared.filter, prepared.readings, prepared.at_center ? at_center_ : at_sample_,
       prepared.at_center ? center_shifts_ : sample_shifts_, computed_, count, is_between_);
 }
 
-/// Enclosures of the errors of a column's first `count` values, by the first level; NaN where it
-/// has none.
+/// Computes the first level's enclosures of the errors of a column's first `count` values; NaN if
+/// the level has no enclosure.
 void ValueCascade::filter_column(const PreparedValue& prepared, int count,
                                  const Batch<float>& actual) {
   const auto lanes = static_cast<std::size_t>(count);
@@ -118,7 +123,7 @@ void ValueCascade::filter_column(const PreparedValue& prepared, int count,
   }
   if (prepared.method == ValueMethod::copy) {
     for (std::size_t k = 0; k < lanes; ++k) {
-      // One rounding, of up to 2^-53 of it; of a right copy none.
+      // One rounding has a relative error of at most 2^-53; an exact copy has none.
       const double difference = double{actual[k]} - prepared.filter.s[0];
       const double slack = std::abs(difference) * 0x1p-50;
       lo_[k] = (difference - slack) * prepared.filter.units;
@@ -132,22 +137,28 @@ void ValueCascade::filter_column(const PreparedValue& prepared, int count,
   if (prepared.is_open) find_between(prepared, count);
 }
 
-/// The first level's enclosures end strictly beyond their errors, unless these are 0: an error that
-/// keeps the limits is less than an extreme.
-ErrorLimits ValueCascade::limits_of(const PreparedValue& prepared) {
+/// Returns the limits within which an error is certainly no extreme. Enclosures of the first level
+/// end strictly beyond their errors, unless an error is 0 or the filter knows it exactly. An
+/// exactly known error as far from 0 as the extreme so far is a new extreme if it comes from an
+/// earlier place, so it must lie outside the limits.
+ErrorLimits ValueCascade::limits_of(const PreparedValue& prepared) const {
+  const auto kept = [&](const ExtremeLimit& limit) {
+    const bool may_equal = prepared.filter.exact_bits > 0 && limit.lets(limit.size, first_place_);
+    return may_equal ? std::nextafter(limit.size, 0.0) : limit.size;
+  };
   if (prepared.is_single || prepared.is_open) {
-    // An excess of 0 is within every bound.
-    return {prepared.is_open ? kMostSummed : prepared.bound, prepared.errors->least(),
-            prepared.errors->most()};
+    // If is_open, the counted values lie in the range; their excess is 0 and within every bound.
+    return {prepared.is_open ? kMostSummed : prepared.bound, -kept(prepared.errors->least_limit()),
+            kept(prepared.errors->most_limit())};
   }
   const records::Extremes& ideal = *prepared.ideal_extremes;
   const records::Extremes& excess = *prepared.excess_extremes;
   return {prepared.bound,
-          -std::min(limit_of(ideal.most_negative).size, limit_of(excess.most_negative).size),
-          std::min(limit_of(ideal.most_positive).size, limit_of(excess.most_positive).size)};
+          -std::min(kept(limit_of(ideal.most_negative)), kept(limit_of(excess.most_negative))),
+          std::min(kept(limit_of(ideal.most_positive)), kept(limit_of(excess.most_positive)))};
 }
 
-/// What is asked besides the error's size.
+/// True if the questions besides the error's size have certain answers.
 bool ValueCascade::is_certain(const PreparedValue& prepared, float actual,
                               const Enclosure& error) const {
   if (is_wrong_zero(prepared, actual)) return false;
@@ -155,18 +166,19 @@ bool ValueCascade::is_certain(const PreparedValue& prepared, float actual,
   const ValueFilter& filter = prepared.filter;
   const double most = std::max(std::abs(error.lo), std::abs(error.hi));
   if (prepared.is_clamped) {
-    // Within 2^-50 of itself: two roundings.
+    // Two roundings, together within 2^-50 relative.
     const double slack = (std::abs(actual) + most / filter.units) * 0x1p-50;
     const cases::Viewport& viewport = scene_->source().viewport;
     const auto [near, far] = std::minmax(viewport.min_depth, viewport.max_depth);
     return actual - error.hi / filter.units - slack >= near &&
            actual - error.lo / filter.units + slack <= far;
   }
-  // Of a mean of the vertices' values ulp is that of the largest; any other may be larger still.
+  // The scale ULP of a mean of the vertices' values is the ulp of the largest vertex value; any
+  // other value may have a larger ulp.
   return prepared.is_mean || std::abs(actual) * filter.units + most < 0x1.ffffffp23;
 }
 
-/// Counts what the first level decides.
+/// Counts the errors that the first level decides.
 void ValueCascade::count_filtered(const PreparedValue& prepared, int count,
                                   JudgedBatch::Column& column) {
   const auto lanes = static_cast<std::size_t>(count);
@@ -198,12 +210,12 @@ void ValueCascade::count_filtered(const PreparedValue& prepared, int count,
   statistics_->levels().values.filter += decided;
 }
 
-/// Counts an error of the second level, if it decides all.
+/// Counts a value whose error the second level encloses, if the enclosure decides everything.
 bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclosure& error,
                         std::size_t fragment) {
   const ErrorLimits limits = limits_of(prepared);
   const double most = std::max(std::abs(error.lo), std::abs(error.hi));
-  // Written so that NaN is not.
+  // Written so that NaN fails.
   const bool is_within = most <= limits.bound &&
                          records::Histogram::share_bucket(least_magnitude(error), most) &&
                          is_certain(prepared, actual, error);
@@ -223,7 +235,7 @@ bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclo
   return true;
 }
 
-/// Notes an error that may be an extreme.
+/// Records an error that may be an extreme.
 void ValueCascade::note(const PreparedValue& prepared, EnclosedErrors& errors,
                         const Enclosure& error, std::size_t fragment) {
   if (error.hi < errors.most() && error.lo > errors.least()) return;
@@ -233,7 +245,8 @@ void ValueCascade::note(const PreparedValue& prepared, EnclosedErrors& errors,
   if (errors.has_many_candidates()) settle_extremes(*scene_, *drawn_, case_index_, errors);
 }
 
-/// Counts what the first level knows to be a value of its pixel: its excess is 0.
+/// Counts the values that the first level knows to be permitted in their pixel, with an excess of
+/// 0.
 void ValueCascade::take_centroids(const PreparedValue& prepared,
                                   std::span<const std::size_t> fragments,
                                   JudgedBatch::Column& column) {
@@ -252,8 +265,8 @@ void ValueCascade::take_centroids(const PreparedValue& prepared,
   statistics_->levels().values.filter += decided;
 }
 
-/// Counts what the first level knows to lie outside of what the contract leaves open, and by how
-/// much, if that decides all; the column has its ideal error.
+/// Counts a value that the first level knows to lie beyond the range that the contract leaves open,
+/// if the enclosure of its excess decides everything. The column must hold its ideal error.
 bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Column& column,
                                std::size_t lane, std::size_t fragment) {
   const float actual = column.actual[lane];
@@ -264,7 +277,7 @@ bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Colum
       *placements, prepared.filter, prepared.readings, prepared.at_center ? at_center_ : at_sample_,
       prepared.at_center ? center_shifts_ : sample_shifts_, lane, actual, ideal);
   if (!excess) return false;
-  // Written so that NaN is not.
+  // Written so that NaN fails.
   const auto is_known = [&](const Enclosure& error, double most_allowed) {
     const double most = std::max(std::abs(error.lo), std::abs(error.hi));
     return most <= most_allowed && records::Histogram::share_bucket(least_magnitude(error), most) &&
@@ -285,7 +298,7 @@ bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Colum
   return true;
 }
 
-/// The second level; under UpwardRounding.
+/// Computes the second level's enclosure of an error; requires UpwardRounding.
 Enclosure ValueCascade::by_interval(const PreparedValue& prepared, std::size_t lane,
                                     float actual) const {
   if (prepared.method != ValueMethod::map || !std::isfinite(actual)) return {kNaN, kNaN};
@@ -349,7 +362,7 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   std::uint64_t decided = fragments.size() - open_.size();
 
   if (prepared.is_open) {
-    // What does not lie between readings the second level knows no better.
+    // The second level knows no more about values that do not lie between readings.
     decided += std::erase_if(open_, [&](std::size_t k) {
       column.is_by_enclosure[k] = !is_between(k) && take_beyond(prepared, column, k, fragments[k]);
       return column.is_by_enclosure[k];

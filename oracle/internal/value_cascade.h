@@ -1,12 +1,13 @@
 #pragma once
 
-// The values of drawn samples of one triangle, judged a batch at a time by the three levels of the
-// cascade (docs/oracle.md). A level's answer is an enclosure of a value's error; it decides where
-// everything that is asked of the error follows from it:
+// Judges the values of one triangle's drawn samples, a batch at a time, by the three levels of the
+// cascade (docs/oracle.md). A level returns an enclosure of a value's error. The enclosure decides
+// the value if it answers all three questions:
 //
 //   Is it within the bound?   Which bucket of the histogram?   Is it a new extreme?
 //
-// Where one of these stays open the next level is asked; the last, judge_value, answers all.
+// If one question stays open, the next level is asked; the last level, judge_value, answers all
+// questions.
 
 #include <array>
 #include <cstdint>
@@ -24,10 +25,10 @@
 
 namespace rastercheck::oracle {
 
-/// How the values of a batch came out.
+/// The judgement of a batch's values.
 class JudgedBatch {
  public:
-  /// Whether all values of a sample are right.
+  /// True if all values of a sample are right.
   bool is_right(std::size_t lane) const { return !is_wrong_[lane]; }
   /// The values of a sample, depth first.
   std::vector<JudgedValue> values_of(std::size_t lane) const;
@@ -38,14 +39,15 @@ class JudgedBatch {
     records::AttributeKind kind;
     std::optional<std::uint32_t> attribute;
     Batch<float> actual;
-    // An enclosure of a right value's error, excess and ideal alike unless it is_open, where
-    // is_by_enclosure says so; else `one_by_one_` has the value.
+    // If is_by_enclosure, [lo, hi] encloses the error of a right value: both excess and ideal error
+    // or, if is_open, the ideal error alone. Otherwise the value is in `one_by_one_`.
     Batch<double> lo;
     Batch<double> hi;
     Batch<bool> is_by_enclosure;
-    bool has_ideal = true;             ///< else it has no ideal error, and lo and hi mean nothing
-    bool is_open = false;              ///< the excess is not the ideal error
-    Batch<records::Enclosure> excess;  ///< only where it is_open
+    bool has_ideal = true;             ///< if false, there is no ideal error, and lo and hi are
+                                       ///< meaningless
+    bool is_open = false;              ///< the excess may differ from the ideal error
+    Batch<records::Enclosure> excess;  ///< only if is_open
   };
   struct OneValue {
     std::size_t column;
@@ -59,12 +61,12 @@ class JudgedBatch {
 
 class ValueCascade {
  public:
-  /// All must outlive it.
+  /// The scene, the drawing and the statistics must outlive the object.
   ValueCascade(const SceneTruth& scene, const cases::Fragments& drawn, const JudgeOptions& options,
                ValueStatistics& statistics);
 
-  /// Begins a triangle, which must outlive its batches, as must the filter of its coverage; all its
-  /// samples lie in the filter's box.
+  /// Begins a triangle. The triangle and the filter of its coverage must outlive its batches; all
+  /// its samples must lie in the filter's box.
   void begin(const TriangleTruth& truth, const TriangleFilter& filter);
 
   /// Judges all values of up to kBatchSize fragments (indices into the framebuffer), whose samples
@@ -82,7 +84,7 @@ class ValueCascade {
   }
   void take_centroids(const PreparedValue& prepared, std::span<const std::size_t> fragments,
                       JudgedBatch::Column& column);
-  static ErrorLimits limits_of(const PreparedValue& prepared);
+  ErrorLimits limits_of(const PreparedValue& prepared) const;
   bool is_certain(const PreparedValue& prepared, float actual,
                   const records::Enclosure& error) const;
   void count_filtered(const PreparedValue& prepared, int count, JudgedBatch::Column& column);
@@ -97,7 +99,7 @@ class ValueCascade {
   void judge_exactly(const PreparedValue& prepared, std::size_t column, std::size_t lane,
                      std::size_t fragment);
 
-  // What wants the widest alignment comes first, what wants the least last.
+  // Ordered by alignment, widest first.
   BatchWeights at_sample_{};
   BatchWeights at_center_{};
   BatchShifts sample_shifts_{};
@@ -110,7 +112,8 @@ class ValueCascade {
   ValueStatistics* statistics_;
   const TriangleTruth* truth_ = nullptr;
   const TriangleFilter* coverage_ = nullptr;
-  std::vector<std::size_t> open_;  ///< lanes that a level left open
+  cases::SamplePlace first_place_;  ///< the first place of a batch
+  std::vector<std::size_t> open_;   ///< lanes still undecided after a level
   JudgedBatch judged_;
   PreparedValues prepared_;
 
@@ -119,12 +122,12 @@ class ValueCascade {
   Batch<double> center_x_{};
   Batch<double> center_y_{};
   Batch<double> computed_{};
-  Batch<double> lo_{};  ///< of a column's errors
+  Batch<double> lo_{};  ///< ends of the enclosures of a column's errors
   Batch<double> hi_{};
   CountedErrors counted_{};
-  std::array<std::uint64_t, kBatchSize / 64> is_between_{};  ///< of a column's values
+  std::array<std::uint64_t, kBatchSize / 64> is_between_{};  ///< one bit for each value of a column
   Level first_level_;
-  bool is_prepared_ = false;  ///< prepared_ is of this triangle
+  bool is_prepared_ = false;  ///< prepared_ holds this triangle's values
 };
 
 }  // namespace rastercheck::oracle

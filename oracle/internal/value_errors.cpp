@@ -6,7 +6,7 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// The least and the greatest of some readings. Their doubles tell most apart.
+/// The least and the greatest of some readings; doubles mostly suffice to compare them.
 class Hull {
  public:
   void add(Fraction reading) {
@@ -37,10 +37,11 @@ class Hull {
   records::Enclosure greatest_around_;
 };
 
-/// Whether readings on both sides of a computed value have been seen, so that it lies between.
+/// Records whether readings on both sides of a computed value have been seen, so that the value
+/// lies between them.
 class Bracket {
  public:
-  /// `sign` of computed − reading.
+  /// `sign` is the sign of computed − reading.
   void see(int sign) {
     some_below_ = some_below_ || sign >= 0;
     some_above_ = some_above_ || sign <= 0;
@@ -105,7 +106,7 @@ Fraction ValueErrors::clamped(const Subject& subject, Fraction value) const {
   return value;
 }
 
-/// The sign of computed − (the value as the rules clamp it).
+/// The sign of computed − v, where v is `value` clamped as the rules do.
 int ValueErrors::compare_clamped(const Subject& subject, const Ring& computed,
                                  const Fraction& value) const {
   const int sign = compare(computed, value);
@@ -118,7 +119,7 @@ int ValueErrors::compare_clamped(const Subject& subject, const Ring& computed,
   return both_at_an_end ? 0 : sign;
 }
 
-/// What the contract leaves of the value being [lo, hi] before the rules clamp it.
+/// The excess of a computed value if the contract allows [lo, hi] before clamping.
 UlpError ValueErrors::beyond(const Subject& subject, Fraction lo, Fraction hi,
                              const Ring& computed) const {
   if (compare_clamped(subject, computed, hi) > 0) {
@@ -163,7 +164,8 @@ std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const
     if (has_pole) break;
     readings.push_back(corner(subject, k).at(p));
     bracket.see(compare_clamped(subject, computed, readings.back()));
-    // Even if a pole were still to come: the range would then be that of the ends.
+    // Valid even if a later placement has a pole: the range would then include
+    // [ends.lo, ends.hi], which contains the value too.
     if (place == Place::sample && is_between_ends && bracket.holds()) return UlpError();
   }
   if (has_pole && place == Place::center) return std::nullopt;
@@ -189,8 +191,8 @@ std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const
   return beyond(subject, std::move(lo), std::move(hi), computed);
 }
 
-/// Whether a computed value is surely one of those that the rules leave open: one that the exact
-/// triangle has in the region where it may be evaluated. Else who asks has to look at the range.
+/// True if a computed value is certainly permitted, because the exact triangle has this value in
+/// the region where the attribute may be evaluated. If false, the caller must examine the range.
 bool ValueErrors::is_attained(const Subject& subject, const cases::Attribute& declared, int x,
                               int y, const Point& p, const Ring& computed) const {
   const Scene& scene = *triangle_->scene;
@@ -198,7 +200,7 @@ bool ValueErrors::is_attained(const Subject& subject, const cases::Attribute& de
     return false;
   }
   if (declared.location == cases::Location::centroid) {
-    // Of a triangle that is placed, centroids at samples beyond the horizon are undefined.
+    // For a triangle of shape placed, centroids at samples beyond the horizon are undefined.
     const bool is_anywhere =
         !scene.conventions().centroid_is_a_sample && triangle_->shape != Shape::placed;
     return is_anywhere && values_->centroid_region(x, y).attains(ideal(subject), computed);
@@ -209,8 +211,9 @@ bool ValueErrors::is_attained(const Subject& subject, const cases::Attribute& de
          values_->cut_region(p).attains(ideal(subject), computed);
 }
 
-/// Against the one triangle that the contract's basis names, else the exact one; where clipping
-/// leaves open what a snapped triangle became, there is none to be precise about.
+/// The error relative to the triangle that the contract's basis names or, if the basis allows
+/// several, relative to the exact triangle. Empty if clipping leaves the snapped triangle open, if
+/// that triangle is degenerate, or if 1/w <= 0 at p.
 std::optional<UlpError> ValueErrors::ideal_error(const Subject& subject, const Point& p,
                                                  const Ring& computed) const {
   const ProjectiveMap* map = values_->single_map();
@@ -231,7 +234,7 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
                                           int sample, const Ring& computed) const {
   const Scene& scene = *triangle_->scene;
   const Subject& subject = subjects_[attribute ? 1 + *attribute : 0];
-  cases::Attribute declared;  // of the depth: at the sample
+  cases::Attribute declared;  // the depth keeps the default: at the sample
   if (attribute) declared = scene.source().attributes[*attribute];
   if (declared.interpolation == cases::Interpolation::flat) {
     const Ring value = values_->vertex_values(*attribute)[scene.conventions().provoking_vertex];
@@ -239,7 +242,8 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
     return ValueError{error, error};
   }
 
-  // The only sample of a pixel is its centre: what covers it makes it a mean of the vertices.
+  // If a pixel has one sample, the sample is its centre; if the sample is covered, its value is a
+  // mean of the vertices' values.
   const bool at_center =
       declared.location == cases::Location::center &&
       (scene.source().framebuffer.samples > 1 || values_->single_map() != nullptr);

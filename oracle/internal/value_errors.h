@@ -1,21 +1,22 @@
 #pragma once
 
-// The errors of one triangle's values against what the rules leave open of them (oracle/judge.h).
+// The errors of one triangle's values relative to the ranges that the rules allow (oracle/judge.h).
 //
-// TriangleValues gives the exact range of a value, from up to 64 placements or from a polygon. To
-// judge a computed f that range is hardly ever needed: if one *reading* (a value the range surely
-// holds) is at most f and another at least f, f lies within it. Each comparison is the sign of
-// f d − n, in the ring. Where all readings are on one side of f the nearest of them is the end of
-// the range.
+// TriangleValues gives the exact range of a value, from up to 64 placements or from a polygon.
+// Judging a computed f rarely needs the range: if one *reading* (a value certain to be in the
+// range) is at most f and another at least f, f lies in the range. Each comparison is the sign of f
+// d − n, in the ring. If all readings are on one side of f, the nearest of them is the end of the
+// range.
 //
-//   placed   readings are the extreme placements' values, and the exact triangle's where the basis
-//            is unspecified; a mean of the vertices' values stays between the least and the
-//            greatest of these, so the range is cut down to them
-//   cut      with the square of half-width `reach` around the point inside the polygon, readings
+//   placed   readings are the extreme placements' values, and the exact triangle's if the basis is
+//            unspecified; a mean of the vertices' values lies between the least and the greatest
+//            of these, so the range is clamped to them
+//   cut      if the square of half-width `reach` around the point lies inside the polygon, readings
 //            are the exact triangle's values at its corners, where a ratio of affine functions has
 //            its extremes
 //
-// Everything else (centroids, squares that leave the polygon, poles) asks TriangleValues.
+// In all other cases (centroids, squares that leave the polygon, poles), TriangleValues gives the
+// range.
 
 #include <optional>
 #include <vector>
@@ -34,22 +35,23 @@ struct ValueError {
 
 class ValueErrors {
  public:
-  /// Both must outlive it.
+  /// The triangle and the values must outlive the object.
   ValueErrors(const TriangleSetup& triangle, const TriangleValues& values);
 
-  /// The errors of a computed value: of an attribute, or of the depth where `attribute` is nothing.
-  /// Nothing where the rules leave the value undefined.
+  /// The errors of a computed value of an attribute, or of the depth if `attribute` is empty.
+  /// Returns nullopt if the rules leave the value undefined.
   std::optional<ValueError> of(std::optional<std::size_t> attribute, int x, int y, int sample,
                                const Ring& computed) const;
 
  private:
   struct Subject {
     Quantity quantity;
-    /// What the ideal error is about where the contract claims affine values; else nothing.
+    /// The quantity that the ideal error refers to if the contract claims affine values; else
+    /// empty.
     std::optional<Quantity> perspective;
     ScaleExponent scale;
     FractionRange ends;       ///< TriangleValues::ends
-    bool is_clamped = false;  ///< depth that the rules clamp
+    bool is_clamped = false;  ///< true for a depth that the rules clamp
     // Made when first asked for.
     mutable std::optional<Reading> ideal;
     mutable std::vector<std::optional<Reading>> corners;

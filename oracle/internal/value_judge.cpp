@@ -15,13 +15,13 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// The x, y and sample of its place.
+/// The x, y and sample of a value's place.
 std::array<int, 3> sample_of(const ComputedValue& value) {
   return {static_cast<int>(value.place.x), static_cast<int>(value.place.y),
           static_cast<int>(value.place.sample)};
 }
 
-/// Whether |excess| is within what the contract promises, exactly; nothing where it promises
+/// Decides exactly whether |excess| is within the contract's bound; empty if the contract promises
 /// nothing there.
 std::optional<bool> is_within(const UlpError& excess, const TriangleTruth& truth,
                               const ComputedValue& value) {
@@ -39,7 +39,7 @@ bool is_flat(const cases::Case& source, const ComputedValue& value) {
          source.attributes[*value.attribute].interpolation == cases::Interpolation::flat;
 }
 
-/// Whether all three vertices have the same zero, and the value is the other one.
+/// True if all three vertices have the same zero and the value is the zero of the other sign.
 bool is_other_zero(const cases::Case& source, const ComputedValue& value) {
   if (!value.attribute || value.actual != 0) return false;
   const cases::Triangle& triangle = source.triangles[value.place.triangle];
@@ -52,7 +52,7 @@ bool is_other_zero(const cases::Case& source, const ComputedValue& value) {
 FragmentClass class_of(const SceneTruth& scene, const ComputedValue& value, const UlpError& excess,
                        bool is_right) {
   if (std::isinf(value.actual)) {
-    // Everything from 2^128 on has to come out infinite.
+    // An infinity counts as ±2^128, and is right if the exact value lies beyond that.
     const records::Enclosure error = excess.enclosure();
     const bool lies_farther = value.actual > 0 ? error.hi < 0 : error.lo > 0;
     return is_right || lies_farther ? FragmentClass::correct : FragmentClass::infinite;
@@ -63,7 +63,7 @@ FragmentClass class_of(const SceneTruth& scene, const ComputedValue& value, cons
                                                             : FragmentClass::correct;
 }
 
-/// The bucket of an error's exact magnitude.
+/// Counts an error in the bucket of its exact magnitude.
 void count(records::Histogram& histogram, const UlpError& error) {
   const records::Enclosure rough = error.enclosure();
   const auto lower =
@@ -76,14 +76,14 @@ void count(records::Histogram& histogram, const UlpError& error) {
   }
 }
 
-/// Keeps an error where it is an extreme. `exact` gives the exact value's text.
+/// Keeps an error if it is an extreme. `exact` returns the exact value's text.
 template <typename Text>
 void keep(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
           const ComputedValue& value, std::uint64_t case_index, const Text& exact) {
   if (!records::may_keep(sizes.extremes, error.enclosure())) return;
   records::WorstError worst;
   worst.error = enclose(error.value());
-  // Asked again, as the first answer may have been too rough for the work that follows.
+  // Tests again with the tighter enclosure, to save the work that follows.
   if (!records::may_keep(sizes.extremes, worst.error)) return;
   worst.exact = exact();
   worst.actual = value.actual;
@@ -94,12 +94,13 @@ void keep(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& s
   records::keep(sizes.extremes, worst);
 }
 
-/// Counts an error, and keeps it where it is an extreme.
+/// Counts an error, and keeps it if it is an extreme.
 template <typename Text>
 void add(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
          const ComputedValue& value, std::uint64_t case_index, const Text& exact) {
   count(sizes.histogram, error);
-  // Close to the border of what is summed as closely as doubles can, to be on the error's side.
+  // If the enclosure straddles the limit up to which errors are summed, uses the tightest doubles,
+  // so that the enclosure lies on the same side of the limit as the error.
   const records::Enclosure rough = error.enclosure();
   const bool is_open =
       (rough.lo < -records::SignedSum::kMost && rough.hi >= -records::SignedSum::kMost) ||
@@ -197,7 +198,7 @@ void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
       prepared = value.place.triangle;
     }
     const std::optional<ValueError> error = errors_of(*truth, value);
-    if (!error || !error->ideal) continue;  // cannot be: it was enclosed
+    if (!error || !error->ideal) continue;  // cannot happen: the error was enclosed
     if (errors.meaning == Meaning::excess) {
       keep(errors.sizes, error->excess, scene, value, case_index,
            [&] { return to_string(range_of(*truth, value)); });

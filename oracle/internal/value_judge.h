@@ -1,6 +1,6 @@
 #pragma once
 
-// One computed value against the truth, in exact numbers: its class, and its place in the
+// Judges one computed value against the truth, in exact numbers: its class, and its place in the
 // statistics.
 
 #include <optional>
@@ -14,27 +14,27 @@
 
 namespace rastercheck::oracle {
 
-/// What is judged: one value of one drawn sample.
+/// One value of one drawn sample, as judged.
 struct ComputedValue {
   cases::SamplePlace place;
-  std::optional<std::uint32_t> attribute;  ///< nothing for the depth
+  std::optional<std::uint32_t> attribute;  ///< empty for the depth
   float actual = 0;
 };
 ComputedValue computed_value(const cases::Fragments& drawn, std::size_t fragment,
                              std::optional<std::uint32_t> attribute);
 
-/// The kind of the attribute, or of the depth where there is none.
+/// The kind of an attribute, or of the depth if `attribute` is empty.
 records::AttributeKind kind_of(const cases::Case& source, std::optional<std::uint32_t> attribute);
 
-/// Judges the value, which is not free, and adds it to the statistics of its kind. Nothing where it
-/// is not judged, being undefined or without a bound, which is counted as well. `is_single`: where
-/// the value has both errors, they are the same.
+/// Judges a value that is not free and adds it to the statistics of its kind. Returns nullopt if
+/// the value is not judged because it is undefined or has no bound; such values are counted as
+/// well. `is_single` promises that, if the value has both errors, they are equal.
 std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTruth& truth,
                                        const ComputedValue& value, std::uint64_t case_index,
                                        records::Stratum stratum, bool is_single,
                                        ValueStatistics& statistics);
 
-/// Computes the candidates' errors exactly, and keeps those that are extremes.
+/// Computes the candidates' errors exactly and keeps the extremes.
 void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
                      std::uint64_t case_index, EnclosedErrors& errors);
 

@@ -22,7 +22,7 @@ void EnclosedErrors::note(const ExtremeCandidate& candidate) {
   prune();
 }
 
-/// Keeps those that may be the largest on their side.
+/// Keeps the candidates that may be the largest error on their side of 0.
 void EnclosedErrors::prune() {
   std::erase_if(candidates_, [this](const ExtremeCandidate& candidate) {
     const bool may_be_most = candidate.error.hi > 0 && candidate.error.hi >= most();

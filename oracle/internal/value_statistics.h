@@ -1,12 +1,12 @@
 #pragma once
 
-// Where the errors of one judgement are counted.
+// Counts the errors of one judgement.
 //
-// Mostly the contract leaves no value open; then a value's excess is its ideal error, and is
-// counted once, by kind and stratum, and put into all three places at the end. Where a range is
-// open the ideal error is counted, and of what lies beyond the range the excess as well; that of
-// all others is 0. Of such errors the extremes are looked for among enclosures, and only what may
-// be the largest at the end is computed exactly.
+// Usually the contract leaves no value open. A value's excess is then its ideal error, which is
+// counted once, by kind and stratum, and copied at the end to the statistics of the excess, the
+// ideal error and the stratum. If a range is open, the ideal error is counted, and also the excess
+// of each value beyond the range; all other excesses are 0. Extremes are tracked by enclosures, and
+// only the errors that may still be the largest at the end are computed exactly.
 
 #include <array>
 #include <functional>
@@ -24,27 +24,27 @@ struct ExtremeCandidate {
   records::Enclosure error;
   cases::SamplePlace place;
   std::size_t fragment = 0;                ///< index into the framebuffer
-  std::optional<std::uint32_t> attribute;  ///< nothing for the depth
+  std::optional<std::uint32_t> attribute;  ///< empty for the depth
 };
 
-/// An error that extremes have to exceed. Of equal ones that of the first place is the extreme, in
-/// whatever order they are seen.
+/// A lower limit for extremes. Among equal errors, the error at the first place is the extreme, in
+/// whatever order the errors are seen.
 struct ExtremeLimit {
   double size = 0;           ///< some error is at least this far from 0
-  cases::SamplePlace place;  ///< of the first that is known to be, if size > 0
+  cases::SamplePlace place;  ///< the first known place with that error, if size > 0
 
-  /// Whether an error, at most this far from 0, may be an extreme.
+  /// True if an error of size at most `error_size` may be an extreme.
   bool lets(double error_size, const cases::SamplePlace& error_place) const {
     return error_size > size || (error_size == size && size > 0 && error_place < place);
   }
-  /// Takes an error into account that is at least this far from 0.
+  /// Takes into account an error of size at least `error_size`.
   void take(double error_size, const cases::SamplePlace& error_place);
 };
 
-/// Says what an enclosed error is: excess and ideal alike, or one of them.
+/// The meaning of an enclosed error: both the excess and the ideal error, or one of the two.
 enum class Meaning { both, ideal, excess };
 
-/// Errors of one kind and stratum that enclosures are enough for.
+/// Errors of one kind and stratum for which enclosures suffice.
 class EnclosedErrors {
  public:
   explicit EnclosedErrors(Meaning what) : meaning(what) {}
@@ -52,19 +52,21 @@ class EnclosedErrors {
   Meaning meaning;
   records::ErrorSizes sizes;
 
-  /// Errors strictly between these cannot be an extreme; at most and at least 0.
+  /// Errors strictly between least() <= 0 and most() >= 0 cannot be extremes.
   double least() const { return -least_.size; }
   double most() const { return most_.size; }
+  const ExtremeLimit& least_limit() const { return least_; }
+  const ExtremeLimit& most_limit() const { return most_; }
   bool may_be_extreme(const records::Enclosure& error, const cases::SamplePlace& place) const {
     return most_.lets(error.hi, place) || least_.lets(-error.lo, place);
   }
-  /// Notes an error that may be an extreme.
+  /// Records an error that may be an extreme.
   void note(const ExtremeCandidate& candidate);
   void merge(EnclosedErrors&& other);
   const std::vector<ExtremeCandidate>& candidates() const { return candidates_; }
-  /// More than this would be slow to carry about: it is time to settle.
+  /// True if the candidates should be settled now, because more would slow the judge down.
   bool has_many_candidates() const { return candidates_.size() >= 64; }
-  /// The candidates have been computed exactly and kept in `sizes`, where they are extremes.
+  /// Call after the candidates have been computed exactly and the extremes kept in `sizes`.
   void settled();
 
  private:
@@ -86,10 +88,10 @@ class ValueStatistics {
   /// Settles the candidates of errors: computes them exactly (settle_extremes in value_judge.h).
   using Settle = std::function<void(EnclosedErrors&)>;
 
-  /// Adds what was judged after this.
+  /// Adds the statistics of values that were judged after the values counted here.
   void merge(ValueStatistics&& other, const Settle& settle);
 
-  /// All in its place.
+  /// Moves everything to its place and returns the judgement.
   records::Judgement finish(const Settle& settle);
 
  private:

@@ -16,8 +16,8 @@ std::optional<FractionRange> single(const std::optional<Fraction>& value) {
   return single(*value);
 }
 
-/// The values a quantity takes on a region: it is a ratio of affine functionals whose denominator
-/// keeps its sign there, so its extremes are at corners.
+/// The range of a quantity on a region. The quantity is a ratio of affine functionals whose
+/// denominator keeps its sign there, so its extremes are at corners.
 std::optional<FractionRange> range_over(const Quantity& quantity,
                                         const TriangleValues::Region& region) {
   if (region.map->orientation() == 0) return std::nullopt;
@@ -38,7 +38,7 @@ bool has_positive_inverse_w(const ProjectiveMap& map, const Point& p) {
   return sign_of(map.inverse_w().at(p)) > 0;
 }
 
-/// The value on a map at a point; nothing where there is none (Quantity::at).
+/// The value on a map at a point; empty if undefined (Quantity::at).
 std::optional<Fraction> evaluate(const Quantity& quantity, const ProjectiveMap& map,
                                  const Point& p) {
   if (map.orientation() == 0) return std::nullopt;
@@ -125,20 +125,21 @@ std::optional<FractionRange> TriangleValues::value_at(const Quantity& quantity,
                                                       const FractionRange& ends, const Point& p,
                                                       Place place) const {
   if (const ProjectiveMap* map = single_map()) {
-    // Where the centre lies behind the eye's horizon nothing is defined there, not even an affine
-    // value (RULES §4).
+    // If the centre lies behind the eye's horizon, no value is defined there, not even an affine
+    // one (RULES §4).
     if (place == Place::center && !has_positive_inverse_w(*map, p)) return std::nullopt;
     return single(evaluate(quantity, *map, p));
   }
-  // The only sample's place is the centre: it is covered, so it is a mean of the vertices.
+  // The only sample is at the centre and is covered, so its value is a mean of the vertices'
+  // values.
   if (triangle_->scene->source().framebuffer.samples == 1) place = Place::sample;
   return triangle_->shape == Shape::cut ? cut_value(quantity, p, place)
                                         : placed_value(quantity, ends, p, place);
 }
 
 /// Every vertex coordinate enters a value as a linear fraction, so the value is monotone in each
-/// (RULES §3) and its range over the boxes of the placements is taken at their corners, unless a
-/// pole lies between.
+/// coordinate (RULES §3). Its range over the boxes of the placements is attained at their corners,
+/// unless a pole lies between.
 std::optional<FractionRange> TriangleValues::placed_value(const Quantity& quantity,
                                                           const FractionRange& ends, const Point& p,
                                                           Place place) const {
@@ -170,10 +171,10 @@ std::optional<FractionRange> TriangleValues::placed_value(const Quantity& quanti
 }
 
 /// Corners of the clipped polygon move by at most `reach` per axis. A point p of the moved polygon
-/// is a mean of moved corners; the same mean of the corners where they were is a point q of the
-/// polygon within `reach` of p. Values that are affine in window space (n/w and 1/w) are carried
-/// with the corners, so the moved polygon has at p the value that the exact one has at q. The
-/// argument needs a mean, so a centre that may lie outside has no value.
+/// is a mean of moved corners; the same mean of the original corners is a point q of the polygon
+/// within `reach` of p. Values affine in window space (n/w and 1/w) move with the corners, so the
+/// moved polygon has at p the value that the exact one has at q. The argument needs a mean, so a
+/// centre that may lie outside the moved polygon has no value.
 std::optional<FractionRange> TriangleValues::cut_value(const Quantity& quantity, const Point& p,
                                                        Place place) const {
   if (place == Place::center && decide_point(*triangle_, p).verdict != Verdict::required) {
@@ -212,7 +213,7 @@ bool TriangleValues::Region::has_pole() const {
   return false;
 }
 
-/// computed = N/D, D > 0, where computed D − N is zero.
+/// For D > 0, computed = N/D iff computed D − N is zero.
 bool TriangleValues::Region::attains(const Reading& reading, const Ring& computed) const {
   const auto& [n, d] = reading;
   return map->orientation() != 0 &&
@@ -279,7 +280,7 @@ TriangleValues::CentroidSamples TriangleValues::centroid_samples(int x, int y) c
 }
 
 /// D3D: the centre if all samples are covered, else the first covered sample. Samples that are only
-/// permitted leave several of these open.
+/// permitted may leave several candidates.
 std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantity,
                                                          const FractionRange& ends, int x,
                                                          int y) const {
@@ -292,7 +293,8 @@ std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantit
     range = hull(range, value);
   }
   if (places.has_center) {
-    // Where all samples of a standard pattern are covered, so is their hull; the centre lies in it.
+    // If all samples of a standard pattern are covered, so is their hull, which contains the
+    // centre.
     const Place place = single_map() == nullptr ? Place::sample : Place::center;
     const auto value = value_at(quantity, ends, Scene::center_point(x, y), place);
     if (!value) return std::nullopt;
@@ -335,7 +337,8 @@ std::optional<FractionRange> TriangleValues::centroid_range(const Quantity& quan
   std::optional<FractionRange> range = range_over(quantity, centroid_region(x, y));
   if (triangle_->shape == Shape::exact) return range;
 
-  // What is drawn need not lie in the exact triangle: an implementation may take a covered sample.
+  // The drawn part need not lie in the exact triangle, so an implementation may evaluate at a
+  // covered sample outside it.
   const bool ideal_may_be_taken = map != nullptr || scene.contract().basis != cases::Basis::snapped;
   if (!ideal_may_be_taken) return range;
   const ProjectiveMap& drawn = map == nullptr ? triangle_->ideal : *map;
@@ -349,8 +352,8 @@ std::optional<FractionRange> TriangleValues::centroid_range(const Quantity& quan
       continue;
     }
     const std::optional<FractionRange> there = single(evaluate(quantity, drawn, p));
-    // A sample that only snapping covers may lie behind the eye's horizon: undefined, as it is
-    // under `sample`.
+    // A sample covered only by snapping may lie behind the eye's horizon; its value is then
+    // undefined, as under `sample`.
     if (!there && map != nullptr) return std::nullopt;
     range = hull(range, there);
   }

@@ -11,7 +11,8 @@
 #
 # Assumes: Den > 0; |Den - Den*| <= Z <= 2^-20 Den (sum.g, and the test beside `reciprocal`; of a
 # determinant limbs.g, Z = 2^-51 Den); |S - S*| <= H (value.g); H > 0, so that `least` counts. H = 0
-# only where all g_i are: all is 0 then, and exact.
+# only where all g_i are: all is 0 then, and exact. Quotients of sums without an error are computed
+# another way (filter_kernels.h).
 #
 # In units of Den, whose size so drops out: N = |S|/Den, eta = H/Den, z = Z/Den. S* = S + H r with
 # |r| <= 1, and Den/Den* = 1 + z y with |y| <= 1/(1 - 2^-20). The sign of S, hence of q, is s. The

@@ -17,27 +17,30 @@ namespace {
 
 using records::Counterexample;
 
-/// Cases in a task: some seconds of work at most, and a process more or less makes no difference.
+/// Cases in a small task: at most a few seconds of work, so that processes end at about the same
+/// time.
 constexpr std::uint64_t kCasesPerTask = 10;
-/// A campaign of many cases has larger tasks, as what each found has to be handed over and merged:
-/// of a law and backend up to a 500th of its cases …
+/// A campaign of many cases has larger tasks, because the findings of each task must be handed over
+/// and merged. A larger task has at most a 500th of the cases of its law and backend …
 constexpr std::uint64_t kMostTasks = 500;
-/// … and a 16th of those before it: a run that is ended drops the tasks that it is at.
+/// … and at most a 16th of the cases before it: a run that is interrupted loses its tasks in
+/// progress.
 constexpr std::uint64_t kShareOfThoseBefore = 16;
-/// Of a law and backend in each of several shards, if it has that many cases: enough of them that
-/// one more or less makes no difference.
+/// Minimum number of tasks per shard for a law and backend, if there are several shards and enough
+/// cases. With so many tasks, one more or less makes no difference.
 constexpr std::uint64_t kTasksPerShard = 4;
 
-/// Seconds in which a case that a backend hangs at is made smaller, if nobody says how many: each
-/// try may take the whole time that a backend has.
+/// Default limit, in seconds, for shrinking a case at which a backend hangs: each try may take the
+/// whole time-out.
 constexpr double kHangSeconds = 60;
 
-/// Deals tasks out to shards in turn, as seen by one of them.
+/// Deals tasks out to shards in turn, and tells one shard which of them are its own.
 class Deal {
  public:
   explicit Deal(records::ShardNumber ours) : ours_(ours) {}
 
-  /// Cases in the task of a law with `count` cases that begins at its case `first`.
+  /// Returns the number of cases in the task that begins at case `first` of a law with `count`
+  /// cases.
   std::uint64_t task_size(std::uint64_t first, std::uint64_t count) const {
     const std::uint64_t most = std::max(kCasesPerTask, count / kMostTasks);
     const std::uint64_t usual = std::clamp(first / kShareOfThoseBefore, kCasesPerTask, most);
@@ -47,8 +50,9 @@ class Deal {
 
   bool is_next_ours() { return next_++ % ours_.count == ours_.index - 1; }
 
-  /// Cases grow with their index. Where a law had as many for each, the next law begins at another
-  /// shard, so that none gets the smallest of all laws, and another the largest.
+  /// Cases grow with their index. If all shards got equally many tasks of a law, the next law
+  /// begins at another shard. Otherwise one shard would get the smallest cases of all laws, and
+  /// another the largest.
   void end_law(std::uint64_t tasks) {
     if (tasks % ours_.count == 0) ++next_;
   }
@@ -58,8 +62,8 @@ class Deal {
   std::uint64_t next_ = 0;
 };
 
-/// How many random cases of a law were checked, and of these how many reached each label. Nobody
-/// says what a corpus or a scene is to reach.
+/// Counts a law's checked random cases, and how many of them reached each label. Leaves out corpora
+/// and scenes, which have no required labels.
 std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
     const records::RecordSet& records, const std::string& law, const std::string& backend) {
   std::uint64_t checked = 0;
@@ -129,7 +133,7 @@ std::vector<Task> shrink_tasks(const Findings& findings) {
 std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
                                                       const records::BackendPromises& promises,
                                                       const records::RecordSet& records) {
-  // Shares were measured of backends that draw every case.
+  // The required shares were measured on backends that draw every case.
   if (promises.has_limits) return {};
   const std::string law_name(law.id);
   const auto [checked, labels] = random_labels(records, law_name, promises.backend);
@@ -222,8 +226,8 @@ Result<KnownByBackend> TaskRunner::known() {
 
 namespace {
 
-/// Whether it is tried why a counterexample fails: not where cases are to be left as they were
-/// found, and not of one that the backend hangs at, as each try would take the whole time-out.
+/// Returns false if cases are not to be shrunk, or if the backend hangs at the counterexample: each
+/// try would take the whole time-out.
 bool is_explained(const records::Counterexample& one, const ShrinkLimits& limits) {
   return limits.tries > 0 && one.source.found->verdict != to_string(records::FragmentClass::hang);
 }

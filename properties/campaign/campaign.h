@@ -1,10 +1,10 @@
 #pragma once
 
-// A campaign: every chosen law on every chosen backend, over the corpus and over random cases.
+// A campaign checks every chosen law on every chosen backend, with the corpus and with random
+// cases.
 //
-// It is cut into tasks that depend on nothing but themselves, and what tasks find merges exactly:
-// however they are split over processes, and in whatever order they end, the outcome is the same to
-// the byte.
+// A campaign is cut into independent tasks whose findings merge exactly: the outcome is the same to
+// the byte, however tasks are split over processes and in whatever order they end.
 
 #include <array>
 #include <cstdint>
@@ -31,68 +31,70 @@
 
 namespace rastercheck::properties {
 
-/// What is done in a task, in the order in which a campaign does it. `saved` is one saved
-/// counterexample checked again, `known` the case of a known defect; `shrink` makes one smaller,
-/// whatever it came from.
+/// The work of a task, in the order in which a campaign does it. `saved` checks a saved
+/// counterexample again, `known` checks the case of a known defect, `shrink` shrinks a
+/// counterexample from any source.
 enum class TaskKind { corpus, saved, known, random, shrink };
 constexpr auto names_of(TaskKind /*type*/) {
   return std::to_array<std::string_view>({"corpus", "saved", "known", "random", "shrink"});
 }
 
-/// Some cases of one law on one backend: corpus cases, or random ones of the campaign's seed; or a
-/// single case of its own.
+/// Some cases of one law on one backend: corpus cases, random ones of the campaign's seed, or a
+/// single given case.
 struct Task {
   std::string backend;  ///< specification
   std::string law;      ///< id
   TaskKind kind = TaskKind::random;
-  std::uint64_t first = 0;  ///< index of the first case; of known ones of the entry
+  std::uint64_t first = 0;  ///< index of the first case; for `known`, index of the entry
   std::uint64_t last = 0;   ///< one past the last
-  /// What is checked again or made smaller; its case has `found`.
+  /// The counterexample to check again or to shrink; its case must have `found`.
   std::optional<records::Counterexample> subject = std::nullopt;
   bool operator==(const Task&) const = default;
 
-  /// Cases that it adds to the records.
+  /// Number of cases that the task adds to the records.
   std::uint64_t cases() const { return kind == TaskKind::shrink ? 0 : last - first; }
 };
 
-/// The limits of making a counterexample smaller, which begins now; `is_to_end` ends it, too. Where
-/// the budget gives no seconds they are a minute if the backend hangs at the case.
+/// Returns the limits for shrinking a counterexample, counted from now. Shrinking also ends when
+/// `is_to_end` returns true. If the budget sets no seconds and the backend hangs at the case, the
+/// limit is one minute.
 ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
                            const records::Counterexample& counterexample,
                            const IsToEnd& is_to_end = {});
 
-/// The campaign's work but for shrinking: the corpus, saved counterexamples of its laws and
-/// backends, the cases of what is known of these, random cases; but for laws that are to be
-/// skipped. Short tasks, so that processes end together.
+/// Returns the campaign's tasks except shrinking: the corpus, saved counterexamples of its laws and
+/// backends, cases of known defects, random cases. Leaves out laws that are to be skipped. Tasks
+/// are short, so that processes end at about the same time.
 ///
-/// Of a shard those that fall to it: each is in one of all `count` shards, but for saved
-/// counterexamples, which only those have that were given any. A law's cases are dealt out like
-/// cards, so that shards take about equally long.
+/// A shard gets its own part: each task belongs to exactly one of the `count` shards. A law's cases
+/// are dealt out like cards, so that shards take about equally long. Only saved counterexamples are
+/// not divided: a shard checks all that it is given.
 std::vector<Task> tasks_of(const records::Plan& plan, std::size_t corpus_size,
                            std::span<const cases::Case> saved = {},
                            const KnownByBackend& known = {});
 
-/// The work that remains when all cases are checked: to shrink what was found and was not yet.
+/// Returns the tasks that remain after checking: one for each counterexample not yet shrunk.
 std::vector<Task> shrink_tasks(const Findings& findings);
 
-/// The labels that random cases of a law did not reach often enough (least_reached), in the law's
-/// order. What the backend does not promise need not have been reached, and of one with limits
-/// nothing.
+/// Returns the labels that random cases of a law reached too seldom (least_reached), in the law's
+/// order. Leaves out labels that depend on a promise the backend does not make. Returns none for a
+/// backend with limits.
 std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
                                                       const records::BackendPromises& promises,
                                                       const records::RecordSet& records);
 
-/// The same of all laws and backends, by law, backend and label.
+/// unreached_labels() of all laws and backends, ordered by law, backend and label.
 std::vector<records::UnreachedLabel> unreached_labels(
     std::span<const std::string> laws, std::span<const records::BackendPromises> backends,
     const records::RecordSet& records);
 
-/// Makes the backends of a plan: held to its contract, and those that are foreign, with its
-/// time-out, in processes that a command starts (backends::Isolation); without one in this process.
+/// Returns a factory of a plan's backends, which holds them to the plan's contract. Foreign
+/// backends run with the plan's time-out in processes started by the command `worker`
+/// (backends::Isolation), or in this process if `worker` is empty.
 backends::BackendFactory factory_for(const records::Plan& plan,
                                      const std::vector<std::string>& worker);
 
-/// Runs a plan's tasks, one after the other; keeps the backends it has made.
+/// Runs a plan's tasks one after the other, and reuses backends once made.
 class TaskRunner {
  public:
   TaskRunner(records::Plan plan, std::vector<cases::Case> corpus, KnownSources known = {},
@@ -100,21 +102,21 @@ class TaskRunner {
 
   const std::vector<cases::Case>& corpus() const { return corpus_; }
 
-  /// What the task found. Fails where there is no such law, backend or corpus case. When
-  /// `is_to_end` says so, shrinking ends with what it has, and checking between two cases: what it
-  /// found is then of a part of the task.
+  /// Runs a task and returns its findings. Fails if law, backend or corpus case do not exist. If
+  /// `is_to_end` returns true, shrinking ends with its best case so far, and checking ends after
+  /// the current case, with findings for a part of the task.
   Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
 
-  /// Reads what is known of the plan's backends. Fails where one cannot be made, or its list not be
-  /// read.
+  /// Reads the known defects of the plan's backends. Fails if a backend cannot be made or its list
+  /// cannot be read.
   Result<KnownByBackend> known();
 
-  /// Asks each of the plan's backends what it promises. One that cannot be made any more counts as
-  /// promising what every law asks, and as drawing in a way of its own.
+  /// Asks each of the plan's backends for its promises. For a backend that can no longer be made,
+  /// assumes every promise that a law needs, but not that it draws what is asked for.
   std::vector<records::BackendPromises> promises();
-  /// Asks the plan's backends what they draw, and leaves out those that draw every case.
+  /// Asks the plan's backends for their capabilities; leaves out backends that draw every case.
   std::map<std::string, cases::Capabilities> capabilities();
-  /// Has it make its random cases for these.
+  /// Sets the capabilities for which random cases are made.
   void make_cases_for(std::map<std::string, cases::Capabilities> capabilities) {
     plan_.capabilities = std::move(capabilities);
   }
@@ -127,7 +129,7 @@ class TaskRunner {
     const KnownDefects* known_defects() const { return known ? &*known : nullptr; }
   };
   Result<const Made*> made(const std::string& specification);
-  /// A case of a task whose cases are at hand.
+  /// Returns case i of a task that is not random.
   NumberedCase numbered_case(const Task& task, std::uint64_t i) const;
 
   records::Plan plan_;

@@ -12,7 +12,7 @@ namespace {
 
 using records::Counterexample;
 
-/// The longest that what is done goes unwritten. Writing takes some hundredths of it.
+/// Maximum time for which results stay unwritten. Writing takes a few hundredths of this time.
 constexpr std::chrono::seconds kMostUnwritten{1};
 
 bool is_same_failure(const Counterexample& a, const Counterexample& b) {
@@ -21,7 +21,7 @@ bool is_same_failure(const Counterexample& a, const Counterexample& b) {
   return of_a == of_b && a.origin == b.origin;
 }
 
-/// Puts a shrunk counterexample in the place of the one it was made from.
+/// Replaces the counterexample from which a shrunk one was made.
 void replace(Findings& findings, const Counterexample& shrunk) {
   for (Counterexample& one : findings.counterexamples) {
     if (is_same_failure(one, shrunk)) one = shrunk;
@@ -75,7 +75,7 @@ Result<void> CampaignRun::check_cases(const Execute& execute, const Progress& pr
     all += tasks_[i].cases();
     if (!checkpoint_.is_done[i]) places.push_back(i);
   }
-  // Whenever it ends, each law has been checked about as much as the others.
+  // Whenever the run ends, all laws have been checked about equally.
   std::stable_sort(places.begin(), places.end(), [this](std::size_t a, std::size_t b) {
     const auto order = [](const Task& task) {
       return std::pair(task.kind == TaskKind::random, task.first);

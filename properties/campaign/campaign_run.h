@@ -1,8 +1,8 @@
 #pragma once
 
-// A campaign on its way: the corpus, saved counterexamples, random cases, and then what was found
-// made smaller. What is done is kept in the run's folder as it goes (checkpoint.h), so that nothing
-// is lost whatever ends the process, and another one can go on.
+// A campaign in progress: checks corpus, saved counterexamples and random cases, then shrinks the
+// counterexamples found. Saves progress in the run's folder as it goes (checkpoint.h), so that
+// another process can resume after any interruption.
 
 #include <chrono>
 #include <functional>
@@ -18,43 +18,44 @@ namespace rastercheck::properties {
 
 /// Runs tasks, in this process or in others.
 using Execute = std::function<Result<void>(const std::vector<Task>&, const TaskDone&)>;
-/// Told of what is done: so many cases, or counterexamples, of so many.
+/// Called with progress: `done` of `all` cases or counterexamples.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-/// Cases that violated their law, those of known defects aside.
+/// Number of cases that violated their law, not counting known defects.
 std::uint64_t violations_of(const Findings& findings);
 
 class CampaignRun {
  public:
-  /// Goes on from `start`, whose tasks are those of its plan and of what is `known` of its
-  /// backends, into a folder that is there.
+  /// Resumes from `start` in an existing folder. The tasks follow from the plan and from the
+  /// `known` defects of its backends.
   CampaignRun(Checkpoint start, std::string directory, std::size_t corpus_size, Warn warn,
               const KnownByBackend& known = {});
 
-  /// Writes the checkpoint; fails where it cannot be. Asked before the work rather than after it.
+  /// Writes the first checkpoint, to fail before the work rather than after it.
   Result<void> begin();
 
-  /// Checks the cases that are not done, the first ones of each law before further ones of any. A
-  /// fault of the oracle ends it: findings() has it.
+  /// Checks the remaining cases: the first cases of every law before further cases of any law.
+  /// Stops at a fault of the oracle, which findings() then holds.
   Result<void> check_cases(const Execute& execute, const Progress& progress);
 
-  /// Adds what is not kept in the checkpoint, as it is found anew each time.
+  /// Adds a scene's findings. The checkpoint does not keep these; a resumed run computes them anew.
   void add_scene(Findings scene);
 
-  /// Makes smaller what was found. What comes of it once `is_to_end` says so is among the findings,
-  /// and not in the checkpoint: who goes on begins with it again.
+  /// Shrinks the counterexamples. Results that are cut short by `is_to_end` go to the findings but
+  /// not to the checkpoint, so a resumed run shrinks them again.
   Result<void> shrink(const Execute& execute, const IsToEnd& is_to_end, const Progress& progress);
 
-  /// Writes the checkpoint for whoever goes on, or, where all is done and reported, removes it.
+  /// save() writes the checkpoint for a later run; remove() deletes it once all is done and
+  /// reported.
   void save();
   void remove();
 
   const Findings& findings() const { return all_; }
-  /// Whether it has found a violation that it did not begin with.
+  /// True if the run found a violation that was not in its start.
   bool has_new_violation() const { return violations_of(all_) > violations_at_start_; }
-  /// Cases that were not checked.
+  /// Number of cases not checked.
   std::uint64_t cases_left() const;
-  /// Whether every counterexample has been made as small as it gets, or its time was up.
+  /// True if shrinking is complete: each counterexample is minimal or used up its budget.
   bool is_shrunk() const { return shrink_tasks(all_).empty() && !has_cut_short_; }
 
  private:
@@ -65,7 +66,7 @@ class CampaignRun {
   std::string directory_;
   std::vector<Task> tasks_;
   Warn warn_;
-  Findings all_;  ///< with the scene's
+  Findings all_;  ///< including the scene's
   std::uint64_t violations_at_start_ = 0;
   bool has_cut_short_ = false;
   bool has_warned_ = false;

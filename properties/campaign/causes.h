@@ -1,22 +1,27 @@
 #pragma once
 
-// Which of many counterexamples are of one fault. One wrong line of a rasterizer breaks a dozen
-// laws under several conditions each; whoever mends it wants to be told of one thing.
+// Groups counterexamples by fault. One wrong line of a rasterizer breaks a dozen laws, each under
+// several conditions; the developer wants to see one cause.
 //
-// What was tried of each (records::Explanation) decides. Counterexamples are of one cause if
+// Two counterexamples share a cause if, according to their explanations (records::Explanation),
 //
-//   1. the same part of drawings has to be put right for their laws to hold (coverage, depth,
-//      values); or none does, and each violates the other's law, too: what is wrong is then not in
-//      fragments, but in what is made of them, or in what they are made of;
-//   2. they do not need different things. Two sets of which each needs something that the other
-//   does
-//      without are two causes; so are a set that needs a scissor, or anything else that moves no
-//      vertex, and a set that does without.
+//   1. their laws hold once the same part of the drawing (coverage, depth or values) is corrected;
+//      or if no such part exists and each violates the other's law, too: the fault is then not in
+//      the fragments, but before or after them; and
+//   2. they do not need different features. Two sets have two causes if each needs a feature that
+//      the other does without. Two sets also have two causes if one needs a scissor, or any other
+//      feature that moves no vertex, and the other does without. A counterexample belongs to
+//      another set than its own if it needs what that set needs, but not what its own set needs.
 //
-// A condition that a counterexample was kept for does not count as a need. A few counterexamples
-// that need all that most of a larger set need are added to that set. So faults are told apart
-// where they need different things, and only there: two that are wrong in the same part of every
-// case are one cause. docs/when-it-fails.md says how often this is right.
+// Sets also share a cause, whatever part is wrong, if one simple change ("the scissor's ends are
+// drawn, too") makes at least half of the wrong drawings of each set right. Counterexamples that
+// did not fail again form one cause. A few counterexamples join a larger set if they need
+// everything that most of that set needs. The condition for which a counterexample was kept does
+// not count as a need.
+//
+// So two faults are told apart only if they need different features. Two faults that break the same
+// part of every case count as one cause. docs/when-it-fails.md says how often the grouping is
+// right.
 
 #include <vector>
 
@@ -25,8 +30,8 @@
 
 namespace rastercheck::properties {
 
-/// The causes of a run's counterexamples, each of which has `found`: those of most first; of wrong
-/// signs of zeros last. One that nothing was tried of is told apart by the way in which it fails.
+/// Returns the causes of a run's counterexamples (each must have `found`), largest group first,
+/// wrong signs of zeros last. Counterexamples without an explanation are grouped by how they fail.
 std::vector<records::Cause> causes_of(const std::vector<records::Counterexample>& all);
 
 }  // namespace rastercheck::properties

@@ -9,6 +9,7 @@
 #include "oracle/transform.h"
 #include "properties/campaign/close_up.h"
 #include "properties/campaign/internal/failure.h"
+#include "properties/choices.h"
 #include "properties/draw.h"
 #include "properties/judged_law.h"
 #include "records/record_json.h"
@@ -21,15 +22,15 @@ namespace {
 using records::CaseOutcome;
 using records::Counterexample;
 
-/// Whether it fails as `found` says, and puts what does so first. A law may say no more than that
-/// it is violated.
+/// Returns true if the check fails as `found` says, and moves matching violations to the front. A
+/// law may report only that it is violated, without violations.
 bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found,
                  const KnownDefects* known) {
   const bool fails =
       check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault;
   if (!fails) return false;
   if (check.violations.empty()) return found.verdict == verdict_of(check);
-  // A known defect of the driver is not what was found.
+  // Drops violations that are known defects of the driver: the one to find again is not known.
   const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (known != nullptr && clip) {
     std::erase_if(check.violations, [&](const records::Violation& violation) {
@@ -39,7 +40,7 @@ bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found,
   return put_alike_first(check, c, found);
 }
 
-/// Of a drawing that failed.
+/// Returns the fragment class that stands for a failed drawing.
 records::FragmentClass class_of(Failure failure) {
   switch (failure) {
     case Failure::crash:
@@ -73,7 +74,7 @@ bool put_alike_first(Check& check, const cases::Case& c, const cases::Found& fou
   const auto is_alike = [&](const records::Violation& violation) {
     cases::Found other = found;
     set_failure(other, c, violation);
-    // Cases saved elsewhere may say no more than the verdict.
+    // Cases saved elsewhere may name only the verdict.
     if (found.kind.empty()) return other.verdict == found.verdict;
     return other == found;
   };
@@ -103,7 +104,7 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
                     std::uint64_t index, const KnownDefects* known) {
   if (!is_promised(law, backend)) return not_applicable("");
   Result<Check> checked = check_law(law, c, backend, index);
-  // Positions beyond float32 cannot even be handed over: that is nobody's fault.
+  // Positions beyond float32 cannot even be passed to a backend; no backend is to blame.
   if (!checked && !oracle::to_clip_case(c, "")) {
     return not_applicable("clip positions are beyond float32");
   }
@@ -114,8 +115,8 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
 
 namespace {
 
-/// The ways in which a case fails, each once, in the order of violations; what is known is left out
-/// where there is something else.
+/// Returns the ways in which a case fails, each once, in the order of violations. Leaves out known
+/// ones if the case also fails in another way.
 std::vector<cases::Found> failures_of(const cases::Found& place, const cases::Case& c,
                                       const Check& check, const KnownDefects* known) {
   std::vector<cases::Found> all;
@@ -139,21 +140,26 @@ void keep_counterexample(const Law& law, const std::string& specification,
                          const NumberedCase& numbered, const Check& check, Findings& findings,
                          const KnownDefects* known) {
   cases::Found place{std::string(law.id), specification, verdict_of(check), seed, numbered.index};
-  // A saved counterexample tells where it was found at first.
+  // A saved counterexample keeps the place where it was first found.
   if (numbered.origin == records::Origin::saved && numbered.source.found) {
     place.seed = numbered.source.found->seed;
     place.index = numbered.source.found->index;
   }
+  // The law must make the same choices for every changed version of the case.
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(numbered.source, "");
+  const std::uint64_t choices = clip ? choices_of(*clip) : choices_of(numbered.source);
   for (const cases::Found& failure : failures_of(place, numbered.source, check, known)) {
     if (!is_kept(findings, failure, numbered.origin, numbered.source.name)) continue;
     Check whole = check;
     put_alike_first(whole, numbered.source, failure);
     Counterexample found{numbered.source, check.violation_count, whole.violations, numbered.origin};
-    // Of a scene with many triangles, not the whole is handed around until it is shrunk.
+    found.source.choices = choices;
+    // If one triangle fails alone, keeps only this triangle, so that no large scene is passed
+    // around until it is shrunk.
     if (numbered.source.triangles.size() > 1 && !whole.violations.empty()) {
       const std::size_t triangle = whole.violations.front().place.triangle;
       if (triangle < numbered.source.triangles.size()) {
-        cases::Case one = with_triangles(numbered.source, {{triangle}});
+        cases::Case one = with_triangles(found.source, {{triangle}});
         Check alone = check_or_note(law, one, backend, numbered.index, known);
         if (fails_alike(alone, one, failure, known)) {
           found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
@@ -170,15 +176,15 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
                            const KnownDefects* known) {
   const cases::Found place = found.source.found.value_or(cases::Found());
   const auto still_fails = [&](const cases::Case& c) -> std::optional<Check> {
-    if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
+    if (findings.fault) return std::nullopt;  // More tries would tell nothing.
     Check check = check_or_note(law, c, backend, place.index, known);
     findings.fault = check.fault;
     return fails_alike(check, c, place, known) ? std::optional(std::move(check)) : std::nullopt;
   };
   if (place.verdict == to_string(records::FragmentClass::hang) &&
       found.source.triangles.size() > 1) {
-    // One triangle was tried when it was found: what does not hang at that takes long because it is
-    // large, and each try would take the whole time-out.
+    // A single triangle was tried when the case was found, and it did not hang. So the case is slow
+    // because it is large, and each try would take the whole time-out.
     Counterexample as_found = found;
     as_found.shrinking = records::Shrinking{};
     keep(findings, std::move(as_found));
@@ -199,7 +205,7 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
 
 namespace {
 
-/// Counts a case of which the law says nothing.
+/// Counts a case to which the law does not apply, and the reason.
 void count_not_applicable(std::string why, records::Record& record) {
   ++record.cases.not_applicable;
   ++record.not_applicable_because[std::move(why)];
@@ -211,7 +217,7 @@ CaseOutcome outcome_of(const Check& check) {
   return check.known.empty() ? CaseOutcome::violated : CaseOutcome::known;
 }
 
-/// Keeps what the case gave, where that is kept.
+/// Stores the case's result, if the run keeps case results.
 void keep_case(const Law& law, const std::string& specification, const NumberedCase& numbered,
                const Check& check, Findings& findings) {
   if (!findings.cases) return;
@@ -222,7 +228,7 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
   record.outcome = outcome_of(check);
   record.source_digest = fnv1a(cases::to_json(numbered.source));
   records::Judgement judged = check.judgement;
-  judged.levels = {};  // how the oracle found out
+  judged.levels = {};  // these only tell how the oracle decided
   for (const auto& [kind, errors] : judged.errors) {
     for (std::size_t i = 1; i < errors.classes.counts.size(); ++i) {
       record.mismatches += errors.classes.counts[i];
@@ -234,8 +240,8 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
     }
   }
   records::RecordSet alone;
-  // Not of the backend's name, which is another where a plugin lies elsewhere, nor of the law's,
-  // which every case of it has.
+  // Excludes the backend's name, which changes with a plugin's path, and the law's name, which is
+  // the same for all its cases.
   const records::RecordKey key{"", "", records::AttributeKind::coverage, numbered.stratum};
   records::add(alone, key, judged);
   for (const std::string& label : check.labels) ++alone[key].labels[label];
@@ -271,8 +277,8 @@ bool account(const Law& law, const std::string& specification, backends::Backend
 
 namespace {
 
-/// Counts what a check gave, and keeps its counterexamples. Returns whether the law says something
-/// of the case and held.
+/// Counts a check's outcome and keeps its counterexamples. Returns true if the law applied to the
+/// case and held.
 bool take_check(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, const Check& check,
                 Findings& findings, const KnownDefects* known) {
@@ -282,7 +288,7 @@ bool take_check(const Law& law, const std::string& specification, backends::Back
   return check.is_applicable && check.violation_count == 0;
 }
 
-/// The check of a case that a lost backend is not asked to draw.
+/// Returns the check of a case that is not drawn because the backend is lost.
 Check given_up() {
   Check lost;
   lost.violation_count = 1;
@@ -296,7 +302,7 @@ bool check_case(const Law& law, const std::string& specification, backends::Back
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
                 const KnownDefects* known) {
   if (backend.is_lost()) {
-    // Its counterexamples are those that it was lost by.
+    // Only the cases that caused the loss are counterexamples.
     const Check lost = is_promised(law, backend) ? given_up() : not_applicable();
     account(law, specification, backend, numbered, lost, findings);
     return false;
@@ -315,7 +321,7 @@ std::optional<NumberedCase> check_random_case(const Law& law, const std::string&
     Generated made = random_case(law, seed, number, capabilities);
     NumberedCase numbered{std::move(made.source), std::move(made.stratum), number,
                           records::Origin::random};
-    // Whoever draws everything is asked for the same cases whatever becomes of them.
+    // A backend that draws everything gets the same cases whatever their outcome.
     const bool is_last = attempt == kMostRedrawn || capabilities.is_everything() ||
                          backend.is_lost() || !is_promised(law, backend);
     bool is_held = false;
@@ -350,12 +356,12 @@ void check_known_case(const Law& law, const std::string& specification, backends
   }
   Check check = check_or_note(law, source, backend, numbered.index, &known);
   if (account(law, specification, backend, numbered, check, findings)) {
-    // In ways that are not the entry's.
+    // The law is also violated in ways that the entry does not cover.
     keep_counterexample(law, specification, backend, seed, numbered, check, findings, &known);
     return;
   }
   if (!check.is_applicable || !check.known.empty()) return;
-  if (backend.terms()) return;  // Entries are of what it is held to usually.
+  if (backend.terms()) return;  // Entries describe the backend under its usual contract.
   keep(findings, records::UnexpectedPass{specification, id, std::string(law.id), defect.staleness});
   if (defect.staleness != records::Staleness::wrong_list) return;
   ++findings

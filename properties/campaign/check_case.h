@@ -1,7 +1,7 @@
 #pragma once
 
-// What becomes of a case that a law is asked about: it is counted in a record, and where the law is
-// violated, a counterexample is kept and made smaller.
+// Checks one case against a law, counts the outcome in a record, and for a violation keeps and
+// shrinks a counterexample.
 
 #include <cstdint>
 #include <optional>
@@ -18,7 +18,7 @@
 
 namespace rastercheck::properties {
 
-/// A case to be checked, and where it comes from.
+/// A case to check, with its source.
 struct NumberedCase {
   cases::Case source;
   std::string stratum;
@@ -26,22 +26,21 @@ struct NumberedCase {
   records::Origin origin = records::Origin::random;
 };
 
-/// Checks a case and adds the outcome to the findings: counts, errors, labels, and, where the law
-/// is violated and no case before it failed in the same way, a counterexample of each way: the one
-/// triangle that suffices, if one does, else the case. What the case gave is kept as well where the
-/// findings keep that. One that is violated in ways only that are `known` is counted as known
-/// instead. A backend that is lost (Backend::is_lost) is not asked any more: each of its cases
-/// fails. Returns whether the law says something of the case and held.
+/// Checks a case and adds the outcome to the findings: counts, errors and labels; the case's own
+/// result, if the findings keep case results; and a counterexample for each new way of failing. The
+/// counterexample is the one triangle that suffices, if any, else the case. A case with only
+/// `known` violations counts as known instead. A lost backend (Backend::is_lost) is not asked
+/// again: each of its cases fails. Returns true if the law applied and held.
 bool check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
                 const KnownDefects* known = nullptr);
 
-/// A random case of which a law has nothing to say, or which the backend refuses, is drawn again,
-/// at most so often (records::kRedrawn).
+/// Maximum number of times that a random case is generated anew if the law does not apply or the
+/// backend refuses it (records::kRedrawn).
 inline constexpr std::uint64_t kMostRedrawn = 3;
 
-/// Checks a random case likewise, drawn again where it says nothing; why it does not is counted.
-/// Returns the case if the law held of it.
+/// Checks a random case as check_case() does. If the law does not apply, counts the reason and
+/// generates another case. Returns the case if the law held.
 std::optional<NumberedCase> check_random_case(const Law& law, const std::string& specification,
                                               backends::Backend& backend, std::uint64_t seed,
                                               std::uint64_t index,
@@ -49,52 +48,49 @@ std::optional<NumberedCase> check_random_case(const Law& law, const std::string&
                                               Findings& findings,
                                               const KnownDefects* known = nullptr);
 
-/// Checks the case of an entry of what is known and adds the outcome to the findings: known, where
-/// its violations are of that entry, and a violation where they are not. Where the law holds that
-/// is an unexpected pass; of a driver of the list's version it counts as a violation too, as the
-/// list is stale.
+/// Checks a known-defect entry's case and adds the outcome to the findings: known if its violations
+/// match the entry, a violation if not. If the law holds, adds an unexpected pass; if the driver
+/// also has the list's version, the pass counts as a violation, as the list is stale.
 void check_known_case(const Law& law, const std::string& specification, backends::Backend& backend,
                       std::uint64_t seed, const KnownDefects& known, std::size_t entry,
                       Findings& findings);
 
-/// A drawing that fails is a violation of whatever was to be checked: what the backend says stands
-/// in its note. Nothing is said of a case that the backend does not support, nor of one with
-/// positions beyond float32, which no backend gets. Violations that nothing in `known` explains
-/// come first.
+/// Checks a law; turns a failed drawing into a violation with the backend's message in its note. A
+/// case is not applicable if the backend does not support it, or if positions are beyond float32:
+/// no backend gets these. Violations that `known` does not explain come first.
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     std::uint64_t index, const KnownDefects* known = nullptr);
 
-/// That check of a case whose drawing failed.
+/// Returns the check of a case whose drawing failed.
 Check failed_check(const Error& error);
 
-/// In a word, how a check of a case that the law speaks of came out: the class of its first
-/// violation, or "held".
+/// Returns the verdict of an applicable check in a word: the class of its first violation, or
+/// "held".
 std::string verdict_of(const Check& check);
 
-/// Puts the violations of a case that are of the verdict, kind and condition that `found` says
-/// first; false where the check has none.
+/// Moves the violations with `found`'s verdict, kind and condition to the front; returns false if
+/// the check has none.
 bool put_alike_first(Check& check, const cases::Case& c, const cases::Found& found);
 
-/// Why a law says nothing of a case, as records count it: one of few texts, what follows a colon
-/// left out. The check is not applicable.
+/// Returns why a check is not applicable, as records count it: one of a few texts, because numbers
+/// after a colon are left out.
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check);
 
-/// Adds what a check of a case gave to the findings: its record, and, where the findings keep that,
-/// what the case gave. Returns whether the law is violated in ways that nothing known explains; the
-/// counterexample is not kept yet.
+/// Adds a check to the findings: its record, and the case's own result if the findings keep these.
+/// Returns whether the law is violated in an unknown way; does not keep the counterexample yet.
 bool account(const Law& law, const std::string& specification, backends::Backend& backend,
              const NumberedCase& numbered, const Check& check, Findings& findings);
 
-/// Keeps a counterexample of the case in the findings, if none before it failed in the same way.
+/// Keeps a counterexample of the case, unless an earlier one failed in the same way.
 void keep_counterexample(const Law& law, const std::string& specification,
                          backends::Backend& backend, std::uint64_t seed,
                          const NumberedCase& numbered, const Check& check, Findings& findings,
                          const KnownDefects* known = nullptr);
 
-/// The counterexample made as small as it gets while the law finds the same class of violation, one
-/// that is not known, and looked at closely. One of several triangles that the backend hangs at
-/// stays as it was found. `findings` gets it, and a fault where the oracle
-/// failed meanwhile.
+/// Shrinks the counterexample while the law still finds the same class of violation, disregarding
+/// known defects. Then explains it and adds a close-up. A case with several triangles at which the
+/// backend hangs is not shrunk. Adds the result to `findings`, or a fault if the oracle failed
+/// meanwhile.
 void shrink_counterexample(const Law& law, backends::Backend& backend,
                            const records::Counterexample& found, const ShrinkLimits& limits,
                            Findings& findings, const KnownDefects* known = nullptr);

@@ -6,8 +6,8 @@
 //    "tasks": 4400, "done": [[0, 17], [19, 20]],
 //    "records": […], "counterexamples": […], "unexpected": […]}
 //
-// "done" has ranges of all tasks, from the first to one past the last. "known_digest", "cases"
-// (records/case_record_json.h) and "unexpected" are absent where there is nothing of the kind.
+// "done" lists ranges of tasks, each from the first to one past the last. "known_digest", "cases"
+// (records/case_record_json.h) and "unexpected" are absent if there are none.
 
 #include "properties/campaign/checkpoint.h"
 
@@ -31,10 +31,10 @@ using cases::JsonNode;
 using nlohmann::json;
 
 constexpr std::uint64_t kVersion = 2;
-/// Tasks in all: more than any campaign has (campaign.cpp), and few enough for a list.
+/// Maximum number of tasks: more than any campaign has (campaign.cpp), and few enough for a list.
 constexpr std::uint64_t kMostTasksInAll = std::uint64_t{1} << 28U;
 
-/// How many tasks there are, and which of them are done; the first is read before the second.
+/// The number of tasks. Reading it sizes `is_done`, which DoneRanges then fills.
 template <typename T>
 struct TaskCount {
   T& is_done;
@@ -98,7 +98,7 @@ namespace {
 Checkpoint read_checkpoint(const JsonNode& root) {
   auto checkpoint = cases::read_as<Checkpoint>(root);
   if (root.failed()) return checkpoint;
-  // A file may have them in another order, or twice.
+  // A file may list findings in another order, or twice.
   merge(checkpoint.findings, std::exchange(checkpoint.findings, {}));
   return checkpoint;
 }
@@ -113,7 +113,7 @@ std::vector<Task> tasks_of(const Checkpoint& checkpoint, std::size_t corpus_size
 }
 
 std::string digest_of(const std::vector<cases::Case>& cases) {
-  std::string files;  // which differ where the cases do
+  std::string files;  // differ whenever the cases differ
   for (const cases::Case& c : cases) files += cases::to_json(c);
   return fmt::format("{:016x}", fnv1a(files));
 }

@@ -43,7 +43,7 @@ char sign_of(const oracle::JudgedSample& sample) {
 /// Pixels by (y, x).
 using Signs = std::map<std::pair<int, int>, char>;
 
-/// Whether the picture shows at the violation what the violation says.
+/// True if the sign at the violation's place agrees with the violation.
 bool shows(char sign, const records::Violation& violation) {
   switch (violation.fragment_class) {
     case FragmentClass::missing:
@@ -109,7 +109,7 @@ std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backe
         signs[at] = std::max(signs[at], sign_of(sample));
       });
 
-  // A sign in brackets, or the number of its column.
+  // A column has room for a sign in brackets and for its number.
   const std::size_t width = std::max<std::size_t>(std::to_string(x1 - 1).size() + 2, 4);
   std::vector<std::string> lines;
   bool has_empty = false;

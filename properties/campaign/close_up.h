@@ -1,6 +1,6 @@
 #pragma once
 
-// A violation to look at: the pixels around it as signs, for a terminal and for plain text.
+// Shows the pixels around a violation as signs, for terminals and plain text.
 
 #include <string>
 #include <vector>
@@ -11,16 +11,16 @@
 
 namespace rastercheck::properties {
 
-/// Draws the case and shows what its contract makes of the violation's triangle and sample, in the
-/// pixels around the violation, which is in brackets:
+/// Draws the case and shows the pixels around a violation. Signs tell how the contract judges the
+/// violation's triangle at the violation's sample of each pixel. The violation is in brackets:
 ///
 ///   y     3    .   .   #   #   .
 ///   y     4    .   #  [-]  #   .
 ///      x       1   2   3   4   5
 ///   # drawn as it has to be   . not drawn, rightly   - missing
 ///
-/// and names the signs that occur; then, where it is so, that the violation is of another drawing,
-/// and that the contract is not what the case asks for. Empty where the case cannot be drawn.
+/// Then explains the signs that occur. Says so if the violation is from another drawing, or if the
+/// contract differs from what the case asks for. Empty if the case cannot be drawn.
 std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backend,
                                   const records::Violation& violation);
 

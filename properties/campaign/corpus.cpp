@@ -11,7 +11,7 @@
 namespace rastercheck::properties {
 namespace {
 
-/// The case files of a folder, in the order of their names.
+/// Returns the case files of a folder, in the order of their names.
 Result<std::vector<std::filesystem::path>> case_files(const std::string& directory) {
   std::error_code problem;
   std::vector<std::filesystem::path> files;

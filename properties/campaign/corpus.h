@@ -10,18 +10,18 @@
 
 namespace rastercheck::properties {
 
-/// The case files of a folder (*.json), in the order of their names; a case without a name gets its
-/// file's. Fails at the first that cannot be read.
+/// Reads a folder's case files (*.json), ordered by name; a case without a name gets its file's.
+/// Fails at the first unreadable file.
 Result<std::vector<cases::Case>> read_corpus(const std::string& directory);
 
-/// Saved counterexamples, and what of their folder could not be read.
+/// Saved counterexamples, and errors for unreadable files.
 struct SavedCases {
   std::vector<cases::Case> cases;
   std::vector<Error> unreadable;
 };
 
-/// The case files of a folder that name one of the laws and one of the backends as those that found
-/// them; none where there is no such folder.
+/// Reads those case files of a folder that one of the laws found on one of the backends. Returns
+/// none if the folder does not exist.
 SavedCases read_saved(const std::string& directory, const std::vector<std::string>& laws,
                       const std::vector<std::string>& backends);
 

@@ -13,7 +13,7 @@ namespace {
 
 using records::Counterexample;
 
-/// The way in which a case failed: one counterexample of each is kept.
+/// Identifies the way in which a case failed: one counterexample is kept for each way.
 auto bucket_of(const cases::Found& found) {
   return std::tie(found.law, found.backend, found.verdict, found.kind, found.condition);
 }
@@ -22,7 +22,7 @@ bool is_in_earlier_bucket(const Counterexample& one, const cases::Found& found) 
   return bucket_of(*one.source.found) < bucket_of(found);
 }
 
-/// Where in a run it was found.
+/// Orders counterexamples by where in a run they were found.
 auto place_of(const cases::Found& found, const records::Origin& origin, const std::string& name) {
   return std::tie(origin, found.index, name, found.seed);
 }
@@ -35,7 +35,7 @@ bool is_hang(const cases::Found& found) {
   return found.verdict == to_string(records::FragmentClass::hang);
 }
 
-/// The one that a backend hung at, whatever the law.
+/// Finds the counterexample at which a backend hung, for any law.
 template <typename All>
 auto hang_of(All& all, const std::string& backend) {
   return std::find_if(all.begin(), all.end(), [&backend](const Counterexample& one) {
@@ -43,15 +43,16 @@ auto hang_of(All& all, const std::string& backend) {
   });
 }
 
-/// Two that were found in the same place are saved ones, named alike by whoever saved them.
+/// Two counterexamples found in the same place are saved ones that were given the same name.
 bool comes_before(const Counterexample& a, const Counterexample& b) {
   if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
   return cases::to_json(a.source) < cases::to_json(b.source);
 }
 
-/// Samples that are missing or too many so close to the boundary, and not on it, fell to the wrong
-/// side by rounding, of which there is much in most rasterizers; an error of logic is seen at any
-/// distance. On a grid of 1/256 pixel, as most are snapped to, 1/1024 is less than half a step.
+/// True if all violations are missing or extra samples close to the boundary, but not on it.
+/// Samples so close fall to the wrong side by rounding, as is common in most rasterizers; an error
+/// of logic shows at any distance. Most rasterizers snap to a grid of 1/256 pixel, and 1/1024 pixel
+/// is less than half a step of it.
 bool is_of_rounding(const Counterexample& one) {
   constexpr double kPixels = 0x1p-10;
   return !one.violations.empty() &&

@@ -1,7 +1,7 @@
 #pragma once
 
-// What parts of a campaign found, and how it comes together: exactly, in whatever order and however
-// the work was split.
+// The findings of a part of a campaign. Findings merge exactly, in any order and for any split of
+// the work.
 
 #include <optional>
 #include <string>
@@ -15,41 +15,42 @@
 
 namespace rastercheck::properties {
 
-/// The laws that speak of whatever is drawn of a case as it stands.
+/// The laws that judge the plain drawing of an unchanged case.
 inline constexpr std::string_view kCoverageLaw = "coverage-obeys-the-contract";
 inline constexpr std::string_view kValuesLaw = "values-stay-within-the-bound";
 
-/// What part of a campaign found.
+/// The findings of a part of a campaign.
 struct Findings {
   records::RecordSet records;
-  /// Of campaigns that keep what each case gave; else nothing.
+  /// Only for campaigns that keep each case's result.
   std::optional<records::CaseRecordSet> cases = std::nullopt;
-  /// By (law, backend, verdict, kind, condition), one of each: the first by origin and index; of a
-  /// backend that hangs one whatever the law.
+  /// One per (law, backend, verdict, kind, condition), the first by origin and index. For a backend
+  /// that hangs, only one over all laws.
   std::vector<records::Counterexample> counterexamples;
   /// In order, each once.
   std::vector<records::UnexpectedPass> unexpected;
-  /// A fault of the oracle or the harness: the rest is worth nothing. One line.
+  /// A fault of the oracle or the harness, one line; if set, the rest is worthless.
   std::optional<std::string> fault;
   bool operator==(const Findings&) const = default;
 };
 
-/// Adds a pass.
+/// Adds an unexpected pass.
 void keep(Findings& findings, records::UnexpectedPass pass);
 
-/// Adds `from`; of two faults the first stays.
+/// Adds `from`; if both have a fault, the first stays.
 void merge(Findings& into, Findings from);
 
-/// Adds a counterexample, whose case has `found`, unless there is one that failed in the same way
-/// and comes before it.
+/// Adds a counterexample (its case must have `found`), unless an earlier one failed in the same
+/// way.
 void keep(Findings& findings, records::Counterexample counterexample);
 
-/// Which of some counterexamples to look at first: one of a law that speaks of the case as it
-/// stands, if there is one; of these, or of all, one that is not of rounding (coverage alone,
-/// and all of it less than 1/1024 pixel beside the boundary); and of these the smallest.
+/// Returns the index of the counterexample to read first. Prefers laws that judge a plain drawing;
+/// then failures that rounding does not explain; then the smallest case. Rounding explains wrong
+/// coverage less than 1/1024 pixel beside the boundary.
 std::size_t first_to_read(const std::vector<records::Counterexample>& all);
 
-/// Whether keep() would add a case that failed so: what to ask before it is put together.
+/// True if keep() would add a case with this failure; check this before building the
+/// counterexample.
 bool is_kept(const Findings& findings, const cases::Found& found, records::Origin origin,
              const std::string& name);
 

@@ -41,14 +41,15 @@ bool has_verdict(const KnownEntry& entry, records::FragmentClass verdict) {
   return std::find(entry.verdicts.begin(), entry.verdicts.end(), verdict) != entry.verdicts.end();
 }
 
-/// A folder's name: a driver says its own name, and may say anything.
+/// True if a name is safe as a folder's name: drivers report their own names, which may contain
+/// anything.
 bool is_plain(std::string_view name) {
   return !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
   });
 }
 
-/// What is wrong with an entry's case, in words; empty where nothing is.
+/// Describes what is wrong with an entry's case; empty if nothing is wrong.
 std::string fault_of(const KnownEntry& entry, const cases::Case& c) {
   if (!c.found) return "has no 'found'";
   if (!records::is_of_law(entry, c.found->law)) {
@@ -57,13 +58,13 @@ std::string fault_of(const KnownEntry& entry, const cases::Case& c) {
   if (find_law(c.found->law) == nullptr) {
     return "there is no law '" + cases::printable(c.found->law) + "'";
   }
-  if (entry.laws.empty()) return "";  // A law may call what is wrong with a drawing otherwise.
+  if (entry.laws.empty()) return "";  // A law may name a drawing's fault differently.
   const auto verdict = cases::from_name<records::FragmentClass>(c.found->verdict);
   if (!verdict || !has_verdict(entry, *verdict)) return "has a verdict that is not of its entry";
   return "";
 }
 
-/// The one pattern of an entry that no law has; empty where there is none.
+/// Returns the first pattern of an entry that matches no law; empty if all match.
 std::string unknown_law(const KnownEntry& entry) {
   for (const std::string& pattern : entry.laws) {
     const KnownEntry of_pattern{.id = {}, .reason = {}, .laws = {pattern}};
@@ -114,13 +115,13 @@ bool is_folder(const std::string& source) {
   return fs::is_directory(source, ignored);
 }
 
-/// A file as it is called however it was named.
+/// Returns the canonical path of a file.
 fs::path canonical(const std::string& file) {
   std::error_code ignored;
   return fs::weakly_canonical(file, ignored);
 }
 
-/// The lists that may be of a backend, of all sources.
+/// Returns the lists of all sources that may apply to a backend.
 Result<std::vector<FoundList>> lists_for(const KnownSources& sources,
                                          const std::string& specification,
                                          const std::optional<backends::Driver>& driver) {
@@ -171,7 +172,7 @@ Staleness staleness_of(const KnownList& list, const std::optional<backends::Driv
                                                            : Staleness::other_version;
 }
 
-/// Adds a list's entries, as far as they are of the backend.
+/// Adds those entries of a list that apply to the backend.
 Result<void> add_list(FoundList found, const std::string& specification,
                       const std::optional<backends::Driver>& driver, KnownDefects& known) {
   const bool is_of_other =
@@ -197,7 +198,7 @@ Result<void> add_list(FoundList found, const std::string& specification,
         std::find_if(known.defects.begin(), known.defects.end(),
                      [&entry](const KnownDefect& one) { return one.entry.id == entry.id; });
     if (other != known.defects.end()) {
-      if (other->entry == entry) continue;  // a copy of the list, as bisections make
+      if (other->entry == entry) continue;  // a copy of the list, as bisecting makes
       return tl::unexpected(Error{found.file, cases::printable(entry.id),
                                   "is an entry of another list of the backend, too"});
     }
@@ -288,7 +289,7 @@ Result<std::optional<KnownDefects>> read_known_defects(const KnownSources& sourc
 
 namespace {
 
-/// Whether an entry's verdicts and conditions are met.
+/// True if a violation meets an entry's verdicts and conditions.
 bool meets_entry(const KnownEntry& entry, const cases::Case& clip, const Violation& violation) {
   return has_verdict(entry, violation.fragment_class) && meets(entry.when, clip, violation);
 }
@@ -344,8 +345,8 @@ void tell_expected(const KnownDefects& known, std::string_view law, Check& check
 
 namespace {
 
-/// Puts violations that are of no entry of the law first. Returns whether all are of some, and adds
-/// these entries' ids if so.
+/// Moves violations that no entry of the law explains to the front. If entries explain all
+/// violations, adds the entries' ids and returns true.
 bool are_of_law_entries(const KnownDefects& known, const Law& law, const cases::Case& clip,
                         std::vector<Violation>& violations, std::set<std::string>& ids) {
   std::set<std::string> some;
@@ -360,8 +361,8 @@ bool are_of_law_entries(const KnownDefects& known, const Law& law, const cases::
   return are_all;
 }
 
-/// Asks the law of what is drawn with all known faults of drawings put right; nothing where these
-/// play no part. Adds the entries that do to `ids`.
+/// Checks the law with all known faults of drawings corrected, and adds the ids of the faults that
+/// occur. Empty if none occurs.
 std::optional<Check> put_known_right(const KnownDefects& known, const Law& law,
                                      const cases::Case& c, backends::Backend& backend,
                                      std::uint64_t index, const Check& check,
@@ -379,7 +380,7 @@ std::optional<Check> put_known_right(const KnownDefects& known, const Law& law,
   }
   if (!again || !again->is_applicable || seen.empty()) return std::nullopt;
   if (again->violation_count == 0 && !again->fault) {
-    // What comes and goes is not known because it happens to be gone.
+    // An unsteady violation is not known merely because it did not recur.
     const Result<Check> as_before = check_law(law, c, backend, index);
     if (!as_before || as_before->violation_count == 0) return std::nullopt;
   }
@@ -448,7 +449,7 @@ std::string digest_of_known(const KnownByBackend& known) {
   std::string all;
   for (const auto& [backend, defects] : known) {
     all += backend + '\n';
-    // Not of the files' names: a shard may have them elsewhere.
+    // Excludes the files' names: another shard may have them elsewhere.
     for (const records::KnownOfBackend& list : defects.lists) {
       all += list.version + '\n' + cases::json_of(list.list).dump() + '\n' +
              fmt::format("{}", fmt::join(list.run_out, ",")) + '\n';

@@ -1,11 +1,11 @@
 #pragma once
 
-// Reads what is known to be wrong with a backend, and tells whether a violation is of it.
+// Reads a backend's known defects and matches violations with them.
 //
-// An entry is of some laws, or of what is drawn. A violating case is known by entries of its law
-// only if every violation that was kept of it (records::kMostViolations) is of some entry. By
-// entries of what is drawn it is known if the law holds once all that they say is put right in its
-// drawings, by the oracle. Whatever else is wrong with a case stands out as ever.
+// An entry applies to some laws, or to the drawing itself. Entries for a law make a case that
+// violates the law known only if every kept violation (records::kMostViolations) matches an entry.
+// Entries for drawings make a case known if the law holds once the oracle has corrected everything
+// that these entries describe. Any other fault in the case is reported as usual.
 
 #include <map>
 #include <optional>
@@ -24,84 +24,87 @@
 
 namespace rastercheck::properties {
 
-/// Where lists are: folders of lists of drivers, DIRECTORY/DRIVER/known.json, and files, which are
-/// lists of any backend or expectation lists (records/expectations.h). None: nothing is known. If
-/// there are some, known.json beside a plugin is read for it, too.
+/// Sources of lists. A folder holds drivers' lists as DIRECTORY/DRIVER/known.json. A file is a list
+/// for any backend, or an expectation list (records/expectations.h). Without sources, nothing is
+/// known. With sources, known.json beside a plugin is read for that plugin, too.
 using KnownSources = std::vector<std::string>;
 
 /// An entry of some list, with its case.
 struct KnownDefect {
   records::KnownEntry entry;
-  std::optional<cases::Case> shown;  ///< `found` names a law that it violates; none where expected
-  records::Staleness staleness = records::Staleness::waiver;  ///< where its case passes
-  bool has_run_out = false;  ///< its last day is over, and nothing is known by it
+  /// Its `found` names a law that the case violates. Empty if `entry.expected`.
+  std::optional<cases::Case> shown;
+  records::Staleness staleness = records::Staleness::waiver;  ///< if the case passes
+  bool has_run_out = false;  ///< past its last day; matches nothing
 };
 
-/// All lists that are of a backend.
+/// All lists that apply to a backend.
 struct KnownDefects {
-  std::vector<records::KnownOfBackend> lists;  ///< whole, as far as they are of the backend
-  std::vector<KnownDefect> defects;            ///< all entries but those that skip laws
+  std::vector<records::KnownOfBackend> lists;  ///< with every entry that applies to the backend
+  std::vector<KnownDefect> defects;            ///< all entries except those that skip laws
 
-  std::vector<cases::Case> cases() const;  ///< of all entries that have one
-  /// Whether a law is not to be checked.
+  std::vector<cases::Case> cases() const;  ///< of every entry with a case
+  /// True if the lists say to skip the law.
   bool is_skipped(std::string_view law) const;
 };
 
-/// The lists of sources, whatever backend they are of: in folders in the order of the drivers'
-/// names.
+/// Reads all lists of the sources, for any backend; within folders ordered by driver name.
 Result<std::vector<records::KnownList>> read_known_lists(const KnownSources& sources);
 
-/// The lists that are of a backend, with their cases; nothing where there is none. Fails where a
-/// list or a case cannot be read, a folder's list is another driver's, two entries have one id, one
-/// names no law that there is, or a case is found by another law or verdict than its entry's.
+/// Reads the lists that apply to a backend, with their cases; empty if none applies. Fails if a
+/// list or case cannot be read, a folder's list is for another driver, two entries share an id, an
+/// entry names no existing law, or a case's `found` differs from its entry in law or verdict.
 Result<std::optional<KnownDefects>> read_known_defects(const KnownSources& sources,
                                                        const std::string& specification,
                                                        backends::Backend& backend);
 
-/// The list that `rastercheck known add` writes for a backend unless told otherwise: known.json
-/// beside a plugin. Empty: there is no such place.
+/// The default list that `rastercheck known add` writes for a backend: known.json beside a plugin;
+/// empty for other backends.
 std::string list_beside(const std::string& specification);
-/// Gives the name that entries call a backend by: its specification, of a plugin without the folder
-/// of its file.
+/// Returns the backend's name in entries: its specification, for a plugin without the file's
+/// folder.
 std::string known_name_of(const std::string& specification);
 
-/// Gives today, "2027-01-31", UTC: what `until` is held against.
+/// Returns today's date, "2027-01-31", UTC, for comparison with `until`.
 std::string today();
 
 using KnownByBackend = std::map<std::string, KnownDefects>;  ///< by specification
 
-/// The entries of its law that explain a violation on a case without a camera, by id; none where it
-/// is new.
+/// Returns the ids of the law's entries that explain a violation on a case without a camera; empty
+/// if the violation is new.
 std::vector<std::string> entries_of(const KnownDefects& known, std::string_view law,
                                     const cases::Case& clip, const records::Violation& violation);
-/// Gives those of what is drawn; `violation` is the judge's, of the drawing itself.
+/// Returns the ids of entries for drawings that explain `violation`, which the judge found in the
+/// drawing itself.
 std::vector<std::string> entries_of_drawing(const KnownDefects& known, const cases::Case& clip,
                                             const records::Violation& violation);
 
-/// Puts right in what a backend draws all that entries of drawings explain, and notes their ids in
-/// `seen` if that is given. All three have to outlive it.
+/// Returns an amendment that corrects in the backend's drawings everything that entries for
+/// drawings explain, and adds their ids to `seen` if given. All three arguments must outlive the
+/// amendment.
 backends::Backend::Amendment known_amendment(const KnownDefects& known,
                                              const backends::Backend& backend,
                                              std::set<std::string>* seen = nullptr);
 
-/// Names in `check.known` the lines of expectation lists that a violated check's law is of.
+/// Adds to `check.known` the expectation-list lines that match a violated check's law.
 void tell_expected(const KnownDefects& known, std::string_view law, Check& check);
 
-/// Names in `check.known` the entries that a violated check is of, if nothing else is wrong. Else
-/// leaves in it what is violated once known faults of drawings are put right, and puts violations
-/// that are of no entry first, so that these are what the check is about. Draws the case again
-/// where there are entries of drawings. `index` is the case's, as of check_law().
+/// Sets `check.known` to the entries that explain a violated check, if they explain everything.
+/// Otherwise keeps only the violations that remain once known faults of drawings are corrected,
+/// unexplained ones first. Draws the case again if entries for drawings exist. `index` is the
+/// case's index, as for check_law().
 void tell_known(const KnownDefects& known, const Law& law, const cases::Case& c,
                 backends::Backend& backend, std::uint64_t index, Check& check);
 
-/// The entries whose own cases a run of these laws checks, by index in `defects`.
+/// Returns the entries whose own cases a run of these laws checks, as indices into `defects`.
 std::vector<std::size_t> entries_to_check(const KnownDefects& known,
                                           const std::vector<std::string>& laws);
 
-/// Adds to a whole run that laws which expectation lists have fail held whenever they were checked.
+/// Adds to a complete run an unexpected pass for each law that an expectation list expects to fail
+/// but that always held.
 void add_unexpected_passes(records::Run& run);
 
-/// A word that tells lists apart, drivers and cases included; empty where there are none.
+/// Returns a digest of the lists, including drivers and cases; empty without lists.
 std::string digest_of_known(const KnownByBackend& known);
 
 }  // namespace rastercheck::properties

@@ -30,7 +30,7 @@ std::vector<std::string> task_worker_of(const Conduct& conduct, const records::P
   return command;
 }
 
-/// Makes the run as it is before anything is checked.
+/// Returns the run's record before anything is checked.
 records::Run planned(const records::Plan& plan, const KnownByBackend& known) {
   records::Run run;
   run.plan = plan;
@@ -111,7 +111,7 @@ Result<records::Run> PlanRun::carry_out() {
     if (of_backend.promise) run.held_to[of_backend.backend] = *of_backend.promise;
   }
   run.cases_left = campaign_.cases_left();
-  // A shard cannot say what all shards reach, or hold.
+  // A shard alone cannot tell which labels all shards reach, or which laws always hold.
   if (start_.plan.shard) return run;
   run.unreached = unreached_labels(start_.plan.laws, promises_, run.records);
   if (run.cases_left == 0) add_unexpected_passes(run);
@@ -125,7 +125,7 @@ Result<void> PlanRun::execute(const std::vector<Task>& tasks, const TaskDone& do
                                 is_to_end);
 }
 
-/// The cases of the campaign and the scene, side by side where there are processes for it.
+/// Checks the campaign's cases and the scene, in parallel if several processes may run.
 Result<void> PlanRun::check_all() {
   const IsToEnd is_to_end = [this] {
     return conduct_.is_over() || (conduct_.fail_fast && campaign_.has_new_violation());

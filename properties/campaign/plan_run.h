@@ -1,6 +1,6 @@
 #pragma once
 
-// A plan carried out: the campaign, in this process or in several, and the run that comes of it.
+// Carries out a plan: runs the campaign, in this process or in several, and makes the run's record.
 
 #include <functional>
 #include <string>
@@ -19,38 +19,38 @@
 
 namespace rastercheck::properties {
 
-/// The ids of the laws that match one of the patterns, of all laws without any; "@(this|that)"
-/// matches either. Fails where a pattern matches none.
+/// Returns the ids of laws that match one of the patterns, or of all laws if no pattern is given;
+/// "@(this|that)" matches either. Fails if a pattern matches no law.
 Result<std::vector<std::string>> laws_matching(const std::vector<std::string>& patterns);
 
 /// How a plan is carried out.
 struct Conduct {
-  std::string directory;  ///< of the run, which is there: the checkpoint is kept in it
-  std::string corpus;     ///< folder of the cases that come first
-  KnownSources known;     ///< lists of what is known of backends
+  std::string directory;  ///< the run's existing folder, which holds the checkpoint
+  std::string corpus;     ///< folder of the corpus
+  KnownSources known;     ///< lists of known defects
   backends::BackendFactory backends = {};
-  int jobs = 1;  ///< processes that work side by side
-  /// Starts one of several such processes: a program that calls serve_tasks(), and its first
-  /// arguments. `--plan`, `--corpus` and `--known` are added.
+  int jobs = 1;  ///< number of parallel processes
+  /// The command that starts a worker process: a program that calls serve_tasks(), and its first
+  /// arguments. `--plan`, `--corpus` and `--known` are appended.
   std::vector<std::string> task_worker = {};
   Warn warn = [](const Error& /*error*/) {};
-  /// Ends it early; called from any thread.
+  /// Returns true to end the run early; called from any thread.
   IsToEnd is_over = [] { return false; };
-  bool fail_fast = false;  ///< a violation ends it, too
-  /// Called when all is found, or it has ended, before that is kept in the checkpoint.
+  bool fail_fast = false;  ///< the first violation ends the run
+  /// Called after the search is complete or has ended, before the checkpoint is saved.
   std::function<void()> on_found = [] {};
-  /// Makes what is told of the cases, or counterexamples, that are done.
+  /// Makes the callback for progress on `what`: cases or counterexamples.
   std::function<Progress(const char* what)> progress = [](const char* /*what*/) {
     return Progress();
   };
-  /// Judges a scene on so many processors, side by side with the campaign if there are several.
+  /// Judges a scene with `jobs` processors, in parallel with the campaign if several are available.
   std::function<Result<Findings>(const KnownByBackend& known, unsigned jobs)> judge_scene = {};
 };
 
 class PlanRun {
  public:
-  /// Makes backends, reads what is known of them and writes the first checkpoint. With `resumes`
-  /// the run goes on from `start`, and fails where corpus or known defects are other ones.
+  /// Makes backends, reads their known defects and writes the first checkpoint. With `resumes` the
+  /// run continues from `start`, and fails if corpus or known defects have changed.
   static Result<PlanRun> prepare(Checkpoint start, std::vector<cases::Case> corpus, Conduct conduct,
                                  bool resumes = false);
 
@@ -59,11 +59,11 @@ class PlanRun {
   const KnownByBackend& known() const { return known_; }
   const std::vector<records::BackendPromises>& promises() const { return promises_; }
 
-  /// Checks all cases, or as many as it may, and makes smaller what was found; once. Its results
-  /// are in the checkpoint as well. Fails where a worker or the oracle does.
+  /// Checks the cases until all are done or the run is to end, then shrinks the counterexamples.
+  /// Call once. The checkpoint holds the results as well. Fails if a worker or the oracle fails.
   Result<records::Run> carry_out();
 
-  /// Whether nothing is left for another run to go on with.
+  /// True if the run is complete: nothing is left for a resumed run.
   bool is_whole() const { return campaign_.cases_left() == 0 && campaign_.is_shrunk(); }
   /// Removes the checkpoint.
   void remove_checkpoint() { campaign_.remove(); }

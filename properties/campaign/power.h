@@ -1,7 +1,7 @@
 #pragma once
 
-// How much a campaign would have noticed: some of what was drawn rightly is made wrong and judged
-// again, under the same contract.
+// Measures how many faults a campaign would have noticed: makes some correct drawings wrong and
+// judges them again under the same contract.
 
 #include <cstdint>
 
@@ -13,14 +13,14 @@
 
 namespace rastercheck::properties {
 
-/// Whether the drawing of a random case is made wrong if the law holds of it: of one in Plan::power
-/// cases of the laws that speak of whatever is drawn as it stands, kCoverageLaw and kValuesLaw.
-/// Depends on the plan's seed, the law and the index alone.
+/// True if the drawing of a random case is to be made wrong, provided the law holds. True for one
+/// in Plan::power cases of the laws that judge a plain drawing, kCoverageLaw and kValuesLaw.
+/// Depends only on the plan's seed, the law and the index.
 bool is_sabotaged(const records::Plan& plan, const Law& law, std::uint64_t index);
 
-/// Draws a case of which one of these laws held again, gives the drawing each defect that changes
-/// it, one at a time, and adds whether it is noticed. Defects of which samples are drawn are for
-/// cases of kCoverageLaw, those of values alone for cases of kValuesLaw. Adds nothing where the
+/// Draws again a case for which one of these laws held, applies each defect that changes the
+/// drawing, one at a time, and records whether the judge notices the defect. Coverage defects are
+/// applied to cases of kCoverageLaw, pure value defects to cases of kValuesLaw. Adds nothing if the
 /// backend does not draw the case again.
 void measure_power(const records::Plan& plan, const Law& law, backends::Backend& backend,
                    const cases::Case& source, records::Power& power);

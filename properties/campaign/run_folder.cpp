@@ -23,14 +23,14 @@ Result<Checkpoint> read_checkpoint_file(const std::string& file) {
       [&file](const std::string& text) { return parse_checkpoint(text, file); });
 }
 
-/// Makes files of what an unfinished run had found.
+/// Saves the counterexamples of an unfinished run as files.
 Result<void> save_unfinished(const std::string& directory, const Warn& warn) {
   const std::string file = checkpoint_file(directory);
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {};
   const Result<Checkpoint> read = read_checkpoint_file(file);
   if (!read) {
-    warn(read.error());  // It is replaced all the same: nobody can go on from it.
+    warn(read.error());  // The file is replaced all the same: no run can resume from it.
     return {};
   }
   const std::size_t count = read->findings.counterexamples.size();

@@ -1,6 +1,6 @@
 #pragma once
 
-// What earlier runs left in a run's folder, and how a new one begins there.
+// Begins or resumes a run in a folder that may hold the results of earlier runs.
 
 #include <functional>
 #include <string>
@@ -12,23 +12,22 @@
 
 namespace rastercheck::properties {
 
-/// Told of what does not stop a run, and should be known.
+/// Called with warnings: problems that do not stop a run.
 using Warn = std::function<void(const Error&)>;
 
-/// Where a new run begins: at nothing, but for the counterexamples that earlier runs left in the
-/// folder, those of an unfinished one included: they are made files of, as the new run takes its
-/// place. Of several shards only the first gets them, so that they are counted once. Warns of an
-/// unfinished run, and of counterexamples that cannot be read. With `saved_in` those of that folder
-/// are checked again instead.
+/// Returns the start of a new run, which holds only the counterexamples that earlier runs left in
+/// the folder. The counterexamples of an unfinished run are among them: they are saved as files,
+/// because the new run replaces that run. Only the first of several shards gets the
+/// counterexamples, so that they count once. Warns of an unfinished run and of unreadable
+/// counterexamples. If `saved_in` is given, its counterexamples are checked again instead.
 Result<Checkpoint> begin_run(const records::Plan& plan, const std::string& directory,
                              const Warn& warn, const std::string& saved_in = "");
 
-/// Where the folder's unfinished run had come to. Fails where there is none, or where `program`, a
-/// version, is not the one that began it, or a law that it checks is gone.
+/// Returns the state of the folder's unfinished run. Fails if none exists, if another version than
+/// `program` began it, or if one of its laws no longer exists.
 Result<Checkpoint> resume_run(const std::string& directory, const std::string& program);
 
-/// Whether the run can go on with this corpus, and with what is known of its backends: they have to
-/// be those that it began with.
+/// Fails unless the corpus and the known defects are those that the run began with.
 Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus,
                         const KnownByBackend& known);
 

@@ -26,7 +26,7 @@ using records::Defect;
 
 // --- Drawings ------------------------------------------------------------------------------------
 
-/// Whether two drawings are the same to the bit.
+/// True if two drawings are equal to the bit.
 bool are_same(const Fragments& a, const Fragments& b) {
   const auto are = [](const std::vector<float>& x, const std::vector<float>& y) {
     return x.size() == y.size() &&
@@ -58,7 +58,7 @@ void append(Fragments& to, const Fragments& from, std::size_t i, const SamplePla
   to.attributes.insert(to.attributes.end(), values.begin(), values.end());
 }
 
-/// The drawing without some of its fragments.
+/// Returns the drawing without its lost fragments; empty if none is lost.
 template <typename Lost>
 std::optional<Fragments> without(const Drawing& drawing, const Lost& is_lost) {
   const Fragments& drawn = *drawing.fragments;
@@ -73,7 +73,7 @@ std::optional<Fragments> without(const Drawing& drawing, const Lost& is_lost) {
 
 // --- Geometry ------------------------------------------------------------------------------------
 
-/// Window coordinates, pixels.
+/// A window position, in pixels.
 struct Point {
   double x = 0;
   double y = 0;
@@ -85,8 +85,8 @@ Point point_of(const Case& c, const SamplePlace& place) {
   return {place.x + pattern[place.sample].x / 16.0, place.y + pattern[place.sample].y / 16.0};
 }
 
-/// A triangle in its window in doubles: exact enough for defects, all of which are larger than
-/// float32 tells apart. Holds nothing of a triangle with a w <= 0 or without area.
+/// A triangle's window positions and depths in doubles: exact enough for defects, all of which
+/// exceed the resolution of float32. Meaningless for a triangle with a w <= 0 or without area.
 class NearTriangle {
  public:
   NearTriangle(const Case& c, std::size_t triangle) : indices_(c.triangles[triangle]) {
@@ -115,13 +115,13 @@ class NearTriangle {
   }
   double depth(Point at) const { return interpolated(depth_, false, at); }
 
-  /// Pixels from the line through corners i + 1 and i + 2, positive inside.
+  /// Returns the distance in pixels from the line through corners i + 1 and i + 2, positive inside.
   double distance(std::size_t i, Point at) const {
     const Point& a = at_[(i + 1) % 3];
     const Point& b = at_[(i + 2) % 3];
     return edge(i, at) / std::hypot(b.x - a.x, b.y - a.y) * (area_ < 0 ? -1 : 1);
   }
-  /// From the nearest of the three lines, negative outside.
+  /// Returns the distance from the nearest of the three lines, negative outside.
   double distance(Point at) const {
     return std::min({distance(0, at), distance(1, at), distance(2, at)});
   }
@@ -160,7 +160,7 @@ std::vector<NearTriangle> triangles_of(const Case& c) {
 
 // --- Coverage ------------------------------------------------------------------------------------
 
-/// All vertices moved right by a part of a pixel.
+/// Moves all vertices right by 1/kParts pixel.
 template <int kParts>
 std::optional<Fragments> moved(const Drawing& drawing) {
   Case other = *drawing.source;
@@ -171,14 +171,15 @@ std::optional<Fragments> moved(const Drawing& drawing) {
   return redrawn(drawing, other);
 }
 
-/// A range of distances that one sample is looked for in, the farthest first: up to a 16th of a
-/// pixel it is nearer than a 16th of that.
+/// True for the distances at which a defect may add or remove a sample: at most 1/kParts pixel from
+/// the boundary, but more than a 16th of that.
 template <int kParts>
 bool is_in_reach(double pixels) {
   return pixels <= 1.0 / kParts && pixels > 1.0 / (kParts * 16);
 }
 
-/// One sample less, of those so far inside.
+/// Removes one sample: the farthest from the boundary of the inner samples that is_in_reach()
+/// accepts.
 template <int kParts>
 std::optional<Fragments> one_missing(const Drawing& drawing) {
   const Fragments& drawn = *drawing.fragments;
@@ -197,7 +198,8 @@ std::optional<Fragments> one_missing(const Drawing& drawing) {
   return without(drawing, [&lost](std::size_t i) { return i == *lost; });
 }
 
-/// The places beside a fragment: other samples of its pixel, and the same of the four next ones.
+/// Returns the places beside a fragment: all samples of its pixel, and the same sample of the four
+/// neighbouring pixels.
 std::vector<SamplePlace> places_beside(const Case& c, const SamplePlace& place) {
   std::vector<SamplePlace> all;
   for (std::uint32_t s = 0; std::cmp_less(s, c.framebuffer.samples); ++s) {
@@ -214,7 +216,7 @@ std::vector<SamplePlace> places_beside(const Case& c, const SamplePlace& place) 
   return all;
 }
 
-/// One sample more, of those so far outside.
+/// Adds one sample: the farthest from the boundary of the outer places that is_in_reach() accepts.
 template <int kParts>
 std::optional<Fragments> one_extra(const Drawing& drawing) {
   const Case& c = *drawing.source;
@@ -241,15 +243,15 @@ std::optional<Fragments> one_extra(const Drawing& drawing) {
   return other;
 }
 
-/// Loses what lies within a quarter pixel of an edge that two triangles share, as where both are
-/// drawn from vertices that were rounded apart.
+/// Loses the fragments within a quarter pixel of an edge that two triangles share, as if the two
+/// were drawn from differently rounded vertices.
 std::optional<Fragments> crack(const Drawing& drawing) {
   constexpr double kPixels = 0.25;
   const Case& c = *drawing.source;
   const Fragments& drawn = *drawing.fragments;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   const auto edge_of = [](const cases::Triangle& triangle, std::size_t i) {
-    // minmax() of two numbers returns references to them; of a list it returns copies.
+    // std::minmax() of two numbers returns references to them; of a list it returns copies.
     return std::minmax({triangle[(i + 1) % 3], triangle[(i + 2) % 3]});
   };
   for (const cases::Triangle& triangle : c.triangles) {
@@ -278,7 +280,8 @@ std::optional<Fragments> reordered_samples(const Drawing& drawing) {
 
 // --- Values --------------------------------------------------------------------------------------
 
-/// All attribute values but flat ones changed by a function of (fragment, attribute).
+/// Returns the drawing with all attribute values except flat ones changed by `change(fragment,
+/// attribute, value)`.
 template <typename Change>
 std::optional<Fragments> with_values(const Drawing& drawing, const Change& change) {
   Fragments other = *drawing.fragments;
@@ -329,7 +332,7 @@ std::optional<Fragments> one_number(const Drawing& drawing) {
   return with_values(drawing, [](std::size_t, std::size_t, float) { return 12345.0F; });
 }
 
-/// The spacing of float32 at a magnitude.
+/// Returns the spacing of float32 numbers at a magnitude.
 double spacing_at(float magnitude) {
   return double{std::nextafter(magnitude, std::numeric_limits<float>::infinity())} -
          double{magnitude};
@@ -356,8 +359,8 @@ std::optional<Fragments> depths_off(const Drawing& drawing) {
       drawing, [off](std::size_t, float value) { return static_cast<float>(double{value} + off); });
 }
 
-/// Values to which a defect adds what `difference(triangle, attribute, place)` says: so it adds
-/// nothing to how the drawing was rounded.
+/// Adds `difference(triangle, attribute, place)` to the drawn values, which leaves the drawing's
+/// own rounding errors as they are.
 template <typename Difference>
 std::optional<Fragments> add_to_values(const Drawing& drawing, const Difference& difference) {
   const Fragments& drawn = *drawing.fragments;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Defects given to a right drawing on purpose, so that it can be measured how much of them the
-// judge notices under a contract.
+// Defects applied to a correct drawing on purpose, to measure how many the judge notices under a
+// contract.
 
 #include <functional>
 #include <optional>
@@ -16,32 +16,32 @@
 
 namespace rastercheck::properties {
 
-/// Holds a right drawing, and what draws more in the same way.
+/// A correct drawing, and a function that draws other cases in the same way.
 struct Drawing {
   const cases::ClipCase* source = nullptr;
   const cases::Fragments* fragments = nullptr;
-  /// Draws another case in the same way; nothing where that cannot be drawn.
+  /// Draws another case in the same way; empty if that fails.
   std::function<std::optional<cases::Fragments>(const cases::Case&)> draw;
 };
 
-/// Say that only which samples are drawn, or only values, are looked at or changed.
+/// Requests to judge coverage only, and values only.
 inline constexpr JudgeRequest kCoverageAlone{.judges_values = false};
 inline constexpr JudgeRequest kValuesAlone{.counts_coverage = false};
 
 /// A defect of a backend.
 struct Sabotage {
   records::Defect defect = records::Defect::values_nan;
-  /// Gives what a backend with the defect would have drawn; nothing where it would be the same, or
-  /// cannot be told.
+  /// Returns the drawing of a backend with the defect. Empty if the defect changes nothing or its
+  /// effect is unknown.
   std::optional<cases::Fragments> (*apply)(const Drawing& drawing) = nullptr;
-  /// Says what it may change of a drawing.
+  /// The parts of a drawing that the defect may change.
   JudgeRequest changes = {};
 };
 
 /// All defects, in their order.
 std::span<const Sabotage> sabotages();
 
-/// Whether the judge finds anything wrong with a drawing, of what is asked for.
+/// True if the judge finds anything wrong with a drawing, within the request.
 bool has_wrong(const cases::ClipCase& source, const cases::Contract& contract,
                const cases::Fragments& drawn, const JudgeRequest& request = {});
 

@@ -28,10 +28,10 @@ using oracle::JudgedValue;
 using records::FragmentClass;
 using records::PixelState;
 
-/// Gathers what the judge says of a scene into its map and its first violations.
+/// Gathers the judge's results for a scene: the error map and the first violations.
 class SceneReader {
  public:
-  /// `laws`: those that are asked for.
+  /// `laws`: the laws that are asked for.
   SceneReader(const cases::Case& scene, const KnownDefects* known,
               const std::vector<std::string>& laws)
       : attributes_(scene.attributes.size()),
@@ -48,7 +48,7 @@ class SceneReader {
     depths_.resize(pixels, std::numeric_limits<float>::infinity());
   }
 
-  /// What comes next is of a part whose first triangle has that index in the scene.
+  /// Begins a part; `first_triangle` is the scene's index of its first triangle.
   void begin(const oracle::SceneTruth& part, std::size_t first_triangle) {
     part_ = &part;
     first_triangle_ = first_triangle;
@@ -85,12 +85,12 @@ class SceneReader {
   std::uint64_t judged() const { return judged_; }  ///< samples
   std::uint64_t open() const { return open_; }      ///< samples
   std::uint64_t wrong() const { return wrong_; }    ///< samples
-  /// What violates a law: the first violation of each class that is not known.
+  /// Violations of a law: the first of each class that is not known.
   struct Few {
     std::string_view law;
     std::set<FragmentClass> ways = {};
     std::vector<records::Violation> violations = {};
-    std::set<std::string> known = {};  ///< entries that others are of
+    std::set<std::string> known = {};  ///< ids of the entries that the known violations match
   };
   const Few& of(std::string_view law) const {
     return law == kCoverageLaw ? found_.coverage : found_.values;
@@ -113,7 +113,7 @@ class SceneReader {
     few.violations.push_back(std::move(violation));
   }
 
-  /// The map shows the fragment that the picture shows: the nearest of the pixel.
+  /// The map shows the same fragment as the picture: the nearest of the pixel.
   void see_nearest(const JudgedSample& sample, std::size_t pixel) {
     if (sample.values.empty()) return;
     const float depth = sample.values.front().actual;
@@ -146,7 +146,7 @@ class SceneReader {
   Found found_;
 };
 
-/// The part of a judgement that a law is about.
+/// Returns the part of a judgement that concerns the coverage law.
 records::Judgement coverage_part(const records::Judgement& all) {
   records::Judgement part;
   part.counts = all.counts;
@@ -169,7 +169,7 @@ void keep_violations(const Law& law, const std::string& specification, backends:
   }
 }
 
-/// The two laws, of those asked for.
+/// Returns those of the two laws that were asked for.
 std::vector<const Law*> scene_laws(const std::vector<std::string>& asked_for) {
   std::vector<const Law*> chosen;
   for (const std::string_view name : {kCoverageLaw, kValuesLaw}) {
@@ -208,8 +208,8 @@ class SceneJudge {
     options_.jobs = jobs;
   }
 
-  /// Parts grow while they are drawn quickly, so that none takes as long as a process may be
-  /// silent; what is found does not depend on where they end.
+  /// Draws small parts first, and larger parts while drawing is quick, so that no part takes longer
+  /// than a process may stay silent. The findings do not depend on where parts end.
   void judge(const PartLimits& limits) {
     constexpr std::size_t kFirst = 1024;
     constexpr double kQuick = 0.5;  // seconds
@@ -235,7 +235,7 @@ class SceneJudge {
     Error error;
   };
   std::optional<Failed> failed;                     ///< the first of the worst kind
-  std::map<std::string, std::uint64_t> not_judged;  ///< triangles
+  std::map<std::string, std::uint64_t> not_judged;  ///< [reason] number of triangles
   records::Judgement judgement;
   std::uint64_t fragments = 0;
   std::size_t drawn = 0;  ///< parts
@@ -249,15 +249,15 @@ class SceneJudge {
     return cases::ClipCase(with_triangles(*scene_, triangles));
   }
 
-  /// Whether it is the triangles that the backend does not draw, and not such cases at all.
+  /// True if the backend refuses only some triangles, rather than every case of this kind.
   bool is_of_triangles() {
     if (draws_none_) return *draws_none_;
     draws_none_ = draw(part_of_scene({0, 0}), *backend_).has_value();
     return *draws_none_;
   }
 
-  /// Gives the seconds that its drawing took. After a crash or a hang nothing is drawn: what ends
-  /// one part ends the next one, too, and each takes its time.
+  /// Draws and judges a part, and returns the seconds that drawing took. After a crash or a hang it
+  /// draws nothing more: the next part would probably fail as well, and each attempt takes long.
   double judge_part(const ScenePart& part) {
     if (gone_) {
       not_judged[cases::one_line(gone_->reason)] += part.count;
@@ -274,7 +274,7 @@ class SceneJudge {
     const bool is_split = done.error().failure == Failure::unsupported && part.count > 1 &&
                           scene_->depth_test == cases::DepthTest::none && is_of_triangles();
     if (is_split) {
-      // Most of them may be of a kind that it draws.
+      // The backend may support most of these triangles.
       const std::size_t half = part.count / 2;
       const double seconds = judge_part({part.first, half});
       return fault ? seconds : seconds + judge_part({part.first + half, part.count - half});
@@ -283,7 +283,7 @@ class SceneJudge {
     return passed.count();
   }
 
-  /// A failure counts for more than a kind of triangles that is not drawn.
+  /// Keeps the first failure; a real failure replaces an unsupported part.
   void take_failed(Failed one) {
     not_judged[cases::one_line(one.error.reason)] += one.part.count;
     if (one.error.failure == Failure::crash || one.error.failure == Failure::hang) {
@@ -316,11 +316,11 @@ class SceneJudge {
   SceneReader* reader_;
   ShownFragments shown_;
   oracle::JudgeOptions options_;
-  std::optional<Error> gone_;       ///< what ended the process that draws
+  std::optional<Error> gone_;       ///< the error that ended the drawing process
   std::optional<bool> draws_none_;  ///< whether the scene without triangles is drawn
 };
 
-/// Makes a failed part a violation, unless the backend just does not draw such triangles.
+/// Counts a failed part as a violation, unless the backend merely does not support such triangles.
 void take_failure(const SceneJudge::Failed& failed, bool is_partly_drawn, Check& check) {
   Check none = failed_check(failed.error);
   if (!is_partly_drawn) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A whole scene, such as a mesh, drawn once and every fragment of it judged.
+// Draws a whole scene, such as a mesh, once and judges every fragment.
 
 #include <optional>
 #include <string>
@@ -17,25 +17,26 @@
 namespace rastercheck::properties {
 
 struct SceneFindings {
-  /// Under the laws on coverage and on values, in the stratum "scene NAME". Counterexamples are
-  /// named like the stratum, and their index is a triangle's: the corpus may have that scene too.
+  /// Findings of the laws on coverage and values, in the stratum "scene NAME". Counterexamples are
+  /// named like the stratum, as the corpus may have the same scene. Their index is the index of a
+  /// triangle.
   Findings findings;
   records::SceneResult result;  ///< named like the scene
-  cases::Case source;           ///< of clip positions
+  cases::Case source;           ///< the scene in clip positions
   /// The nearest fragment of each pixel, for a picture; empty if no part could be drawn.
   std::optional<cases::Fragments> drawn;
   records::ErrorMap map;
 };
 
-/// Draws and judges the scene, part by part unless it has a depth test; `laws` names the laws that
-/// are asked for. A scene of which the backend fails to draw a part violates them all; what is
-/// `known` is counted as known. Judges in `jobs` threads. Fails where positions lie beyond float32.
+/// Draws and judges the scene under the laws named by `laws`, part by part unless it has a depth
+/// test. If the backend fails to draw a part, all these laws are violated. Violations that `known`
+/// explains count as known. Judges in `jobs` threads. Fails if positions lie beyond float32.
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
                                   backends::Backend& backend, std::uint64_t seed,
                                   const std::vector<std::string>& laws, unsigned jobs = 1,
                                   const KnownDefects* known = nullptr);
 
-/// The same by parts of that size.
+/// judge_scene() with parts of the given size.
 Result<SceneFindings> judge_scene_in(const PartLimits& limits, const cases::Case& scene,
                                      const std::string& specification, backends::Backend& backend,
                                      std::uint64_t seed, const std::vector<std::string>& laws,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// Pixels of 0…extent that lie between two places of the window.
+/// Returns the number of pixels in 0…extent that lie between two window coordinates.
 std::uint64_t pixels_between(double least, double greatest, int extent) {
   const auto all = static_cast<double>(extent);
   const double from = std::clamp(std::floor(least), 0.0, all);
@@ -19,8 +19,8 @@ std::uint64_t pixels_between(double least, double greatest, int extent) {
   return to > from ? static_cast<std::uint64_t>(to - from) : 0;
 }
 
-/// The distance from a plane of the view volume, negative outside. Of the two in depth it is that
-/// both conventions have outside.
+/// The distance from a plane of the view volume, negative outside. The near plane is OpenGL's:
+/// points outside it are outside in every convention.
 using PlaneDistance = double (*)(const std::array<double, 4>& p);
 constexpr std::array<PlaneDistance, 6> kPlanes{
     [](const std::array<double, 4>& p) { return p[3] + p[0]; },
@@ -30,7 +30,7 @@ constexpr std::array<PlaneDistance, 6> kPlanes{
     [](const std::array<double, 4>& p) { return p[3] + p[2]; },
     [](const std::array<double, 4>& p) { return p[3] - p[2]; }};
 
-/// Cuts a convex polygon in clip space by a plane.
+/// Clips a convex polygon in clip space by a plane.
 std::vector<std::array<double, 4>> clipped(const std::vector<std::array<double, 4>>& polygon,
                                            PlaneDistance plane) {
   std::vector<std::array<double, 4>> left;
@@ -49,7 +49,7 @@ std::vector<std::array<double, 4>> clipped(const std::vector<std::array<double, 
   return left;
 }
 
-/// Samples in the bounding box of what is seen of the triangle, about.
+/// Estimates the number of samples in the bounding box of the triangle's visible part.
 std::uint64_t samples_of(const cases::Case& c, const cases::Triangle& triangle) {
   std::vector<std::array<double, 4>> polygon;
   for (const std::uint32_t vertex : triangle) {

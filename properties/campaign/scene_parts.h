@@ -1,6 +1,6 @@
 #pragma once
 
-// A scene in parts that are drawn and judged one after the other, so that memory does not grow with
+// Cuts a scene into parts to draw and judge one after the other, so that memory does not grow with
 // the number of fragments.
 
 #include <cstddef>
@@ -19,25 +19,26 @@ struct ScenePart {
   bool operator==(const ScenePart&) const = default;
 };
 
-/// How much a part may hold.
+/// The size limits of a part.
 struct PartLimits {
-  /// Samples in the bounding boxes of its triangles, unless one triangle alone has more.
+  /// Maximum samples in the bounding boxes of the part's triangles; a single triangle may have
+  /// more.
   std::uint64_t samples = std::uint64_t{1} << 21U;
   std::size_t triangles = std::size_t{1} << 15U;
 };
 
-/// The next part of a case without a camera, from that triangle on. With a depth test triangles
-/// hide each other, and all are one part.
+/// Returns the next part of a case without a camera, starting at triangle `first`. With a depth
+/// test triangles hide each other, so all form one part.
 ScenePart next_part(const cases::Case& scene, std::size_t first, const PartLimits& limits);
 
-/// The fragments of a picture: of each pixel the nearest one of the first sample that has one. Of
-/// two at the same depth the one that was added first; any number is nearer than none.
+/// Collects the fragments of a picture: for each pixel the nearest fragment of the first sample
+/// that has one. At equal depth the fragment added first wins; any number is nearer than NaN.
 class ShownFragments {
  public:
   ShownFragments(const cases::FramebufferSize& size, std::size_t attributes);
 
-  /// Adds fragments of a part whose first triangle has that index in the scene. Those outside the
-  /// framebuffer are ignored. Derivatives are not kept.
+  /// Adds the fragments of a part that begins at the scene's triangle `first_triangle`. Ignores
+  /// fragments outside the framebuffer, and drops derivatives.
   void add(const cases::Fragments& drawn, std::size_t first_triangle);
 
   cases::Fragments take() { return std::move(shown_); }

@@ -23,7 +23,7 @@ using Environment = std::map<std::string, std::string>;
 
 // --- Differences ---------------------------------------------------------------------------------
 
-/// How a shard differs from those before it: the first difference that was found.
+/// The first difference found between a shard and those before it.
 class ShardDifference {
  public:
   explicit ShardDifference(std::string first) : first_(std::move(first)) {}
@@ -32,7 +32,7 @@ class ShardDifference {
   void compare(std::string_view what, const Value& here, const Value& there) {
     if (here != there) say(fmt::format("its {} is {}, and {} there", what, here, there));
   }
-  /// Of lists: what the one has and the other has not.
+  /// Compares lists: names an element that only one of them has.
   void compare(std::string_view what, const std::vector<std::string>& here,
                const std::vector<std::string>& there) {
     if (here == there) return;
@@ -50,7 +50,7 @@ class ShardDifference {
                       fmt::join(there, " ")));
     }
   }
-  /// Of what is too large to be shown.
+  /// Compares values that are too large to be shown; `what` says that they differ.
   void expect(bool is_same, const std::string& what) {
     if (!is_same) say(what);
   }
@@ -76,7 +76,7 @@ std::string value_of(const Environment& environment, const std::string& key) {
   return found == environment.end() ? "" : found->second;
 }
 
-/// The driver that each known list is held against, "gl:llvmpipe 22.3.6".
+/// Returns the driver to which each known list was applied: "gl:llvmpipe 22.3.6".
 std::vector<std::string> drivers_of(const Run& run) {
   std::vector<std::string> drivers;
   drivers.reserve(run.known.size());
@@ -86,13 +86,13 @@ std::vector<std::string> drivers_of(const Run& run) {
   return drivers;
 }
 
-/// Whether two shards' lists do, wherever they lie.
+/// True if the known lists of two shards are equal, wherever their files lie.
 bool say_the_same(const records::KnownOfBackend& one, records::KnownOfBackend other) {
   other.file = one.file;
   return one == other;
 }
 
-/// The first backend whose promises differ.
+/// Names the first backend whose promises differ.
 std::string other_promises(const Shard& here, const Shard& there) {
   const auto [one, other] = std::mismatch(here.promises.begin(), here.promises.end(),
                                           there.promises.begin(), there.promises.end());
@@ -105,7 +105,7 @@ Result<void> check_same_campaign(const Run& here, const Run& there, const std::s
   ShardDifference difference(first);
   difference.compare("program's version", value_of(here.environment, "version"),
                      value_of(there.environment, "version"));
-  // A baseline is of one architecture.
+  // A baseline is for one architecture only.
   difference.compare("architecture", value_of(here.environment, "architecture"),
                      value_of(there.environment, "architecture"));
   difference.compare("rules version", here.rules_version, there.rules_version);
@@ -143,7 +143,7 @@ std::optional<double> number_in(const std::string& text) {
   return stop == end && error == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-/// What all say of a key, each once, in the order of the shards.
+/// Joins what all shards say of a key, each value once, in the order of the shards.
 std::string all_said(const std::vector<std::string>& said) {
   std::vector<std::string> once;
   for (const std::string& one : said) {

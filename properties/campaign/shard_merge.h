@@ -1,10 +1,10 @@
 #pragma once
 
-// The shards of a campaign put together to the run that one program would have made of it.
+// Merges the shards of a campaign into the run that a single process would have produced.
 //
-// Nothing is drawn for it, and no backend has to be there: what was found merges exactly, the first
-// counterexample of each kind over all shards is the first of its own shard, and what a law's cases
-// had to reach follows from what each shard says its backends promise.
+// Merging draws nothing and needs no backend: findings merge exactly, the first counterexample of
+// each kind over all shards is also the first of its own shard, and the required labels follow from
+// the promises recorded in each shard.
 
 #include <cstdint>
 #include <map>
@@ -20,13 +20,13 @@
 namespace rastercheck::properties {
 
 struct MergedRun {
-  /// Whole but for the inspections. Its environment: what shards say alike, and where they do not,
-  /// all that they say; `seconds` are all of them together, `date` is the last one's, and `shards`
-  /// how many there were.
+  /// Complete except for inspections. Each environment entry holds the shards' common value, or all
+  /// their values if they differ. `seconds` is the sum, `date` the latest, and `shards` the number
+  /// of shards.
   records::Run run;
-  /// What the shards agree on, and what the first of them says of scene and saved counterexamples.
+  /// The data on which shards agree, with the first shard's scene and saved counterexamples.
   records::Shard common;
-  /// [shard] what it looked at, each with its counterexamples.
+  /// [shard] the shard's inspections and counterexamples.
   struct LookedAt {
     std::vector<records::Counterexample> counterexamples;
     std::vector<records::Inspection> inspections;
@@ -36,12 +36,11 @@ struct MergedRun {
 
 class ShardMerge {
  public:
-  /// Adds the run that a file holds, in any order. Refuses what is no shard, one that was
-  /// interrupted, one of another campaign than those before, naming the first difference, and one
-  /// that is there already.
+  /// Adds the run from a file, in any order. Refuses a run that is not a shard, was interrupted,
+  /// belongs to another campaign (naming the first difference), or was already added.
   Result<void> add(records::Run run, const std::string& file);
 
-  /// Fails where there is none, or some are missing, which it names.
+  /// Returns the merged run. Fails if no shard was added, or if shards are missing, naming these.
   Result<MergedRun> finish() &&;
 
  private:
@@ -53,7 +52,7 @@ class ShardMerge {
 
   Result<void> check(const records::Run& run, const std::string& file) const;
 
-  records::Run first_;  ///< without what it found
+  records::Run first_;  ///< without its findings
   Findings all_;
   std::vector<records::SceneResult> scenes_;
   std::vector<records::Picture> pictures_;

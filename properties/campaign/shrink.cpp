@@ -11,7 +11,7 @@
 namespace rastercheck::properties {
 namespace {
 
-/// In the order of shrink.h.
+/// The passes, in the order of shrink.h.
 constexpr std::array kPasses{&drop_triangles, &simplify_state, &drop_camera,      &set_w_to_one,
                              &move_to_grid,   &drop_bits,      &lessen_exponents, &shrink_viewport};
 
@@ -80,6 +80,8 @@ Shrunk shrink(cases::Case failing, Check check, const FailsAlike& fails_alike,
     for (const auto& pass : kPasses) pass(search);
     const bool is_over = search.is_over();
     if (!is_over && size_of(search.current()) < before) continue;
+    // Choices go last: without them each change of the case would make the law choose differently.
+    search.offer_changed([](cases::Case& c) { c.choices.reset(); });
     Shrunk shrunk = search.take();
     shrunk.is_least = !is_over;
     return shrunk;

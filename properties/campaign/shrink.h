@@ -1,17 +1,17 @@
 #pragma once
 
-// Shrinking: a failing case made as small as it gets while it fails in the same way.
+// Shrinks a failing case as far as possible while it still fails in the same way.
 //
-// The search goes through a fixed list of passes, each of which offers changed cases:
+// The search runs a fixed list of passes, each of which proposes changed cases:
 //
 //   fewer triangles and vertices, simple state, no camera, w = 1, positions on the grid of pixels,
 //   fewer bits, small exponents, a small framebuffer and viewport
 //
-// and begins again until a whole round changes nothing. A change is taken only if the case gets
-// smaller (internal/case_size.h) and still fails, so the search ends by itself; the limit on tries
-// is for cases that take long. It depends on nothing but the case, and so ends with the same case
-// everywhere. It works on Cases, not on what drew them: it is the same for random cases, the corpus
-// and scenes, and an edit of a generator spoils nothing.
+// and repeats until a whole round changes nothing. A change is accepted only if the case gets
+// smaller (internal/case_size.h) and still fails, so the search terminates; the limit on tries is
+// only for slow cases. The search depends on the case alone, so the result is the same everywhere.
+// Shrinking works on Cases, not on generators: it treats random cases, the corpus and scenes alike,
+// and still works after a generator is edited.
 
 #include <cstdint>
 #include <functional>
@@ -22,30 +22,31 @@
 
 namespace rastercheck::properties {
 
-/// The check of a case that fails as the first did; nothing of one that does not.
+/// Returns the check of a case if the case fails like the original; else empty.
 using FailsAlike = std::function<std::optional<Check>(const cases::Case&)>;
 
-/// Asked often; true: to end soon, with what there is. Empty: never.
+/// Called often; returns true to end soon with the results so far. An empty function never asks to
+/// end.
 using IsToEnd = std::function<bool()>;
 
 struct ShrinkLimits {
   std::uint64_t tries = 0;  ///< cases that may be checked
-  IsToEnd is_to_end;        ///< asked before each
+  IsToEnd is_to_end;        ///< called before each check
 };
 
 struct Shrunk {
   cases::Case source;
   Check check;              ///< of `source`
   std::uint64_t tries = 0;  ///< cases that were checked
-  bool is_least = false;    ///< no pass makes it smaller; else the limits ended the search
+  /// True if no pass makes the case smaller; false if the limits ended the search.
+  bool is_least = false;
 };
 
-/// `check` is what `failing` fails with. Where nothing smaller fails, these two come back.
+/// Shrinks `failing`, whose check is `check`. Returns both unchanged if nothing smaller fails.
 Shrunk shrink(cases::Case failing, Check check, const FailsAlike& fails_alike,
               const ShrinkLimits& limits);
 
-/// The case with some of its triangles, in this order, and no vertices but theirs; indices into
-/// its triangles.
+/// Returns the case with only these triangles (indices), in this order, and only their vertices.
 cases::Case with_triangles(const cases::Case& c, std::span<const std::size_t> triangles);
 
 }  // namespace rastercheck::properties

@@ -1,13 +1,13 @@
 #pragma once
 
-// Every law as a test of GoogleTest, for a rasterizer of somebody's own (RasterCheck::testing,
+// Makes every law a GoogleTest test for your own rasterizer (RasterCheck::testing,
 // docs/using-in-googletest.md):
 //
 //   class MyRasterizer : public rastercheck::backends::Backend { … };
 //   RASTERCHECK_GTEST_SUITE(MyRasterizer)
 //
-// The tests are MyRasterizer.law/whole_pixels_move_the_picture and so on. What is tried, the
-// environment may change (trial_options in properties/campaign/trial.h).
+// The tests are MyRasterizer.law/whole_pixels_move_the_picture and so on. Environment variables set
+// which cases are tried (trial_options in properties/campaign/trial.h).
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@
 
 namespace rastercheck::properties {
 
-/// The ids of all laws. GoogleTest asks for it when main() runs: until then not all laws have
-/// registered themselves. Where none is linked there is a test all the same, which fails.
+/// The ids of all laws. GoogleTest calls this once main() runs, when all laws have registered. If
+/// no law is linked, returns one entry, whose test fails.
 inline std::vector<std::string> ids_of_laws() {
   std::vector<std::string> ids;
   for (const Law& law : laws()) ids.emplace_back(law.id);
@@ -30,7 +30,7 @@ inline std::vector<std::string> ids_of_laws() {
   return ids;
 }
 
-/// A law's id in the letters, digits and underscores that GoogleTest takes.
+/// Returns a law's id in the characters that GoogleTest accepts: letters, digits and underscores.
 inline std::string law_test_name(const testing::TestParamInfo<std::string>& test) {
   std::string name;
   for (const char c : test.param) {
@@ -45,7 +45,7 @@ inline std::string law_test_name(const testing::TestParamInfo<std::string>& test
   return name;
 }
 
-/// The body of such a test; `file` and `line` are where it fails.
+/// The body of a law's test; failures are reported at `file` and `line`.
 inline void test_law(const std::string& law, const std::string& backend, const MakeTried& make,
                      const char* file, int line) {
   const Law* const known = find_law(law);
@@ -66,18 +66,18 @@ inline void test_law(const std::string& law, const std::string& backend, const M
 
 }  // namespace rastercheck::properties
 
-/// A test for each law, of a class of backends that has a constructor without arguments. `Class` is
-/// its unqualified name.
+/// Defines a test for each law on backend class `Class` (unqualified name), which must be
+/// default-constructible.
 #define RASTERCHECK_GTEST_SUITE(Class) \
   RASTERCHECK_GTEST_SUITE_OF(Class, [] { return std::make_unique<Class>(); })
 
-/// The same of what a callable makes, a std::unique_ptr to a backend; `Name`, an identifier, is
-/// what the suite is called. The backend is made anew for each test.
+/// Defines a test for each law on the backend that a callable returns as std::unique_ptr; `Name`,
+/// an identifier, names the suite. Each test makes a new backend.
 #define RASTERCHECK_GTEST_SUITE_OF(Name, ...)                                                     \
   static std::unique_ptr<::rastercheck::backends::Backend> rastercheck_make_##Name() {            \
     return (__VA_ARGS__)();                                                                       \
   }                                                                                               \
-  namespace rastercheck_suites { /* where the suite may have the name of the class */             \
+  namespace rastercheck_suites { /* so that the suite can have the name of the class */           \
   class Name : public ::testing::TestWithParam<::std::string> {};                                 \
   TEST_P(Name, law) {                                                                             \
     ::rastercheck::properties::test_law(GetParam(), #Name, &rastercheck_make_##Name, __FILE__,    \

@@ -26,7 +26,7 @@ namespace {
 using records::Counterexample;
 using records::Violation;
 
-constexpr int kDigits = 6;  ///< of errors and distances, at most
+constexpr int kDigits = 6;  ///< most digits of errors and distances
 
 Result<void> read_number(const char* variable, std::uint64_t& number) {
   const char* const value = std::getenv(variable);
@@ -43,7 +43,7 @@ Result<void> read_number(const char* variable, std::uint64_t& number) {
   return {};
 }
 
-/// "MyRasterizer-whole-pixels-move.json".
+/// Returns a file name: "MyRasterizer-whole-pixels-move.json".
 std::string file_name(const std::string& name, std::string_view law) {
   std::string file = fmt::format("{}-{}", name, law);
   for (char& c : file) {
@@ -83,7 +83,7 @@ std::string violation_text(const Violation& v, const cases::Case& c) {
   return text;
 }
 
-/// Where the case was found, and what became of it.
+/// Says where the case was found, and whether it was shrunk.
 std::string history_text(const Counterexample& one, const std::string& name) {
   const cases::Found& found = *one.source.found;
   std::string text = one.origin == records::Origin::corpus
@@ -94,7 +94,7 @@ std::string history_text(const Counterexample& one, const std::string& name) {
   return text + fmt::format(", shrunk in {} tries", one.shrinking->tries);
 }
 
-/// The commands that take a case file.
+/// Lists the commands that take a case file.
 std::string commands_text(const std::string& file) {
   return fmt::format(
       "  What is right: rastercheck oracle {0}\n"
@@ -102,13 +102,14 @@ std::string commands_text(const std::string& file) {
       file);
 }
 
-/// The case file, or where it is now.
+/// Saves the case file and returns commands that read it. Returns the file's text as well if it is
+/// not saved.
 std::string file_text(const cases::Case& c, const std::string& folder) {
   std::string problem;
   if (!folder.empty()) {
     const std::string file =
         (std::filesystem::path(folder) / file_name(c.found->backend, c.found->law)).string();
-    std::error_code ignored;  // Where there is no folder, writing says so.
+    std::error_code ignored;  // If the folder is missing, writing reports it.
     std::filesystem::create_directories(folder, ignored);
     const Result<void> written = cases::write_file(file, cases::to_json(c));
     if (written) return commands_text(file);
@@ -132,7 +133,7 @@ std::string counterexample_text(const Law& law, const Counterexample& one,
   return text + file_text(c, options.output);
 }
 
-/// The first counterexample, made smaller; of a fault of the oracle what it says.
+/// Shrinks and describes the first counterexample, or describes a fault of the oracle.
 std::string findings_text(const Law& law, backends::Backend& backend, const Findings& findings,
                           const TrialOptions& options) {
   Findings shrunk;
@@ -174,7 +175,7 @@ std::uint64_t checked_cases(const records::RecordSet& records) {
   return checked;
 }
 
-/// What random cases that held should have reached and did not.
+/// Names the labels that random cases should have reached and did not.
 std::string unreached_text(const Law& law, const std::string& name, backends::Backend& backend,
                            const records::RecordSet& records) {
   std::string text;

@@ -31,10 +31,10 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::KnownFact;
 
-/// Which kind of entry a failure asks for.
+/// The kind of entry that a failure needs.
 enum class Scope {
   drawing,  ///< what is drawn is wrong
-  laws,     ///< it is right, and laws fail all the same
+  laws,     ///< the drawing is right, and laws fail all the same
   none,     ///< nothing is drawn
 };
 
@@ -46,19 +46,19 @@ struct Subject {
   Scope scope = Scope::drawing;
 };
 
-/// Gathers what an entry of several failures has to say.
+/// Gathers the conditions for an entry that covers several failures.
 struct Conditions {
   std::set<FragmentClass> verdicts;
   std::set<AttributeKind> kinds;
   std::set<std::string> laws;
-  std::optional<std::set<std::string>> needs;  ///< of all
+  std::optional<std::set<std::string>> needs;  ///< that all failures have
   std::set<std::string> notes;
   double reach = 0;            ///< how far off an edge may be, in pixels
-  bool are_degenerate = true;  ///< no triangle that is drawn wrongly has an area
+  bool are_degenerate = true;  ///< whether no wrongly drawn triangle has an area
 };
 
-/// The facts that say what is needed, where trying tells more than chance: what a change of sizes
-/// meets by accident has none.
+/// Maps needs to facts. Only needs that experiments establish beyond chance have a fact: a change
+/// of sizes may meet the others by accident.
 constexpr std::array<std::pair<std::string_view, KnownFact>, 12> kFacts{
     {{"w <= 0", KnownFact::nonpositive_w},
      {"near plane", KnownFact::before_near},
@@ -95,16 +95,18 @@ Result<Subject> tried(const cases::Case& source, const std::string& name,
   Subject subject{&source, law, {source, check.violation_count, check.violations}, Scope::drawing};
   const bool is_drawn = check.violations.empty() || check.violations.front().has_place();
   if (!is_drawn) subject.scope = Scope::none;
-  // A backend that hangs takes the whole time-out each time that it is asked.
+  // A backend that hangs takes the whole time-out each time it draws the case.
   if (verdict_of(check) == to_string(FragmentClass::hang)) return subject;
   subject.one.explanation = explain(*law, backend, subject.one, source, &known, {});
-  if (!subject.one.explanation) return refuse("", "failed once, and not again when it was tried");
+  const bool fails_again = subject.one.explanation && subject.one.explanation->fails_again;
+  if (!fails_again) return refuse("", "failed once, and not again when it was tried");
   if (is_drawn && subject.one.explanation->parts.empty()) subject.scope = Scope::laws;
   return subject;
 }
 
-/// How far a sample on an edge as it is drawn may be from the exact edge, in pixels: vertices move
-/// along both axes by up to a grid step, or half of one, and what positions are off besides.
+/// Returns how far a sample on a drawn edge may be from the exact edge, in pixels. Vertices move
+/// along both axes by up to a grid step (half a step if rounding is specified), plus the error of
+/// positions.
 double reach_of(const cases::Contract& contract) {
   if (!contract.coverage) return 0;
   const cases::Snapping& snapping = *contract.coverage;
@@ -113,8 +115,8 @@ double reach_of(const cases::Contract& contract) {
   return std::nextafter(std::sqrt(2.0), 2.0) * std::ldexp(steps, -snapping.subpixel_bits);
 }
 
-/// Adds what the judge finds wrong with the plain drawing of a case, in the parts that have to be
-/// put right. A law that draws other cases may find all that is wrong in these.
+/// Adds what the judge finds wrong in the plain drawing of a case, in the parts to correct. That
+/// may be nothing: a law that draws other cases may find its faults only in those.
 void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDefects& known,
                Conditions& conditions) {
   const Result<cases::ClipCase> c = oracle::to_clip_case(*subject.source, "");
@@ -131,7 +133,7 @@ void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDe
     if (std::find(parts.begin(), parts.end(), part_of(kind)) == parts.end()) return;
     conditions.kinds.insert(kind);
     conditions.verdicts.insert(fragment_class);
-    // With a depth test what is drawn too much may be in front of the nearest.
+    // With a depth test, an extra fragment may hide the nearest triangle.
     if (fragment_class == FragmentClass::extra) {
       conditions.verdicts.insert(FragmentClass::wrong_triangle);
     }
@@ -141,7 +143,7 @@ void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDe
     const bool is_degenerate = violation.kind == AttributeKind::coverage && !violation.distance;
     conditions.are_degenerate = conditions.are_degenerate && is_degenerate;
   }
-  // Not all violations are kept.
+  // The counts include violations that were not kept.
   for (const auto& [kind, errors] : check.judgement.errors) {
     const auto& counts = errors.classes.counts;
     for (std::size_t i = 1; i < counts.size(); ++i) {
@@ -150,7 +152,7 @@ void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDe
   }
 }
 
-/// The longest part of a message without numbers, which may be others in each case.
+/// Returns the longest part of a message without numbers: numbers may differ in each case.
 std::string steady_part(std::string_view note) {
   const std::string text = without_numbers(note);
   std::string longest;
@@ -175,7 +177,7 @@ void add(const Subject& subject, backends::Backend& backend, const KnownDefects&
       conditions.kinds.insert(violation.kind);
       if (violation.has_place()) continue;
       std::string_view note = violation.note;
-      // Where the plugin lies is no part of what is wrong with it.
+      // The plugin's path is not part of the fault.
       const std::string name = subject.source->found->backend + ": ";
       if (note.starts_with(name)) note.remove_prefix(name.size());
       conditions.notes.insert(steady_part(note));
@@ -210,7 +212,7 @@ records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
     const bool is_needed = conditions.needs->contains(std::string(need));
     const bool is_of_coverage = conditions.kinds == std::set{AttributeKind::coverage};
     if (!is_needed || (fact == KnownFact::tie && !is_of_coverage)) continue;
-    // A sample of such a triangle lies on its edges, or far from it.
+    // A sample drawn by a degenerate triangle lies on its edges, or far from the triangle.
     if (fact == KnownFact::tie && are_degenerate) continue;
     if (fact == KnownFact::tie && conditions.reach > 0) {
       entry.when.limits[records::KnownLimit::distance_at_most] = conditions.reach;
@@ -219,13 +221,13 @@ records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
     }
   }
   if (conditions.needs->contains("samples")) entry.when.samples = {2, 4, 8, 16};
-  // Whatever is asked of a case that is not drawn fails; but a message alone may be of anything.
+  // Every law fails on a case that is not drawn. A message alone does not justify that: it may mean
+  // anything.
   if (scope == Scope::none && !entry.when.facts.empty()) entry.laws = {"*"};
   return entry;
 }
 
-/// Asks whether all subjects are known by an entry, with what is known already, and nothing of them
-/// is new.
+/// True if the entry, together with those already known, explains everything in all subjects.
 class Explains {
   static constexpr const char* kThis = "this one";
 
@@ -252,8 +254,9 @@ class Explains {
   const KnownDefects* known_;
 };
 
-/// The conditions as far as the subjects leave them: something may be needed, and not be so of the
-/// very triangle or sample where it shows. Nothing where no condition helps.
+/// Returns the entry with only the conditions that all subjects meet: a needed feature may be
+/// absent from the very triangle or sample with the violation. Empty if the entry explains too
+/// little even without conditions.
 std::optional<records::KnownEntry> widened(const records::KnownEntry& entry,
                                            const Explains& explains) {
   records::KnownEntry least = entry;
@@ -276,7 +279,7 @@ std::optional<records::KnownEntry> widened(const records::KnownEntry& entry,
   return least;
 }
 
-/// Makes an entry of the failures' laws alone.
+/// Turns an entry into one for the failures' laws alone.
 records::KnownEntry of_laws(records::KnownEntry entry, const std::vector<Subject>& subjects) {
   std::set<std::string> laws;
   std::set<FragmentClass> verdicts;
@@ -294,8 +297,9 @@ records::KnownEntry of_laws(records::KnownEntry entry, const std::vector<Subject
   return entry;
 }
 
-/// The narrowest entry that explains all subjects. One of drawings has all the conditions that were
-/// found, or it would be of much else that is wrong: then of their laws alone.
+/// Returns the narrowest entry that explains all subjects. An entry for drawings must have every
+/// condition found, or it would match unrelated faults. If such an entry does not explain all
+/// subjects, the entry is for their laws alone.
 std::optional<records::KnownEntry> narrowest(const records::KnownEntry& entry,
                                              const std::vector<Subject>& subjects,
                                              const Explains& explains) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// An entry of what is known, made from counterexamples by trying, so that nobody has to write one
-// by hand: as narrow as the conditions that the failures were found to need.
+// Makes a known-defect entry from counterexamples by experiment, so that nobody has to write one by
+// hand. The entry is as narrow as the conditions that the failures need.
 
 #include <span>
 #include <string>
@@ -16,13 +16,14 @@ namespace rastercheck::properties {
 
 struct Waiver {
   records::KnownEntry entry;  ///< without id, reason, backends, case file and last day
-  std::string sentence;       ///< what is wrong, as causes say it
+  std::string sentence;       ///< what is wrong, worded as a cause
 };
 
-/// The entry that all these counterexamples of a backend, whose `found` names their laws, are of
-/// and nothing else as far as trying tells: of what is drawn, where putting that right makes their
-/// laws hold; else of their laws. Fails where one fails no more, is known already, or they are of
-/// several causes. Errors name a counterexample by its name in `names`, one for each.
+/// Makes an entry that matches all these counterexamples of a backend and, according to
+/// experiments, nothing else. The entry is for drawings if correcting the drawings makes the laws
+/// (named in `found`) hold; else for their laws. Fails if a counterexample no longer fails or is
+/// already known, or if the counterexamples have several causes. Errors refer to counterexamples by
+/// `names`, one for each.
 Result<Waiver> make_waiver(std::span<const cases::Case> counterexamples,
                            std::span<const std::string> names, backends::Backend& backend,
                            const KnownDefects& known);

@@ -19,7 +19,7 @@ namespace {
 
 Error system_error(const std::string& what) { return {what, "", std::strerror(errno)}; }
 
-/// Lines over a descriptor: sent whole, received as they come.
+/// Sends whole lines over a file descriptor, and assembles received parts into lines.
 class LineChannel {
  public:
   explicit LineChannel(int number) : number_(number) {}
@@ -36,7 +36,7 @@ class LineChannel {
     return true;
   }
 
-  /// Reads what is there; false at the end or on an error.
+  /// Waits for data and reads it; returns false at the end or on an error.
   bool receive() {
     std::array<char, 65536> part{};
     for (;;) {
@@ -48,7 +48,7 @@ class LineChannel {
     }
   }
 
-  /// The next whole line that was received.
+  /// Returns the next complete line that was received.
   std::optional<std::string> next_line() {
     const std::size_t end = received_.find('\n', searched_);
     if (end == std::string::npos) {
@@ -63,7 +63,8 @@ class LineChannel {
 
  private:
   ssize_t write_some(std::string_view text) const {
-    // Of a socket whose other end is gone this is an error, not a signal that ends the process.
+    // If the socket's other end is gone, sending fails instead of raising a signal that ends the
+    // process.
     const ssize_t sent = ::send(number_, text.data(), text.size(), MSG_NOSIGNAL);
     if (sent < 0 && errno == ENOTSOCK) return ::write(number_, text.data(), text.size());
     return sent;
@@ -74,7 +75,7 @@ class LineChannel {
   std::size_t searched_ = 0;
 };
 
-/// A worker process and the task it is at.
+/// A worker process and its current task.
 class Worker {
  public:
   static Result<std::unique_ptr<Worker>> start(const std::vector<std::string>& command) {
@@ -92,7 +93,7 @@ class Worker {
 
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  /// Closing the socket ends a worker that waits; one that works is killed.
+  /// Closing the socket ends an idle worker; a busy worker is killed.
   ~Worker() {
     if (task_) process_.kill();
     socket_.close();
@@ -103,20 +104,20 @@ class Worker {
   bool is_busy() const { return task_.has_value(); }
   std::size_t task() const { return *task_; }
 
-  /// Gives it the task of a place in the list.
+  /// Gives the worker the task at index `place` of the list.
   bool give(std::size_t place, const Task& task) {
     task_ = place;
     return channel_.send(task_to_line(task));
   }
-  /// Asks it to end its task early.
+  /// Asks the worker to end its task early.
   void hurry() const { channel_.send(""); }
   bool receive() { return channel_.receive(); }
   std::optional<std::string> next_line() { return channel_.next_line(); }
   void finish_task() { task_.reset(); }
 
-  /// How a worker that hung up ended, in words.
+  /// Says how a worker that closed its socket ended.
   std::string ending() {
-    process_.kill();  // One that hung up and goes on is of no use.
+    process_.kill();  // in case the process goes on without its socket
     task_.reset();
     return to_string(process_.wait());
   }
@@ -131,10 +132,10 @@ class Worker {
   std::optional<std::size_t> task_;
 };
 
-/// How long a change of mind may take to be heard, in milliseconds.
+/// The longest delay until `is_to_end` is noticed, in milliseconds.
 constexpr int kPollTime = 100;
 
-/// Hands out tasks and passes on what comes of them until there is nothing left of either.
+/// Hands out tasks and passes on their findings until all are done.
 class Dispatcher {
  public:
   Dispatcher(const std::vector<Task>& tasks, const TaskDone& done, const IsToEnd& is_to_end)
@@ -164,7 +165,7 @@ class Dispatcher {
     if (!worker.give(place, (*tasks_)[place])) lose(worker);
   }
 
-  /// Waits until some worker has something to say and hears it; false when all are done.
+  /// Waits for a message from any worker and handles it; returns false if no worker is busy.
   bool wait_for_some() {
     std::vector<pollfd> sockets;
     std::vector<Worker*> busy;
@@ -189,7 +190,7 @@ class Dispatcher {
     return true;
   }
 
-  /// Asks workers that shrink to end early; ends those that check.
+  /// Asks shrinking workers to end early; ends checking workers at once.
   void end_early() {
     std::erase_if(workers_, [this](const std::unique_ptr<Worker>& worker) {
       return worker->is_busy() && (*tasks_)[worker->task()].kind != TaskKind::shrink;
@@ -235,7 +236,7 @@ class Dispatcher {
   std::optional<Error> error_;
 };
 
-/// Whether something has come on standard input, or nobody is there any more.
+/// True if standard input has data or is closed, which asks to end early.
 bool is_asked_to_hurry() {
   pollfd input{STDIN_FILENO, POLLIN, 0};
   return ::poll(&input, 1, 0) > 0;
@@ -262,18 +263,18 @@ Result<void> run_tasks_in_processes(const std::vector<std::string>& command, int
 }
 
 Result<void> serve_tasks(TaskRunner& runner) {
-  // Backends may print; their words are not to get between ours.
+  // Backends may print; their output must not mix with the protocol.
   const Result<cases::Descriptor> answers = cases::take_standard_output();
   if (!answers) return tl::unexpected(answers.error());
   LineChannel input(STDIN_FILENO);
   const LineChannel output(answers->number());
   while (input.receive()) {
     while (const std::optional<std::string> line = input.next_line()) {
-      if (line->empty()) continue;  // for a task that had ended
+      if (line->empty()) continue;  // asks to end a task that had already ended
       const std::optional<Task> task = task_from_line(*line);
       if (!task) return tl::unexpected(Error{"-", "", "not a task of a campaign"});
       const std::string answer = findings_to_line(runner.run(*task, &is_asked_to_hurry));
-      // Who asked may be gone, which is no fault of this process, and of no use to anyone.
+      // The parent may be gone. Then nobody needs the answer, and this process is not at fault.
       if (!output.send(answer)) return {};
     }
   }

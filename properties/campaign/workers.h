@@ -1,10 +1,12 @@
 #pragma once
 
-// A campaign's tasks spread over processes. RapidCheck is not thread-safe, so parallel work is done
-// by worker processes of the same program, each fed one task at a time over a socket that is its
-// standard input and output.
+// Spreads a campaign's tasks over worker processes of the same program. Each worker gets one task
+// at a time over a socket, which serves as its standard input and output. Workers are processes,
+// not threads, for three reasons. A crash ends only one worker and is reported with its law and
+// cases. Backends that hold a driver or a plugin need not be safe to call from two threads. A
+// rounding mode or signal handler set by foreign code affects no other task.
 //
-// A caller may end early: a task that shrinks then returns its best case so far, one that checks is
+// A caller may end early: a shrinking task then returns its best case so far; a checking task is
 // dropped and counts as not done.
 
 #include <functional>
@@ -16,29 +18,29 @@
 
 namespace rastercheck::properties {
 
-/// Told of every task that is done, by its place in the list, in whatever order; false: no more
-/// tasks are wanted.
+/// Called for every finished task, in any order, with its index in the list; return false to get no
+/// more tasks.
 using TaskDone = std::function<bool(std::size_t task, Findings found)>;
 
-/// Runs the tasks one after the other in this process. No more are begun once `is_to_end`, which
-/// the caller's thread is asked, says so.
+/// Runs the tasks one after the other in this process. Begins no further task once `is_to_end`,
+/// called in the caller's thread, returns true.
 Result<void> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks, const TaskDone& done,
                        const IsToEnd& is_to_end = {});
 
-/// Runs the tasks in `jobs` >= 1 processes of `command` (program and arguments), which are to call
-/// serve_tasks() with the same seed and corpus. Fails where a process cannot be started, ends
-/// before its task does, or where a task fails; all are ended then. May be called from a thread of
-/// its own: it touches nothing but its arguments.
+/// Runs the tasks in `jobs` >= 1 processes of `command` (program and arguments), which must call
+/// serve_tasks() with the same seed and corpus. Fails if a process cannot be started or ends before
+/// its task, or if a task fails; then ends all processes. May be called from any thread: touches
+/// only its arguments.
 ///
-/// The processes are a process group each, so that Ctrl-C in a terminal reaches only the one that
-/// gives out tasks. They end when that one does, however it does.
+/// Each process is a process group of its own, so that Ctrl-C in a terminal reaches only the
+/// parent. All end when the parent ends, however it ends.
 Result<void> run_tasks_in_processes(const std::vector<std::string>& command, int jobs,
                                     const std::vector<Task>& tasks, const TaskDone& done,
                                     const IsToEnd& is_to_end = {});
 
-/// The other end: answers each task that comes on standard input with its findings on what was
-/// standard output, until the input ends. An empty line in the middle of a task asks it to end
-/// early. What is printed meanwhile goes to standard error.
+/// The worker's side: answers each task from standard input with findings on the original standard
+/// output, until the input ends. An empty line during a task asks for an early end. Anything
+/// printed meanwhile goes to standard error.
 Result<void> serve_tasks(TaskRunner& runner);
 
 }  // namespace rastercheck::properties

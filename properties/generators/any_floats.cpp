@@ -1,7 +1,7 @@
-// any-floats: clip positions of raw floats, as whatever memory holds has them. No position is made
-// for a place of the window; that something is drawn comes from what numbers of one size do, of
-// which any sign gives a direction on the screen or beyond it, and from corners that are some
-// thousands of floats apart.
+// any-floats: clip positions of raw floats, like arbitrary memory. Most positions are not chosen to
+// appear in the window. Triangles still draw something: numbers of similar magnitude, whatever
+// their signs, give a place on the screen or a direction beyond it, and some triangles have corners
+// a few floats apart around a visible sample.
 
 #include <array>
 
@@ -17,8 +17,8 @@ using Corners = std::array<cases::ClipVertex, 3>;
 
 float magnitude_of(float value) { return value < 0 ? -value : value; }
 
-/// Numbers of one exponent, in front of the eye but for one in eight; z is of the same size or
-/// smaller, so that not all of it is clipped.
+/// Makes corners of numbers with about the same exponent; one corner in eight is behind the eye. z
+/// is positive and about as large as w or smaller, so that not everything is clipped.
 Corners of_one_exponent(Draw& draw, int exponent) {
   Corners corners;
   for (cases::ClipVertex& p : corners) {
@@ -32,7 +32,8 @@ Corners of_one_exponent(Draw& draw, int exponent) {
   return corners;
 }
 
-/// Any finite floats at all; z = 0, which no depth plane cuts where w > 0, in half of them.
+/// Makes corners of any finite floats. Half of the triangles have z = 0, which no depth plane clips
+/// where w > 0.
 Corners of_any_bits(Draw& draw) {
   const bool has_depth = draw.one_in(2);
   Corners corners;
@@ -46,8 +47,8 @@ Corners of_any_bits(Draw& draw) {
   return corners;
 }
 
-/// Corners about what appears at a visible place, each coordinate some floats away from it: few, as
-/// of a triangle that is nothing but rounding, up to a quarter of its size.
+/// Makes corners near one visible place. Each coordinate is off by a few floats, as if by rounding,
+/// or by up to a quarter of its size.
 Corners near_each_other(Draw& draw, const cases::Case& c, int exponent) {
   const WindowPoint place = visible_sample(draw, c);
   const float depth = random_depth(draw, c);
@@ -65,7 +66,7 @@ Corners near_each_other(Draw& draw, const cases::Case& c, int exponent) {
   return corners;
 }
 
-/// Any float in the place of one coordinate of one corner.
+/// Replaces one coordinate of one corner by any float.
 void put_odd_one(Draw& draw, Corners& corners) {
   const int corner = draw.between(0, 2);
   const int coordinate = draw.between(0, 3);
@@ -79,7 +80,7 @@ cases::Case make(Draw& draw) {
   request.most_side = 32;
   cases::Case c = random_state(draw, request);
   c.depth_clamp = draw.one_in(3);
-  // Up to 2^125, and down to where w is subnormal and a coordinate has few bits.
+  // Numbers up to 2^125, and down to where w is subnormal and a coordinate has few bits.
   const int exponent = draw.one_in(4) ? draw.between(-149, 125) : draw.between(-100, 100);
   const int triangles = draw.between(2, 4 + draw.size() / 20);
   for (int i = 0; i < triangles; ++i) {

@@ -1,7 +1,8 @@
-// cameras: what programs draw through one: boxes, sheets and shards before and around it,
-// perspectives of any field of view and depths up to 10^7 apart, infinite, reversed, oblique and
-// orthographic ones, and an eye within the triangles' own planes. The clip positions are those of
-// the matrices and object positions, computed exactly and rounded once.
+// cameras: scenes as real programs draw them, with boxes, sheets and shards in front of a camera
+// and around it. Projections are perspectives of any field of view with depth ratios up to 10^7,
+// and infinite, reversed, oblique and orthographic ones. Some eyes lie in the planes of the
+// triangles. The clip positions are computed exactly from the matrices and object positions, and
+// rounded once.
 
 #include <cassert>
 
@@ -14,7 +15,7 @@ namespace {
 
 cases::Case make(Draw& draw) {
   StateRequest request;
-  request.most_side = 40;  // many of these fill the whole of it, twice over
+  request.most_side = 40;  // many scenes fill the framebuffer twice over
   const CameraCase made = camera_case(draw, request);
   const Result<cases::ClipCase> clip = oracle::to_clip_case(made.source, "");
   assert(clip.has_value());

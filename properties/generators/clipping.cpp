@@ -1,7 +1,7 @@
-// clipping: triangles that leave the view volume by every way out of it. One, two or three vertices
-// far outside in each of the 26 directions that sides, edges and corners of the volume have;
-// polygons that all six planes cut; fans and quads many times its size, through its middle and
-// close to its planes; weights of either sign that are one float from 0.
+// clipping: triangles that leave the view volume in every possible way. One, two or three vertices
+// far outside in each of the 26 directions of the volume's sides, edges and corners; polygons that
+// all six planes cut; fans and quads many times larger than the volume, through its middle and
+// close to its planes; weights of either sign one float from 0.
 
 #include <algorithm>
 #include <array>
@@ -15,14 +15,14 @@
 namespace rastercheck::properties::clipping_generator {
 namespace {
 
-/// A place in the view volume, which is [−1, 1]³ here under all rules.
+/// A place in the view volume, which is scaled to [−1, 1]³ under all rules.
 struct VolumePoint {
   double x = 0;
   double y = 0;
   double z = 0;
 };
 
-/// The clip position of weight w there.
+/// The clip position at `p` with weight w.
 cases::ClipVertex at_volume(const cases::Case& c, const VolumePoint& p, float w) {
   const double near = double{near_depth(c)};
   const double depth = near + (1 - near) * (p.z + 1) / 2;
@@ -43,7 +43,7 @@ VolumePoint random_inside(Draw& draw) {
 
 float random_weight(Draw& draw) { return draw.one_in(2) ? 1.0F : draw.uniform(0.1F, 4); }
 
-/// Direction `index`, 0…25, of those of components −1, 0 and 1.
+/// Returns direction number `index` (0…25) of the 26 directions with components −1, 0 and 1.
 VolumePoint outside_direction(int index) {
   const int number = index < 13 ? index : index + 1;  // 13 is the middle
   const int x = number % 3 - 1;
@@ -52,8 +52,8 @@ VolumePoint outside_direction(int index) {
   return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
 }
 
-/// A triangle with so many of its vertices far outside in one direction, the others inside; it is
-/// beside the volume where all three are.
+/// Adds a triangle with `outside` vertices far outside in one direction and the other vertices
+/// inside. With three vertices outside, the triangle lies beside the volume.
 void add_outside(Draw& draw, cases::Case& c, int direction, int outside) {
   const double distance = draw.pick(std::array{3e4, 3e4, 3e4, 2.0, 1e5, 1e9});
   std::array<cases::ClipVertex, 3> corners;
@@ -68,8 +68,8 @@ void add_outside(Draw& draw, cases::Case& c, int direction, int outside) {
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
-/// A triangle about the volume's middle, in a plane that meets all six sides of it: ±x ± y ± z is
-/// next to 0 there, up to 10^5 times as large.
+/// Adds a triangle around the volume's middle, up to 10^5 times as large as the volume. The
+/// triangle's plane, roughly ±x ± y ± z = 0, meets all six sides of the volume.
 void add_hexagon(Draw& draw, cases::Case& c) {
   const double a = double{draw.uniform(0.75F, 1.25F)} * (draw.one_in(2) ? 1 : -1);
   const double b = double{draw.uniform(0.75F, 1.25F)} * (draw.one_in(2) ? 1 : -1);
@@ -89,8 +89,8 @@ void add_hexagon(Draw& draw, cases::Case& c) {
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
-/// A fan of radius 7·10^4 in a plane through or near the volume's middle, tilted so that its depth
-/// leaves the volume too; the hub inside it or beside it.
+/// Adds a fan of radius 7·10^4 in a plane through or near the volume's middle, tilted so that its
+/// depth leaves the volume too; the hub lies inside or beside the volume.
 void add_fan(Draw& draw, cases::Case& c) {
   constexpr double kRadius = 7e4;
   const double tilt_x = double{draw.uniform(-1, 1)};
@@ -119,8 +119,8 @@ void add_fan(Draw& draw, cases::Case& c) {
   }
 }
 
-/// A quad of radius 4·10^4 about the middle of the volume or a point 0.99 towards one of its
-/// planes, which it is parallel to, but for a tilt.
+/// Adds a quad of radius 4·10^4, parallel to one of the volume's planes except for a tilt, around
+/// the volume's middle or a point 0.99 of the way to the plane.
 void add_quad(Draw& draw, cases::Case& c) {
   constexpr double kRadius = 4e4;
   const int axis = draw.between(0, 2);
@@ -143,8 +143,8 @@ void add_quad(Draw& draw, cases::Case& c) {
   c.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// Weights that go from the least positive floats to the least negative ones, or vertices at w = 0,
-/// from one weight and number to the next: the horizon runs through the triangle.
+/// Adds a triangle with weights of 0 or of the least positive and negative floats, so that the
+/// horizon runs through the triangle or through vertices.
 void add_about_zero(Draw& draw, cases::Case& c) {
   const bool is_subnormal = draw.one_in(2);
   std::array<cases::ClipVertex, 3> corners;
@@ -159,17 +159,19 @@ void add_about_zero(Draw& draw, cases::Case& c) {
     }
     p.z = near_depth(c) < 0 ? 0.0F : p.w / 2;
   }
-  // A vertex in front, in half of them, or all of it is at infinity.
+  // Half of these triangles have a vertex in front of the eye; the other half are entirely at
+  // infinity.
   if (draw.one_in(2)) corners[2].w = draw.uniform(0.125F, 2);
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
 cases::Case make(Draw& draw) {
   StateRequest request;
-  request.most_side = 32;  // many of these fill the whole of it
+  request.most_side = 32;  // many of these triangles fill the framebuffer
   cases::Case c = random_state(draw, request);
   c.depth_clamp = draw.one_in(16);
-  // In three of five of the triangles the directions take turns, from any one on.
+  // Three shapes in five come from add_outside(). They take the directions in turn, starting with a
+  // random direction.
   int direction = draw.between(0, 25);
   const int shapes = draw.between(2, 5 + draw.size() / 34);
   for (int i = 0; i < shapes; ++i) {

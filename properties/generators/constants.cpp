@@ -1,6 +1,5 @@
-// constants: planes on which something is the same everywhere: the weight, the depth, every
-// attribute; or one of the three vertices has it a float more. Rasterizers take a shorter way where
-// numbers are equal, and it has to lead to the same values.
+// constants: planes with the same weight, depth or attribute values everywhere, or with one vertex
+// off by one float. Rasterizers have shortcuts for equal numbers, which must give the same values.
 
 #include <array>
 #include <cstddef>
@@ -14,13 +13,13 @@
 namespace rastercheck::properties::constants_generator {
 namespace {
 
-/// What is the same at all vertices of a triangle.
+/// Says which numbers are the same at all vertices of a triangle.
 struct Equal {
   bool weight = false;
   bool depth = false;
 };
 
-/// A weight of up to 12 bits, times which a depth of as many is exact.
+/// A weight of at most 12 bits, so that its product with a short depth is exact.
 float short_weight(Draw& draw) {
   const int units = draw.between(1, 4095);
   const int exponent = draw.between(-4, 4);
@@ -38,7 +37,7 @@ float short_depth(Draw& draw, const cases::Case& c) {
   return static_cast<float>(units) / 1024;
 }
 
-/// Triangles of a sheet, or apart, that agree in what is equal.
+/// Adds a strip of triangles whose vertices share the numbers that `equal` names.
 void add_plane(Draw& draw, cases::Case& c, const Equal& equal) {
   const float weight = draw.one_in(2) ? short_weight(draw) : draw.uniform(0.01F, 8);
   const float depth = short_depth(draw, c);
@@ -57,7 +56,7 @@ void add_plane(Draw& draw, cases::Case& c, const Equal& equal) {
   }
 }
 
-/// One vertex that is a float off the others in w or in z.
+/// Moves w or z of one vertex by one float.
 void nudge_one(Draw& draw, cases::Case& c) {
   const int vertex = draw.between(0, static_cast<int>(c.positions.size()) - 1);
   cases::ClipVertex& p = c.positions[static_cast<std::size_t>(vertex)];
@@ -65,8 +64,8 @@ void nudge_one(Draw& draw, cases::Case& c) {
   number = stepped(number, draw.one_in(2) ? 1 : -1);
 }
 
-/// The same value of an attribute at all vertices, of any size; in some, one is a float off, and
-/// zeros are of both signs.
+/// Gives most attributes the same value, of any magnitude, at all vertices. In some cases one
+/// vertex is off by a float, or its zero has the other sign.
 void set_constant_values(Draw& draw, cases::Case& c) {
   const std::size_t count = c.attributes.size();
   for (std::size_t a = 0; a < count; ++a) {

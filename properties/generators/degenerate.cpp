@@ -1,6 +1,7 @@
-// degenerate: triangles without an area, exactly: corners that coincide, in clip space or on the
-// screen alone, corners on one line, planes through the eye, vertices that are nowhere. They draw
-// nothing, whatever the rounding, and take nothing from the triangles that share their vertices.
+// degenerate: triangles with exactly no area: corners that coincide, in clip space or only on the
+// screen, corners on one line, planes through the eye, vertices without a position (x = y = w = 0).
+// Degenerate triangles draw nothing, whatever the rounding, and do not affect triangles that share
+// their vertices.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,8 @@
 namespace rastercheck::properties::degenerate_generator {
 namespace {
 
-/// A position of short numbers at or about the visible part, so that sums of a few stay exact.
+/// Returns a position in or near the visible part. Its numbers are short, so that sums of a few
+/// positions stay exact.
 cases::ClipVertex short_position(Draw& draw) {
   const auto number = [&draw](int most) {
     return static_cast<float>(draw.between(-most, most)) / 1024;
@@ -34,7 +36,7 @@ cases::ClipVertex times(const cases::ClipVertex& p, float factor) {
   return sum_of(p, factor, {0, 0, 0, 0}, 0);
 }
 
-/// Adds a triangle with any of its vertices first, in either order.
+/// Adds a triangle that starts with any of its vertices, in either orientation.
 void add_turned(Draw& draw, cases::Case& c, cases::Triangle triangle) {
   const int turns = draw.between(0, 2);
   std::rotate(triangle.begin(), triangle.begin() + turns, triangle.end());
@@ -42,22 +44,22 @@ void add_turned(Draw& draw, cases::Case& c, cases::Triangle triangle) {
   c.triangles.push_back(triangle);
 }
 
-/// A vertex that the triangle a, b, · has no area with.
+/// Returns a third vertex with which the triangle of a and b has no area.
 cases::ClipVertex flattening(Draw& draw, const cases::ClipVertex& a, const cases::ClipVertex& b) {
   switch (draw.between(0, 6)) {
-    case 0:  // the same again
+    case 0:  // equal to b
       return b;
-    case 1:  // the same place of the screen at another distance
+    case 1:  // the same place on the screen, with another weight
       return times(b, draw.pick(std::array{0.5F, 2.0F, 3.0F, -1.0F}));
-    case 2: {  // nowhere
+    case 2: {  // x = y = w = 0, which has no position
       const float z = draw.one_in(2) ? 0.0F : 0.5F;
       return {0, 0, z, any_zero(draw)};
     }
-    case 3: {  // on the line between them, or beyond one end
+    case 3: {  // on the line through both, between or beyond them
       const float n = draw.pick(std::array{0.25F, 0.5F, 0.75F, -0.5F, 1.5F});
       return sum_of(a, 1 - n, b, n);
     }
-    default: {  // in the plane with them and the eye, behind it too
+    default: {  // in the plane through both and the eye; may be behind the eye
       const auto m = static_cast<float>(draw.between(-3, 3));
       const auto n = static_cast<float>(draw.between(-3, 3));
       return sum_of(a, m, b, n);
@@ -65,8 +67,7 @@ cases::ClipVertex flattening(Draw& draw, const cases::ClipVertex& a, const cases
   }
 }
 
-/// A triangle or two that are seen, and others without area that share vertices with them or lie
-/// on them.
+/// Adds a visible triangle, and triangles without area that share vertices with it or lie on it.
 void add_group(Draw& draw, cases::Case& c) {
   std::array<cases::ClipVertex, 3> corners;
   for (cases::ClipVertex& p : corners) p = short_position(draw);
@@ -79,7 +80,7 @@ void add_group(Draw& draw, cases::Case& c) {
     const std::size_t to = (from + 1) % 3;
     const auto a = first + static_cast<std::uint32_t>(from);
     const auto b = first + static_cast<std::uint32_t>(to);
-    if (draw.one_in(6)) {  // a vertex twice, or three times
+    if (draw.one_in(6)) {  // uses a vertex twice or three times
       add_turned(draw, c, {a, a, draw.one_in(2) ? a : b});
       continue;
     }
@@ -87,7 +88,8 @@ void add_group(Draw& draw, cases::Case& c) {
   }
 }
 
-/// Corners that one coordinate, or two, are 0 or equal in: no float of any size gives them an area.
+/// Adds a triangle of numbers of any magnitude. In all corners, one coordinate is the same multiple
+/// of another (or 0), so that the corners are coplanar with the eye.
 void add_of_any_size(Draw& draw, cases::Case& c) {
   const int kind = draw.between(0, 2);
   const float slope = draw.pick(std::array{0.0F, 1.0F, -0.5F, 2.0F});
@@ -114,7 +116,7 @@ cases::Case make(Draw& draw) {
     add_group(draw, c);
     if (draw.one_in(2)) add_of_any_size(draw, c);
   }
-  // Nothing at all is drawn in a viewport without an area.
+  // A viewport without area draws nothing.
   if (draw.one_in(24)) (draw.one_in(2) ? c.viewport.width : c.viewport.height) = 0;
   add_attribute_values(draw, c);
   add_clip_distances(draw, c);

@@ -1,6 +1,6 @@
 // grazing: vertices exactly on the clip planes and the viewport's borders, and one float inside or
-// outside them; user clip distances that are zero. Whether a triangle is clipped at all hangs on
-// the last bit here, and neighbours may not disagree about it.
+// outside them; user clip distances that are zero. The last bit decides whether a triangle is
+// clipped at all, and neighbours must not disagree.
 
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace rastercheck::properties::grazing_generator {
 namespace {
 
-/// A coordinate over w that is on a plane at `lo` or `hi`, in between, or beyond: times w it stays
-/// exact wherever it is ±1.
+/// Returns a coordinate over w that lies on the plane at `lo` or `hi`, between the planes, or
+/// beyond. ±1 stays exact when multiplied by w.
 float about_planes(Draw& draw, float lo, float hi) {
   switch (draw.between(0, 5)) {
     case 0:
@@ -28,7 +28,7 @@ float about_planes(Draw& draw, float lo, float hi) {
   }
 }
 
-/// The coordinate of weight w, perhaps a float inside or outside of where it was.
+/// Returns `ratio` times w, sometimes moved by a float.
 float weighted(Draw& draw, float ratio, float w) {
   const float exact = to_float(double{ratio} * double{w});
   return draw.one_in(4) ? nudged(draw, exact) : exact;
@@ -57,9 +57,9 @@ float random_distance(Draw& draw) {
   }
 }
 
-/// Distances with many zeros; in a third of the cases a plane's complement stands beside it as a
-/// second copy of every vertex and triangle, with the signs turned: together they draw every sample
-/// once.
+/// Sets distances with many zeros. A third of the cases also get a copy of every vertex and
+/// triangle with negated distances; with one distance per vertex, a triangle and its copy together
+/// draw every sample once.
 void add_grazing_distances(Draw& draw, cases::Case& c) {
   const std::size_t count = c.clip_distance_count;
   c.clip_distances.clear();
@@ -82,8 +82,8 @@ void add_grazing_distances(Draw& draw, cases::Case& c) {
   }
 }
 
-/// Puts the borders of the viewport within the framebuffer, where something could be drawn beyond
-/// them: up to an eighth of its size, in halves of a pixel.
+/// Moves the borders of the viewport into the framebuffer, by up to an eighth of its size, in
+/// halves of a pixel, so that drawing outside the viewport would show.
 void inset_viewport(Draw& draw, cases::Case& c) {
   const int most_u = c.framebuffer.width / 4;
   const int most_v = c.framebuffer.height / 4;

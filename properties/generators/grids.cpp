@@ -1,6 +1,7 @@
-// grids: rows and columns of quads. A floor in perspective that runs up to the horizon, its first
-// row behind the eye in some cases; and squares of a fraction of a pixel, turned, one triangle of
-// each the other way round, at weights from 0.1 to 4: what is small, far away and many.
+// grids: rows and columns of many small or distant quads. Some cases are a floor in perspective
+// that runs up to the horizon, possibly with its first row behind the eye. The others are small
+// rotated squares, most of them about a pixel or less, each with one triangle reversed, at weights
+// from 0.1 to 4.
 
 #include <array>
 #include <cstdint>
@@ -12,8 +13,7 @@
 namespace rastercheck::properties::grids_generator {
 namespace {
 
-/// Two triangles of four vertices in order around a quad; the second one the other way round where
-/// asked.
+/// Adds two triangles for a quad with four corners in order; reverses the second one if asked.
 void add_quad(cases::Case& c, const std::array<std::uint32_t, 4>& corners, bool is_reversed) {
   c.triangles.push_back({corners[0], corners[1], corners[2]});
   const std::uint32_t third = is_reversed ? corners[3] : corners[2];
@@ -21,7 +21,8 @@ void add_quad(cases::Case& c, const std::array<std::uint32_t, 4>& corners, bool 
   c.triangles.push_back({corners[0], third, last});
 }
 
-/// The quads between rows of `columns` + 1 vertices that have been added row after row.
+/// Adds the quads between rows of `columns` + 1 vertices, which were added row by row from vertex
+/// `first` on.
 void add_quads(Draw& draw, cases::Case& c, std::uint32_t first, int rows, int columns) {
   const bool is_reversed = draw.one_in(4);
   const auto stride = static_cast<std::uint32_t>(columns + 1);
@@ -34,9 +35,10 @@ void add_quads(Draw& draw, cases::Case& c, std::uint32_t first, int rows, int co
   }
 }
 
-/// A floor or a ceiling, seen from one unit above it: clip x and y are those of world coordinates
-/// (X, −1) times the cotangents of half the fields of view, w is the distance. The rows' distances
-/// grow by a factor, so that they approach the horizon, where y/w = 0 if the view is level.
+/// Adds a floor or a ceiling, seen from a height of one unit. Clip x and y are world coordinates
+/// (X, −1) times the cotangents of half the fields of view; w is the distance. Each row's distance
+/// is a multiple of the previous row's, so that the rows approach the horizon, where y/w = 0 if the
+/// view is level.
 void add_floor(Draw& draw, cases::Case& c) {
   const int rows = draw.between(3, 6 + draw.size() / 16);
   const int columns = draw.between(1, 4);
@@ -47,7 +49,7 @@ void add_floor(Draw& draw, cases::Case& c) {
   const double growth = draw.pick(std::array{1.5, 2.0, 4.0, 16.0});
   const bool begins_behind = draw.one_in(2);
   const double width = draw.pick(std::array{0.5, 2.0, 16.0});
-  // z/w from about the near plane at w = 1/8 to the far one at infinity.
+  // z/w runs from the near plane at w = near_w to the far plane at infinity.
   const double near_w = draw.pick(std::array{0.125, 0.01, 0.5});
   const double near_z = double{near_depth(c)};
 
@@ -59,7 +61,7 @@ void add_floor(Draw& draw, cases::Case& c) {
       const double x = (static_cast<double>(column) - columns / 2.0) * width * 2;
       const double clip_x = double{cot_x} * x;
       const double clip_y = double{cot_y} * -1 + double{pitch} * w;
-      // a w + b with z = near_z w at near_w, and z/w → 1.
+      // z = a w + b with z = near_z w at w = near_w; a = 1, as z/w → 1 at infinity.
       const double z = w - (1 - near_z) * near_w;
       add_vertex(c, {to_float(clip_x - double{roll} * clip_y),
                      to_float(clip_y + double{roll} * clip_x), to_float(z), to_float(w)});
@@ -69,13 +71,13 @@ void add_floor(Draw& draw, cases::Case& c) {
   add_quads(draw, c, first, rows, columns);
 }
 
-/// 4×4 squares about as many neighbouring samples, turned by any angle within 0…90°; the second
-/// triangle of each is reversed.
+/// Adds 4×4 squares around samples of a grid, rotated by any angle within 0…45°; the second
+/// triangle of each square is reversed.
 void add_squares(Draw& draw, cases::Case& c) {
   const WindowPoint from = visible_sample(draw, c);
   const double half_side = draw.pick(std::array{0.15, 0.15, 0.5, 0.75, 2.0});
   const double spacing = half_side < 1 ? 1 : 2 * half_side;
-  // The angle whose half has tangent t: all of 0…90° for t up to √2 − 1.
+  // The angle is 2 atan(t); t up to √2 − 1 gives 0…45°.
   const double t = draw.one_in(8) ? 0 : double{draw.uniform(0, 0.41421354F)};
   const double cosine = (1 - t * t) / (1 + t * t);
   const double sine = 2 * t / (1 + t * t);

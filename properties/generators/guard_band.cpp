@@ -1,6 +1,7 @@
-// guard-band: vertices where numbers of fixed point end: 2^15 pixels from the window's origin, the
-// guard band, and where positions of some bits and their products would need one bit more, a float
-// or a subpixel to either side. What is drawn is near the origin all the same.
+// guard-band: vertices at the limits of fixed-point numbers, or a float or a subpixel to either
+// side. One limit is the guard band at 2^15 pixels from the window's origin; at the other limits,
+// positions of a given bit width, or their products, would need one bit more. The triangles still
+// cover pixels near the origin.
 
 #include <array>
 #include <cstdint>
@@ -13,9 +14,10 @@
 namespace rastercheck::properties::guard_band_generator {
 namespace {
 
-/// ± a power of two of pixels, or less a grid unit of 2^-8 pixels, as the largest number of so many
-/// bits is: of 16 and 32 bits with 8 after the point, 16 and 32 without, of what 53 bits and 24
-/// hold, and of half of each, as edges' products are.
+/// Returns ± a power of two in pixels, sometimes off by up to a subpixel of 2^-8 pixels. The
+/// largest number of a bit width is one subpixel below such a power. The powers are limits of 16
+/// and 32 bits with 8 bits after the point, of 16 and 32 bits without, of 24 and 53 bits, and of
+/// half these widths, which limit products in edge functions.
 double random_limit(Draw& draw) {
   const int exponent = draw.pick(std::array{15, 15, 15, 15, 7, 11, 13, 14, 16, 23, 24, 31});
   const auto power = static_cast<double>(std::uint64_t{1} << exponent);
@@ -23,7 +25,7 @@ double random_limit(Draw& draw) {
   return draw.one_in(2) ? power - less : less - power;
 }
 
-/// A float of clip space to either side of where it was, or a few.
+/// Moves a coordinate by about one float in a third of the calls.
 void nudge_coordinate(Draw& draw, float& coordinate) {
   if (draw.one_in(3)) coordinate = float_near(draw, coordinate, 1);
 }
@@ -44,7 +46,7 @@ cases::ClipVertex random_vertex(Draw& draw, const cases::Case& c, bool is_far, f
   return vertex;
 }
 
-/// All corners at one limit, on the four sides about the screen, which the triangle holds.
+/// Adds a triangle around the screen with all corners at the same limit.
 void add_surrounding(Draw& draw, cases::Case& c, float depth) {
   const double limit = random_limit(draw);
   const double size = limit < 0 ? -limit : limit;
@@ -67,7 +69,7 @@ void add_surrounding(Draw& draw, cases::Case& c, float depth) {
 cases::Case make(Draw& draw) {
   StateRequest request;
   request.is_on_grid = !draw.one_in(3);
-  request.most_side = 24;  // many of these triangles fill the whole of it
+  request.most_side = 24;  // many of these triangles fill the framebuffer
   cases::Case c = random_state(draw, request);
   if (draw.one_in(2)) {
     c.coverage = cases::Snapping{8, cases::Rounding::nearest_even, 0};

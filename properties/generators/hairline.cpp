@@ -1,7 +1,7 @@
-// hairline: samples exactly on an edge, on a depth plane or on a user clip plane, or as close to it
-// as floats get, where no double holds the numbers that decide; triangles whose determinant is 0 or
-// next to it; planes of one depth midway between two floats; centres on the horizon. What a double
-// decides of these it decides by luck.
+// hairline: samples exactly on an edge, a depth plane or a user clip plane, or as close as floats
+// get; triangles whose determinant is 0 or next to 0; planes of one depth midway between two
+// floats; centres on the horizon. No double holds the numbers that decide these cases, so
+// arithmetic in double gets them right only by luck.
 
 #include <array>
 #include <utility>
@@ -18,8 +18,8 @@ namespace {
 
 // --- the viewport ------------------------------------------------------------------------------
 
-/// Numbers that are multiples of 2^-12, no shorter: a sample's homogeneous coordinates have some
-/// 40 bits then.
+/// Sets a viewport whose numbers are multiples of 2^-12, so that a sample's homogeneous coordinates
+/// have some 40 bits.
 void set_fine_viewport(Draw& draw, cases::Case& c) {
   const int x = draw.between(-4096, 4096);
   const int y = draw.between(-4096, 4096);
@@ -35,7 +35,7 @@ void set_fine_viewport(Draw& draw, cases::Case& c) {
   c.viewport.height = -c.viewport.height;
 }
 
-/// A viewport far larger than the framebuffer, which shows some part of it.
+/// Sets a viewport far larger than the framebuffer, which shows only a part of the viewport.
 void set_large_viewport(Draw& draw, cases::Case& c) {
   const float width = draw.pick(std::array{256.0F, 1024.0F, 4096.0F, 8192.0F});
   const float height = draw.pick(std::array{256.0F, 1024.0F, 4096.0F});
@@ -53,9 +53,9 @@ void set_large_viewport(Draw& draw, cases::Case& c) {
   c.viewport.height = -height;
 }
 
-/// The depth z/w of the case's planes of equal depth. In most cases the depth range is chosen such
-/// that what it becomes lies exactly midway between two floats: n + (f − n) t of three bits of t.
-/// With n = 0 no sum hides what z/w is off by.
+/// Returns the depth z/w of the case's planes of equal depth. Usually also chooses a depth range
+/// that maps z/w exactly midway between two floats: n + (f − n) t, where t has three bits. If n =
+/// 0, no addition hides an error of z/w.
 float set_level(Draw& draw, cases::Case& c) {
   const int eighths = draw.pick(std::array{3, 3, 5, 7, 7, 1});
   const float t = static_cast<float>(eighths) / 8;
@@ -80,8 +80,8 @@ float set_level(Draw& draw, cases::Case& c) {
 
 // --- triangles ---------------------------------------------------------------------------------
 
-/// A triangle whose sample of weights 1 : 1 : 1 lies on a clip plane or next to it: the corners'
-/// distances from the plane sum to 0.
+/// Adds a triangle with a sample at weights 1 : 1 : 1 that lies on a clip plane or next to it: the
+/// corners' distances from the plane sum to 0 before they are nudged.
 void add_plane(Draw& draw, cases::Case& c) {
   const Ray q = ray_through(c, visible_sample(draw, c));
   const bool is_user_plane = c.clip_distance_count > 0 && draw.one_in(2);
@@ -112,13 +112,14 @@ void add_plane(Draw& draw, cases::Case& c) {
   add_with_distances(draw, c, corners, distances);
 }
 
-/// A plane of equal depth, z_i w_j = z_j w_i exactly, of weights that may be 2^±40 apart.
+/// Adds a triangle of equal depth (exactly z_i w_j = z_j w_i), whose weights may be scaled by up to
+/// 2^±40.
 void add_level(Draw& draw, cases::Case& c, float level) {
   const int reach = draw.pick(std::array{0, 0, 3, 40});
   const bool is_mixed = draw.one_in(6);
   Corners corners;
   for (cases::ClipVertex& corner : corners) {
-    const int bits = draw.between(1, 1 << 20);  // three more for the level
+    const int bits = draw.between(1, 1 << 20);  // the level adds three bits
     const int exponent = draw.between(-reach, reach);
     const float w = to_float(bits * power_of_two(exponent));
     const WindowPoint p = point_about(draw, c);
@@ -128,7 +129,7 @@ void add_level(Draw& draw, cases::Case& c, float level) {
   add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
-/// A triangle with a corner exactly at a sample, the others anywhere.
+/// Adds a triangle with one corner exactly at a sample; the other corners are anywhere.
 void add_corner(Draw& draw, cases::Case& c) {
   const Ray q = ray_through(c, visible_sample(draw, c));
   Corners corners;
@@ -142,11 +143,12 @@ void add_corner(Draw& draw, cases::Case& c) {
   add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
-/// A triangle that covers a sample of a pixel whose centre lies on the horizon, 1/w = 0, or next to
-/// it: attributes located there are extrapolated, and Σ E_i is what cancellation leaves.
+/// Adds a triangle that covers a sample of a pixel whose centre lies on the horizon, 1/w = 0, or
+/// next to it. Attributes located at the centre are extrapolated, and the terms of Σ E_i cancel
+/// there.
 ///
-/// With the centre o, the sample s and any t, the corners are 2o − s + (k + 2) t, s − o − k t and
-/// t. Then o has the weights 1, 1, −2, whose sum is 0, and s has 1, 2, k − 2.
+/// For the centre o, the sample s and any t, the corners are 2o − s + (k + 2) t, s − o − k t and t.
+/// Then o has the weights 1, 1, −2, whose sum is 0, and s has 1, 2, k − 2.
 void add_horizon(Draw& draw, cases::Case& c) {
   const auto pattern = cases::standard_pattern(c.framebuffer.samples);
   const WindowPoint at = visible_sample(draw, c);
@@ -172,12 +174,12 @@ void add_horizon(Draw& draw, cases::Case& c) {
   add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
-/// Values whose magnitudes are far apart, so that a weight that is not quite 0 shows.
+/// Sets values of very different magnitudes, so that a weight that is not quite 0 shows.
 void spread_values(Draw& draw, cases::Case& c) {
   for (float& value : c.attribute_values) value = draw.spread(-60, 60);
 }
 
-/// A triangle of any kind that does not need a centre that is no sample.
+/// Adds a triangle of any kind except that of add_horizon().
 void add_any(Draw& draw, cases::Case& c, float level) {
   enum class Kind { edge, plane, edge_on, one_depth, needle, corner };
   const auto kind = draw.pick(

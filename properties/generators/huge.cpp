@@ -1,6 +1,6 @@
-// huge: triangles that reach far beyond the screen, the guard band and 2^31 pixels, weights that
-// differ by up to 2^40, positions close to the largest floats. Integers overflow here, edges are
-// steep, and what is on screen is a small part of the whole.
+// huge: triangles that reach far beyond the screen, the guard band and 2^31 pixels; weights that
+// differ by up to 2^40; positions close to the largest floats. Integers overflow here, edges are
+// steep, and only a small part of the whole is on screen.
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 namespace rastercheck::properties::huge_generator {
 namespace {
 
-/// How far out a vertex lies, in pixels: some power of two, exactly or by a pixel more or less, or
-/// anything in between.
+/// Returns a vertex's distance in pixels: a power of two, exactly or up to a pixel off, or any
+/// number between powers of two.
 double random_distance(Draw& draw) {
   const int exponent = draw.pick(std::array{9, 12, 14, 15, 16, 20, 24, 28, 31, 31, 32});
   const auto power = static_cast<double>(std::uint64_t{1} << exponent);
@@ -30,7 +30,7 @@ double random_distance(Draw& draw) {
   }
 }
 
-/// A direction whose larger component is about 1, axis-aligned and diagonal ones more often.
+/// A direction whose larger component is ±1; often axis-aligned or diagonal.
 WindowPoint random_direction(Draw& draw) {
   if (draw.one_in(3)) {
     const int u = draw.between(-1, 1);
@@ -43,8 +43,8 @@ WindowPoint random_direction(Draw& draw) {
   return {other, sign};
 }
 
-/// Three points around `middle`: the third direction is opposite to something between the other
-/// two, so that the triangle holds it.
+/// Returns three points around `middle`. The third direction is opposite to a direction between the
+/// first two, so that the triangle contains `middle`.
 std::array<WindowPoint, 3> around(Draw& draw, const WindowPoint& middle) {
   const WindowPoint a = random_direction(draw);
   const WindowPoint b = random_direction(draw);
@@ -62,13 +62,14 @@ std::array<WindowPoint, 3> around(Draw& draw, const WindowPoint& middle) {
   return points;
 }
 
-/// A weight of a triangle whose weights reach from 2^-reach to 2^reach.
+/// A positive weight from 2^-reach to 2^reach.
 float random_weight(Draw& draw, int reach) {
   const float w = draw.spread(-reach, reach - 1);
   return w < 0 ? -w : w;
 }
 
-/// The largest power of two that all positions can be multiplied by, times the case's own.
+/// Multiplies all positions by 2^20, 2^60, 2^100 or 2^126; if a coordinate would reach 2^127, by
+/// the largest smaller power of two for which none does.
 void scale_up(Draw& draw, cases::Case& c) {
   float most = 0;
   for (const cases::ClipVertex& p : c.positions) {
@@ -85,7 +86,7 @@ void scale_up(Draw& draw, cases::Case& c) {
 
 cases::Case make(Draw& draw) {
   StateRequest request;
-  request.most_side = 40;  // many of these triangles fill the whole of it
+  request.most_side = 40;  // many of these triangles fill the framebuffer
   cases::Case c = random_state(draw, request);
   const int triangles = draw.between(1, 1 + draw.size() / 40);
   const bool has_equal_weights = draw.one_in(3);

@@ -1,6 +1,7 @@
-// meshes: many triangles that share vertices and edges, as models have them: random triangulations
-// that fill the whole screen, dense fans about a hub on and off it, strips, and edges in which
-// another triangle's vertex lies. What is drawn of one triangle has to be left out of the next.
+// meshes: many triangles that share vertices and edges, as in models: random triangulations that
+// fill the whole screen, dense fans around a hub on or off the screen, strips, and edges that
+// contain a vertex of another triangle. If one triangle draws a sample, its neighbours must leave
+// the sample out.
 
 #include <algorithm>
 #include <array>
@@ -36,8 +37,8 @@ std::int64_t area(const LatticePoint& a, const LatticePoint& b, const LatticePoi
   return std::int64_t{b.u - a.u} * (c.v - a.v) - std::int64_t{c.u - a.u} * (b.v - a.v);
 }
 
-/// Weights and depths of a mesh's vertices: equal ones, powers of two, which leave positions exact,
-/// or any.
+/// Chooses weights and depths for a mesh's vertices. The weights are all 1, powers of two (which
+/// keep positions exact), or arbitrary.
 class VertexMaker {
  public:
   VertexMaker(Draw& draw, const cases::Case& c) {
@@ -60,15 +61,15 @@ class VertexMaker {
   bool is_level_;
 };
 
-/// Adds a triangle with any of its vertices first.
+/// Adds a triangle, starting with a random vertex.
 void add_turned(Draw& draw, cases::Case& c, cases::Triangle triangle) {
   const int turns = draw.between(0, 2);
   std::rotate(triangle.begin(), triangle.begin() + turns, triangle.end());
   c.triangles.push_back(triangle);
 }
 
-/// A triangulation of a rectangle, all of whose triangles turn the same way: each step puts a point
-/// into one of them, or turns the diagonal of two that form a convex quadrilateral.
+/// A triangulation of a rectangle whose triangles all have the same orientation. Grows by inserting
+/// points into triangles and by flipping diagonals of convex quadrilaterals.
 class Triangulation {
  public:
   Triangulation(const LatticePoint& lo, const LatticePoint& hi)
@@ -77,7 +78,7 @@ class Triangulation {
   const std::vector<LatticePoint>& points() const { return points_; }
   const std::vector<cases::Triangle>& triangles() const { return triangles_; }
 
-  /// Cuts the triangle that holds p into three; leaves it where p is on an edge.
+  /// Cuts the triangle that contains p into three; does nothing if p is on an edge.
   void insert(const LatticePoint& p) {
     const auto holds = [&](const cases::Triangle& t) {
       return area(points_[t[0]], points_[t[1]], p) > 0 &&
@@ -93,7 +94,8 @@ class Triangulation {
     triangles_.push_back({t[2], t[0], last});
   }
 
-  /// Turns the diagonal between a triangle and its neighbour at one edge, where it can be.
+  /// Flips the diagonal between a triangle and its neighbour at one edge, if the quadrilateral is
+  /// convex.
   void turn_diagonal(std::size_t triangle, std::size_t edge) {
     cases::Triangle& first = triangles_[triangle];
     const std::uint32_t a = first[edge];
@@ -117,7 +119,7 @@ class Triangulation {
   std::vector<cases::Triangle> triangles_;
 };
 
-/// All of the screen, and a border about it, in triangles of any shape.
+/// Fills the screen and a border around it with triangles of any shape.
 void add_triangulation(Draw& draw, cases::Case& c) {
   const int border = draw.between(1, 3);
   const int far = draw.one_in(4) ? 4000 : border;
@@ -144,8 +146,8 @@ void add_triangulation(Draw& draw, cases::Case& c) {
   }
 }
 
-/// A fan about a hub on the screen or off it, its rim a square around the hub: many triangles meet
-/// at one point, and all but a few of them are narrow.
+/// Adds a fan with a square rim around a hub on or off the screen. Many triangles meet at the hub,
+/// and most of them are narrow.
 void add_fan(Draw& draw, cases::Case& c) {
   WindowPoint hub = visible_sample(draw, c);
   const bool is_off_screen = draw.one_in(3);
@@ -174,7 +176,7 @@ void add_fan(Draw& draw, cases::Case& c) {
   }
 }
 
-/// A strip that bends: two vertices at each step, to either side of a path.
+/// Adds a strip that bends, with two vertices at each step, one on either side of a path.
 void add_strip(Draw& draw, cases::Case& c) {
   const VertexMaker vertices(draw, c);
   WindowPoint at = visible_point(draw, c);
@@ -197,8 +199,8 @@ void add_strip(Draw& draw, cases::Case& c) {
   }
 }
 
-/// An edge with vertices in it, exactly: one triangle on its one side, two or more on the other,
-/// so that the edge's line is computed from different ends on both.
+/// Adds an edge with vertices exactly on it, with one triangle on one side and two or more on the
+/// other, so that the two sides compute the edge's line from different end points.
 void add_t_junction(Draw& draw, cases::Case& c) {
   const LatticePoint from = grid_point(visible_sample(draw, c));
   const int parts = draw.between(2, 4);
@@ -206,7 +208,7 @@ void add_t_junction(Draw& draw, cases::Case& c) {
   const int step_u = draw.between(-most, most);
   const int step_v = draw.between(-most, most);
   const auto joint = [&](int i) { return LatticePoint{from.u + i * step_u, from.v + i * step_v}; };
-  // Away from the edge on either side of it.
+  // The corners that are not on the edge, one on either side.
   const int height = draw.between(1, 4);
   const int shift = draw.between(-1, 1);
   const LatticePoint apex{from.u + shift * step_u - height * step_v,
@@ -235,7 +237,7 @@ cases::Case make(Draw& draw) {
   StateRequest request;
   request.least_side = 12;
   request.most_side = 32;
-  // Off it a vertex within an edge is not on its line.
+  // Off the grid, a vertex within an edge would not lie exactly on its line.
   request.is_on_grid = kind == MeshKind::t_junctions || draw.one_in(2);
   cases::Case c = random_state(draw, request);
   const int shapes = draw.between(2, 4 + draw.size() / 25);

@@ -1,7 +1,7 @@
-// near-misses: what hairline has in small frames, here in frames of any size and few to a case:
-// needles with a sample inside, edges through samples or a float beside them whose coefficients no
-// double holds, triangles in one plane with the eye but for a float. Triangles are as large as a
-// rasterizer takes on its fast way, where it has to notice that it must not.
+// near-misses: triangles as in the generator hairline, but in larger frames: needles with a sample
+// inside, edges through samples or a float beside them, with coefficients that no double holds, and
+// triangles one float off a plane through the eye. The triangles are large enough for a
+// rasterizer's fast path, which must notice that it does not apply.
 
 #include <array>
 #include <cstddef>
@@ -15,17 +15,17 @@
 namespace rastercheck::properties::near_misses_generator {
 namespace {
 
-/// Moves the viewport by less than a pixel, so that its middle is the place of a sample in some
-/// pixel: clip x and y are 0 there.
+/// Moves the viewport by less than a pixel, so that its middle lies on a sample, where clip x and y
+/// are 0.
 void centre_on_sample(Draw& draw, cases::Case& c) {
   const WindowPoint place = sample_in_pixel(draw, c, visible_middle(c));
   c.viewport.x = static_cast<float>(place.u - double{c.viewport.width} / 2);
   c.viewport.y = static_cast<float>(place.v - double{c.viewport.height} / 2);
 }
 
-/// A triangle with an edge along the middle of the viewport, off it by so little that no double
-/// shows it beside the other numbers: on which side the samples there are, it takes all bits to
-/// tell. Each edge's end has its own numbers, so that none of them is as it would be for others.
+/// Adds a triangle with an edge along the middle of the viewport, but off by less than a double can
+/// resolve: only exact arithmetic tells on which side the samples are. The edge's ends have
+/// different numbers, so that no special case applies.
 void add_middle_edge(Draw& draw, cases::Case& c) {
   const bool is_upright = draw.one_in(2);
   const auto corner = [&](float aside, float along, float w) {
@@ -49,9 +49,9 @@ void add_middle_edge(Draw& draw, cases::Case& c) {
   add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
-/// Corners a, b and −m a − n b in one plane with the eye but for a number in the place of a 0,
-/// which only its sign can be told of: it says which way the triangle turns, and so which half of
-/// the screen it covers, and whether it is culled.
+/// Adds a triangle with corners a, b and −m a − n b, which lie in a plane through the eye, except
+/// that one 0 is replaced by a number so small that only its sign matters. The sign decides the
+/// triangle's orientation, which half of the screen the triangle covers, and whether it is culled.
 void add_turning(Draw& draw, cases::Case& c) {
   constexpr int kMost = 1 << 20;
   const int m = draw.between(1, 3);
@@ -75,8 +75,9 @@ void add_turning(Draw& draw, cases::Case& c) {
   add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
-/// Attributes of either kind or of both, of values that differ: an error of a weight shows. One
-/// alone, as the ways of computing each are chosen for all of them.
+/// Sets a smooth attribute, a noperspective one, or both, with different values, so that an error
+/// in a weight shows. One attribute of a kind is enough, since a rasterizer chooses the way to
+/// compute a kind for all its attributes together.
 void set_attributes(Draw& draw, cases::Case& c) {
   using cases::Interpolation;
   const int kind = draw.pick(std::array{0, 1, 2, 2, 2, 2});
@@ -91,8 +92,8 @@ void set_attributes(Draw& draw, cases::Case& c) {
   }
 }
 
-/// Needles, after a few triangles that fill up to half of the screen each: frames show what is
-/// drawn last.
+/// Adds needles after a few triangles that fill up to half of the screen each: what is drawn last
+/// stays visible in a frame.
 void add_mixed(Draw& draw, cases::Case& c) {
   const int large = draw.between(1, 3);
   for (int i = 0; i < large; ++i) {
@@ -102,7 +103,7 @@ void add_mixed(Draw& draw, cases::Case& c) {
       add_middle_edge(draw, c);
     }
   }
-  // So thick that a double tells that the sample is inside, and does not tell how far.
+  // Thick enough for a double to tell that the sample is inside, but not how far inside.
   constexpr Exponents kThickness{-42, -20};
   const int needles = draw.between(12, 18 + draw.size() / 20);
   for (int i = 0; i < needles; ++i) add_needle(draw, c, kThickness);
@@ -129,7 +130,7 @@ cases::Case make(Draw& draw) {
   cases::Case c = random_state(draw, request);
   if (draw.one_in(10)) c.clip_distance_count = 1;
   centre_on_sample(draw, c);
-  if (is_edge_on && !draw.one_in(8)) {  // whether they are seen hangs on which way they turn
+  if (is_edge_on && !draw.one_in(8)) {  // culling depends on the orientation
     c.cull = draw.pick(std::array{cases::Cull::back, cases::Cull::front});
     c.coverage.reset();
     c.basis = cases::default_basis(c.rules);

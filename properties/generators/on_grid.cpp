@@ -1,5 +1,6 @@
-// on-grid: sprites, CAD, text: corners exactly on pixels' centres and corners, on samples, or on
-// the 2^-8 grid. Edges run exactly through samples, so that every rule about ties is asked.
+// on-grid: triangles as in sprites, CAD and text, with corners exactly on pixel centres and
+// corners, on samples, or on the 2^-8 grid. Edges run exactly through samples, so that every tie
+// rule is exercised.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +13,7 @@
 namespace rastercheck::properties::on_grid_generator {
 namespace {
 
-/// A point of the grid that the case's corners lie on, at or near the visible part.
+/// A point of the grid with `grid` points per pixel (0: a sample), in or near the visible part.
 WindowPoint grid_point(Draw& draw, const cases::Case& c, int grid) {
   if (grid == 0) return visible_sample(draw, c);
   const WindowPoint p = point_about(draw, c);
@@ -22,7 +23,7 @@ WindowPoint grid_point(Draw& draw, const cases::Case& c, int grid) {
   return {whole(p.u), whole(p.v)};
 }
 
-/// The weights of one triangle or quad: powers of two, which leave positions exact.
+/// The weights of one triangle or quad: powers of two, which keep positions exact.
 struct PowerWeights {
   bool is_equal = true;
   float first = 1;
@@ -38,7 +39,8 @@ float random_weight(Draw& draw, const PowerWeights& weights) {
   return weights.is_equal ? weights.first : draw.pick(std::array{0.25F, 0.5F, 1.0F, 2.0F});
 }
 
-/// z/w of a whole shape, or, where it is tilted, of one corner: eighths, on the depth planes too.
+/// z/w of a whole shape, or of one corner if the shape is tilted. A multiple of 1/8, possibly on a
+/// depth plane.
 float grid_depth(Draw& draw, const cases::Case& c) {
   const int least = near_depth(c) < 0 ? -8 : 0;
   const int eighths = draw.between(least, 8);
@@ -59,8 +61,8 @@ void add_grid_triangle(Draw& draw, cases::Case& c, int grid) {
   c.triangles.push_back({last - 2, last - 1, last});
 }
 
-/// A rectangle, or what is left of one when each corner is the image of a square's under a slanted
-/// grid vector; its diagonal meets the centres of pixels wherever its sides are as long as wide.
+/// Adds a rectangle, or a quadrilateral with its sides slanted by a grid vector. If the sides are
+/// equally long, the diagonal meets pixel centres.
 void add_quad(Draw& draw, cases::Case& c, int grid) {
   const WindowPoint corner = grid_point(draw, c, grid);
   const int along = draw.between(1, 12);
@@ -84,8 +86,8 @@ void add_quad(Draw& draw, cases::Case& c, int grid) {
   if (draw.one_in(4)) std::swap(c.triangles.back()[0], c.triangles.back()[1]);  // folded
 }
 
-/// A triangle with an edge through two samples, extended beyond both by whole multiples of their
-/// distance: exact, and every sample it meets is a tie.
+/// Adds a triangle with an edge exactly through two samples, extended beyond both by integer
+/// multiples of their distance, so that every sample on the edge is a tie.
 void add_edge_through_samples(Draw& draw, cases::Case& c) {
   const WindowPoint a = visible_sample(draw, c);
   const WindowPoint b = visible_sample(draw, c);
@@ -101,7 +103,8 @@ void add_edge_through_samples(Draw& draw, cases::Case& c) {
   add_triangle(c, first, second, last);
 }
 
-/// The same with weights that differ and are no powers of two.
+/// Adds a triangle with an edge exactly through a sample. The edge's ends have different weights
+/// that are not powers of two.
 void add_projective_edge(Draw& draw, cases::Case& c) {
   const WindowPoint sample = visible_sample(draw, c);
   const float depth = grid_depth(draw, c);
@@ -112,9 +115,9 @@ void add_projective_edge(Draw& draw, cases::Case& c) {
   add_triangle(c, edge[0], edge[1], last);
 }
 
-/// A distance at every triangle's first vertex and its opposite at the second: of equal weights,
-/// and on an edge of add_projective_edge, the plane meets the edge in its middle, which often is a
-/// sample.
+/// Sets opposite distances at every triangle's first and second vertex. If the two weights are
+/// equal, or the edge is one of add_projective_edge(), the clip plane meets the edge at a point
+/// that is often a sample.
 void add_opposite_distances(Draw& draw, cases::Case& c) {
   for (const cases::Triangle& triangle : c.triangles) {
     for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
@@ -129,7 +132,7 @@ cases::Case make(Draw& draw) {
   StateRequest request;
   request.is_on_grid = true;
   cases::Case c = random_state(draw, request);
-  // 0: the samples themselves.
+  // 0 stands for the samples themselves.
   const int grid = draw.pick(std::array{0, 0, 1, 2, 2, 2, 16, 256});
   const int shapes = draw.between(1, 2 + draw.size() / 30);
   for (int i = 0; i < shapes; ++i) {

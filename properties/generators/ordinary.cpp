@@ -1,5 +1,5 @@
-// ordinary: what everyday drawing is made of. Triangles mostly on screen, w within [1/8, 8] in all
-// proportions, separate or as a strip. What fails here fails for everybody.
+// ordinary: everyday drawing, with triangles mostly on screen, separate or in a strip, and w within
+// [1/8, 8] in all proportions. A failure here affects everybody.
 
 #include <array>
 
@@ -20,7 +20,7 @@ float random_weight(Draw& draw, WeightSort kind, float equal) {
     case WeightSort::powers_of_two:
       return draw.pick(std::array{0.125F, 0.25F, 0.5F, 1.0F, 2.0F, 4.0F, 8.0F});
     default:
-      // Quotients spread evenly, so that weights below 1 are as likely as those above.
+      // Weights below 1 are as likely as weights above 1.
       return draw.one_in(2) ? draw.uniform(0.125F, 1) : draw.uniform(1, 8);
   }
 }

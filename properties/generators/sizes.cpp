@@ -1,6 +1,7 @@
-// sizes: triangles of one extent to a case, from 2^-8 pixels to 2^12: each of the ways that a
-// rasterizer has for small, middling and large ones is asked alone. Of the smallest there are all
-// nine shifts by a subpixel about a sample, and of three subpixels all eight octants.
+// sizes: triangles of one extent per case, from 2^-8 pixels to 2^12, so that a rasterizer's paths
+// for small, middling and large triangles are each tested alone. The smallest triangles come in all
+// nine shifts by a subpixel around a sample, and triangles of three subpixels come in all eight
+// octants.
 
 #include <array>
 #include <cstdint>
@@ -27,8 +28,8 @@ void add_shape(cases::Case& c, const Shape& shape, const WindowPoint& at, float 
 
 float exact_weight(Draw& draw) { return draw.pick(std::array{1.0F, 1.0F, 0.5F, 4.0F}); }
 
-/// A triangle of whole subpixels about the origin, one to four wide, at all nine shifts by −1, 0
-/// and 1 subpixels from samples.
+/// Adds a triangle of at most 4×4 subpixels nine times: shifted from samples by −1, 0 or 1
+/// subpixels in either direction.
 void add_shifts(Draw& draw, cases::Case& c) {
   Shape shape;
   for (WindowPoint& p : shape) {
@@ -48,8 +49,8 @@ void add_shifts(Draw& draw, cases::Case& c) {
   }
 }
 
-/// The eight triangles of three subpixels that meet at a sample, half of a square's quarter each;
-/// or each at a sample of its own.
+/// Adds eight triangles of three subpixels or larger, one per octant, all around the same sample or
+/// each at a sample of its own.
 void add_octants(Draw& draw, cases::Case& c) {
   const double size = 3 * kSubpixel * draw.pick(std::array{1.0, 1.0, 4.0, 256.0});
   const float depth = random_depth(draw, c);
@@ -67,7 +68,8 @@ void add_octants(Draw& draw, cases::Case& c) {
   }
 }
 
-/// Triangles as wide or as high as `extent` pixels, about a sample that most of them hold.
+/// Adds triangles that are 2^exponent pixels wide or high. Each lies around a sample, which most of
+/// them contain.
 void add_stratum(Draw& draw, cases::Case& c, int exponent) {
   const double extent = power_of_two(exponent);
   const int triangles = exponent < 3 ? draw.between(8, 16) : (exponent < 5 ? 4 : 2);
@@ -77,7 +79,8 @@ void add_stratum(Draw& draw, cases::Case& c, int exponent) {
     const double s = 0.25 + 0.5 * double{draw.unit()};
     const double t = 0.25 + 0.5 * double{draw.unit()};
     const double rise = double{draw.uniform(-1, 1)};
-    // From the left end to the right one, and a third corner above or below; at is between them.
+    // The first two corners are the left and the right end, the third is above or below, and `at`
+    // lies in between.
     const double height = draw.one_in(2) ? 1 : -1;
     Shape shape{WindowPoint{-s, -t * height},
                 {1 - s, -t * height + rise / 4},
@@ -100,7 +103,7 @@ cases::Case make(Draw& draw) {
   StateRequest request;
   request.least_side = 16;
   request.most_side = 40;
-  request.is_on_grid = kind < 2 || draw.one_in(2);  // where samples tie exactly
+  request.is_on_grid = kind < 2 || draw.one_in(2);  // on the grid, ties are exact
   cases::Case c = random_state(draw, request);
   switch (kind) {
     case 0:

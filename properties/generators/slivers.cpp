@@ -1,5 +1,5 @@
-// slivers: triangles whose corners are close to one line. The weights of a sample are quotients of
-// small differences there, and an attribute may run through its whole range within a fraction of a
+// slivers: triangles whose corners are close to one line. A sample's weights in them are quotients
+// of small differences, and an attribute may run through its whole range within a fraction of a
 // pixel.
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace rastercheck::properties::slivers_generator {
 namespace {
 
-/// Where a sliver begins and ends: across the screen, between two samples, or a few pixels long.
+/// Returns the ends of a sliver: across the screen, between two samples, along a row or column, or
+/// a few pixels apart.
 std::array<WindowPoint, 2> random_ends(Draw& draw, const cases::Case& c) {
   switch (draw.between(0, 3)) {
     case 0: {
@@ -26,7 +27,7 @@ std::array<WindowPoint, 2> random_ends(Draw& draw, const cases::Case& c) {
       const WindowPoint b = visible_sample(draw, c);
       return {a, b};
     }
-    case 2: {  // along a row or a column of samples, beyond both sides
+    case 2: {  // along a row or a column of samples, to both sides of a sample
       const WindowPoint p = visible_sample(draw, c);
       const double length = static_cast<double>(draw.between(1, 80));
       if (draw.one_in(2)) return {WindowPoint{p.u - length, p.v}, WindowPoint{p.u + length, p.v}};
@@ -46,13 +47,13 @@ void add_sliver(Draw& draw, cases::Case& c) {
   const double along_u = ends[1].u - ends[0].u;
   const double along_v = ends[1].v - ends[0].v;
 
-  // The third corner: some way along, and some way off the line, from a pixel's width down to what
-  // rounding leaves.
+  // The third corner lies at `t` along the line. Its distance from the line is between about a
+  // pixel and what rounding alone makes.
   const double place = draw.pick(std::array{0.0, 0.25, 0.5, 1.0, 2.0});
   const double t = place + double{draw.unit()} / 4;
   const double thickness =
       draw.one_in(5) ? 0.0 : power_of_two(-draw.between(0, 2 + draw.size() / 4));
-  // The larger component as the length: exact up to a factor of √2, without a square root.
+  // Takes the larger component as the length: right up to a factor of √2, without a square root.
   const double length = std::max({along_u, -along_u, along_v, -along_v, 0x1p-20});
   const double off = thickness / length;
   const WindowPoint third{ends[0].u + t * along_u - off * along_v,
@@ -71,9 +72,10 @@ void add_sliver(Draw& draw, cases::Case& c) {
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
-/// A triangle with an edge exactly through a sample, whose coordinates have up to 24 bits, so that
-/// no double holds the edge; the third corner lies a float's breadth off it. With the sample as q
-/// in homogeneous coordinates, free of divisions, the edge's ends are a and q − a.
+/// Adds a triangle with an edge exactly through a sample and the third corner within a few floats
+/// of the edge. Coordinates have up to 24 bits, so that no double holds the edge function's value.
+/// In homogeneous coordinates, which need no division, the sample is q and the edge's ends are a
+/// and q − a.
 void add_slender_triangle(Draw& draw, cases::Case& c) {
   const WindowPoint p = visible_sample(draw, c);
   const double width{c.viewport.width};
@@ -84,8 +86,9 @@ void add_slender_triangle(Draw& draw, cases::Case& c) {
   const double q_y = sign * side * (2 * (p.v - double{c.viewport.y}) - height) * width;
   const double q_w = sign * width * height;
 
-  // Below 2^13 in multiples of 2^-11, as q is where the viewport's numbers are whole; of a viewport
-  // of thousands of pixels the ends are farther apart.
+  // The numbers of a are multiples of 2^-11, as are those of q if the viewport's numbers are
+  // integers. They are below 2^13 (24 bits), except in viewports of thousands of pixels, where the
+  // ends are farther apart.
   const auto most = static_cast<int>(std::min(q_w * 0x1p11, 0x1p30));
   const int n_w = draw.between(most / 8, most - most / 8);
   const int n_x = draw.between(-n_w, n_w);

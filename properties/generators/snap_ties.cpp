@@ -1,7 +1,7 @@
-// snap-ties: what rounding window positions to a subpixel grid decides. Positions exactly between
-// two grid points and a float to either side, corners that are on one line once they are rounded,
-// triangles that rounding flattens or turns round, vertices on and about the guard band, meshes and
-// fans whose vertices are rounded together.
+// snap-ties: cases whose result depends on how window positions are rounded to a subpixel grid.
+// They have positions exactly between two grid points or a float to either side, corners that
+// rounding makes collinear, triangles that rounding flattens or flips, vertices on and around the
+// guard band, and meshes and fans whose shared vertices must be rounded alike.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ constexpr double kGuardBand = 32768;
 /// Grid points per pixel.
 double grid_of(const cases::Case& c) { return power_of_two(c.coverage->subpixel_bits); }
 
-/// The grid point next to a point, towards the origin; coordinates below 2^15.
+/// Rounds a point towards the origin to a grid point; coordinates must be below 2^15.
 WindowPoint grid_point(const cases::Case& c, const WindowPoint& p) {
   const double grid = grid_of(c);
   const auto down = [grid](double coordinate) {
@@ -31,13 +31,14 @@ WindowPoint grid_point(const cases::Case& c, const WindowPoint& p) {
   return {down(p.u), down(p.v)};
 }
 
-/// How far a coordinate is from a grid point, in grid units: mostly midway to the next one.
+/// A coordinate's distance from a grid point, in grid units; mostly 1/2, midway to the next grid
+/// point.
 double random_offset(Draw& draw) {
   return draw.pick(std::array{0.5, 0.5, 0.5, -0.5, 0.0, 0.25, -0.375});
 }
 
-/// The clip position there: exact where w is a power of two and the numbers short. Then perhaps a
-/// float to one side in x or in y.
+/// Returns the clip position at `p`, sometimes moved by a float in x or in y. Unmoved, it is exact
+/// if w is a power of two and the numbers are short.
 cases::ClipVertex placed(Draw& draw, const cases::Case& c, const WindowPoint& p) {
   const float w = draw.pick(std::array{1.0F, 1.0F, 1.0F, 0.5F, 2.0F, 8.0F, 3.0F});
   const float depth = random_depth(draw, c);
@@ -55,13 +56,13 @@ cases::ClipVertex placed(Draw& draw, const cases::Case& c, const WindowPoint& p)
   return vertex;
 }
 
-/// A vertex so many grid units from a grid point.
+/// Adds a vertex `u` and `v` grid units from a grid point.
 std::uint32_t add_offset(Draw& draw, cases::Case& c, const WindowPoint& point, double u, double v) {
   const double grid = grid_of(c);
   return add_vertex(c, placed(draw, c, {point.u + u / grid, point.v + v / grid}));
 }
 
-/// A vertex midway between two grid points, or among four.
+/// Adds a vertex that is often midway between two or four grid points.
 std::uint32_t add_tie(Draw& draw, cases::Case& c, const WindowPoint& p) {
   const double u = random_offset(draw);
   const double v = random_offset(draw);
@@ -73,7 +74,7 @@ void add_last_triangle(cases::Case& c) {
   c.triangles.push_back({end - 3, end - 2, end - 1});
 }
 
-/// Three such vertices at or about the visible part; one may be at a sample, and so may the edge.
+/// Adds a triangle of three add_tie() vertices in or near the visible part, some next to samples.
 void add_tie_triangle(Draw& draw, cases::Case& c) {
   for (int i = 0; i < 3; ++i) {
     const WindowPoint p = draw.one_in(3) ? visible_sample(draw, c) : point_about(draw, c);
@@ -82,8 +83,9 @@ void add_tie_triangle(Draw& draw, cases::Case& c) {
   add_last_triangle(c);
 }
 
-/// Corners on one line of grid points, or moved off it by less than rounding moves them back; every
-/// fourth one goes elsewhere, so that something is left.
+/// Adds a triangle with corners on one line of grid points, or so close that rounding moves them
+/// back to the line. One corner in four is moved by up to a whole grid unit, so that some triangles
+/// keep an area.
 void add_collinear(Draw& draw, cases::Case& c) {
   const WindowPoint from = grid_point(c, visible_sample(draw, c));
   const int pixels = draw.between(1, 16);
@@ -101,7 +103,7 @@ void add_collinear(Draw& draw, cases::Case& c) {
   add_last_triangle(c);
 }
 
-/// A triangle of about a grid unit at a sample: flat or turned round once it is rounded.
+/// Adds a triangle of about a grid unit at a sample; rounding may flatten or flip the triangle.
 void add_speck(Draw& draw, cases::Case& c) {
   const WindowPoint sample = grid_point(c, visible_sample(draw, c));
   const double extent = draw.pick(std::array{1.0, 1.0, 2.0, 4.0});
@@ -113,8 +115,8 @@ void add_speck(Draw& draw, cases::Case& c) {
   add_last_triangle(c);
 }
 
-/// A long triangle that is narrower than two grid units, with one end beyond the screen: rounding
-/// turns it round, or makes it wider than it was.
+/// Adds a long triangle narrower than two grid units, which may reach beyond the screen; rounding
+/// may flip or widen the triangle.
 void add_turning(Draw& draw, cases::Case& c) {
   const WindowPoint from = grid_point(c, visible_sample(draw, c));
   const double length_u = draw.between(-24, 24);
@@ -130,13 +132,14 @@ void add_turning(Draw& draw, cases::Case& c) {
   add_last_triangle(c);
 }
 
-/// A coordinate on the guard band, or as many pixels beyond or before it.
+/// A coordinate on the border of the guard band, or some pixels outside or inside it.
 double about_guard_band(Draw& draw) {
   const double beside = draw.pick(std::array{0.0, 0.0, 0.0, 1.0, -1.0, 1024.0, -8192.0, 0x1p20});
   return draw.one_in(2) ? -kGuardBand - beside : kGuardBand + beside;
 }
 
-/// A vertex on the guard band in x, in y or in both, or a float to one side of it.
+/// Adds a vertex on or near the guard band's border in x, in y or in both; possibly a float to one
+/// side.
 void add_far(Draw& draw, cases::Case& c) {
   WindowPoint p = point_about(draw, c);
   const int axes = draw.between(1, 3);
@@ -152,7 +155,7 @@ void add_far(Draw& draw, cases::Case& c) {
   add_vertex(c, vertex);
 }
 
-/// A vertex that may be clipped: at the guard band, beyond a depth plane, or with w <= 0.
+/// Adds a vertex that may be clipped: at the guard band, beyond a depth plane, or with w <= 0.
 void add_clipped(Draw& draw, cases::Case& c) {
   switch (draw.between(0, 5)) {
     case 0:
@@ -193,13 +196,14 @@ void add_clipped_triangle(Draw& draw, cases::Case& c) {
   std::rotate(triangle.begin(), triangle.begin() + turns, triangle.end());
 }
 
-/// How far apart the vertices of a mesh or a fan are, in pixels: up to far beyond the viewport.
+/// The distance between vertices of a strip or a fan, in pixels; possibly far larger than the
+/// viewport.
 double random_spacing(Draw& draw) {
   const double pixels = draw.pick(std::array{0.125, 1.0, 3.0, 5.0, 9.0, 200.0, 4000.0});
   return pixels * (1 + double{draw.unit()});
 }
 
-/// Two rows of vertices, a strip between them.
+/// Adds two rows of vertices with a strip between them.
 void add_strip(Draw& draw, cases::Case& c) {
   const WindowPoint from = visible_sample(draw, c);
   const double across = random_spacing(draw);
@@ -218,7 +222,7 @@ void add_strip(Draw& draw, cases::Case& c) {
   }
 }
 
-/// Triangles around a hub.
+/// Adds eight triangles around a hub.
 void add_fan(Draw& draw, cases::Case& c) {
   constexpr std::array<WindowPoint, 8> kRing{WindowPoint{4, 0},  {3, 3},   {0, 4},  {-3, 3},
                                              WindowPoint{-4, 0}, {-3, -3}, {0, -4}, {3, -3}};

@@ -1,6 +1,6 @@
 // through-eye: triangles that reach behind the eye, pass through it, or end a float's breadth from
-// it. Some w_i are <= 0; dividing such vertices by w turns them round, and clipping at the near
-// plane makes what is drawn another polygon.
+// it. Some w_i are <= 0. Dividing by a negative w mirrors a vertex, and clipping at the near plane
+// turns the triangle into another polygon.
 
 #include <array>
 
@@ -12,7 +12,7 @@
 namespace rastercheck::properties::through_eye_generator {
 namespace {
 
-/// A weight that is zero, or at most a few floats from a weight that is.
+/// A weight that is zero or tiny, of either sign.
 float weight_about_zero(Draw& draw) {
   const float magnitude =
       draw.pick(std::array{0.0F, 0.0F, 0x1p-149F, 0x1p-126F, 0x1p-60F, 0x1p-24F, 0x1p-12F});
@@ -37,7 +37,7 @@ cases::ClipVertex random_vertex(Draw& draw, float w) {
   return {x, y, 0, w};
 }
 
-/// Three vertices anywhere before and behind the eye; at least one in front.
+/// Returns three vertices in front of or behind the eye, at least one of them in front.
 std::array<cases::ClipVertex, 3> scattered(Draw& draw) {
   std::array<cases::ClipVertex, 3> corners;
   for (cases::ClipVertex& corner : corners) {
@@ -50,8 +50,9 @@ std::array<cases::ClipVertex, 3> scattered(Draw& draw) {
   return corners;
 }
 
-/// Two vertices and the negative of a point between them: the plane of the three holds the eye,
-/// where x = y = w = 0, but for the rounding, and perhaps a float more.
+/// Returns two vertices and the negative of a point between them, so that their plane contains the
+/// eye, x = y = w = 0, up to rounding. The third vertex is then moved by at most one float or
+/// clearly off the plane.
 std::array<cases::ClipVertex, 3> about_the_eye(Draw& draw) {
   const float first_w = draw.uniform(0.125F, 2);
   const float second_w = draw.uniform(-1, 2);
@@ -73,14 +74,14 @@ std::array<cases::ClipVertex, 3> about_the_eye(Draw& draw) {
     case 2:
       c.y += draw.uniform(-0.5F, 0.5F);
       break;
-    default:  // a whole step off the plane: what it shows fills a wedge of the screen
+    default:  // a large step off the plane: the triangle fills a wedge of the screen
       c.x += draw.uniform(-1, 1);
       c.w += draw.uniform(-1, 1);
   }
   return {a, b, c};
 }
 
-/// Two vertices in front and one whose weight is the last float on either side of zero.
+/// Returns two vertices in front of the eye, and one whose weight is zero or tiny, of either sign.
 std::array<cases::ClipVertex, 3> one_at_zero(Draw& draw) {
   const float first_w = draw.uniform(0.125F, 2);
   const float second_w = draw.uniform(0.125F, 2);
@@ -91,7 +92,7 @@ std::array<cases::ClipVertex, 3> one_at_zero(Draw& draw) {
   return {a, b, c};
 }
 
-/// z of the three corners: on one plane z = k w, which no depth plane cuts, or anywhere.
+/// Sets z of the three corners: on a plane z = k w, which no depth plane cuts, or anywhere.
 void set_depths(Draw& draw, const cases::Case& c, std::array<cases::ClipVertex, 3>& corners) {
   const bool is_on_plane = !draw.one_in(3);
   const float k = draw.uniform(near_depth(c) * 0.75F, 0.75F);
@@ -102,7 +103,7 @@ void set_depths(Draw& draw, const cases::Case& c, std::array<cases::ClipVertex, 
 
 cases::Case make(Draw& draw) {
   StateRequest request;
-  request.most_side = 40;  // many of these triangles fill the whole of it
+  request.most_side = 40;  // many of these triangles fill the framebuffer
   cases::Case c = random_state(draw, request);
   const int triangles = draw.between(1, 1 + draw.size() / 50);
   for (int i = 0; i < triangles; ++i) {

@@ -1,5 +1,5 @@
-// tiny: triangles smaller than a pixel, than the subpixel grid, than a float's breadth, as distant
-// meshes have them. Most draw nothing; together they have to draw each sample once.
+// tiny: triangles smaller than a pixel, the subpixel grid or a float's breadth, as in distant
+// meshes. Most triangles draw nothing, but a mesh of them must draw each sample once.
 
 #include <array>
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace rastercheck::properties::tiny_generator {
 namespace {
 
-/// Three corners within 2^-k pixels of a sample, or of a point near one, which lies inside of about
-/// a quarter of them.
+/// Adds a triangle with corners within some 2^-k pixels of a sample. About a quarter of these
+/// triangles contain the sample.
 void add_speck(Draw& draw, cases::Case& c) {
   const WindowPoint sample = visible_sample(draw, c);
   const double extent = 4 * power_of_two(-draw.between(0, 4 + draw.size() / 6));
@@ -27,8 +27,8 @@ void add_speck(Draw& draw, cases::Case& c) {
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
-/// A corner exactly on a sample and two others a few 2^-8 steps away, in one of the eight octants:
-/// what tells tie rules apart.
+/// Adds a triangle with one corner exactly on a sample and the other two up to a pixel away in one
+/// of the eight octants; distinguishes tie rules.
 void add_octant(Draw& draw, cases::Case& c) {
   const WindowPoint sample = visible_sample(draw, c);
   const double step = draw.pick(std::array{0x1p-8, 0x3p-8, 0x1p-4, 1.0});
@@ -45,8 +45,9 @@ void add_octant(Draw& draw, cases::Case& c) {
   add_triangle(c, first, second, third);
 }
 
-/// Corners at the viewport's middle, where clip x and y are 0, as far apart as subnormal numbers or
-/// any others: window positions that no subpixel grid, and often no float, tells apart.
+/// Adds a triangle with corners near the viewport's middle, where clip x and y are 0. The corners
+/// are as little as a subnormal number apart: no subpixel grid, and often no float, distinguishes
+/// their window positions.
 void add_about_the_middle(Draw& draw, cases::Case& c) {
   const int exponent = draw.pick(std::array{-149, -140, -126, -100, -60, -24, -6, -3});
   const float w = draw.one_in(2) ? 1.0F : draw.uniform(0.25F, 4);
@@ -57,19 +58,19 @@ void add_about_the_middle(Draw& draw, cases::Case& c) {
     const float y = draw.spread(exponent, exponent + 2);
     corner = {x, y, to_float(double{depth} * double{w}), w};
   }
-  // The first one opposite the others, so that more of them hold the middle.
+  // Puts the first corner opposite the other two, so that more triangles contain the middle.
   corners[0].x = -corners[1].x;
   corners[0].y = -corners[2].y;
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
-/// A fan of narrow triangles about a hub on a sample, all of it within a pixel or a few.
+/// Adds a fan of small triangles around a hub on a sample, all within a few pixels.
 void add_fan(Draw& draw, cases::Case& c) {
   const WindowPoint hub = visible_sample(draw, c);
   const double radius = 4 * power_of_two(-draw.between(0, 10));
   const float depth = random_depth(draw, c);
   const std::uint32_t centre = add_vertex(c, at_window(c, hub, depth, 1));
-  // Corners of a square, and some points on its sides.
+  // A square's corners and the middles of its sides.
   const std::array<WindowPoint, 8> around{WindowPoint{1, 0}, {1, 1},   {0, 1},  {-1, 1},
                                           {-1, 0},           {-1, -1}, {0, -1}, {1, -1}};
   for (const WindowPoint& p : around) {
@@ -80,7 +81,8 @@ void add_fan(Draw& draw, cases::Case& c) {
   }
 }
 
-/// All positions of the case times 2^-k: the same picture from numbers close to the smallest.
+/// Multiplies all positions by 2^-k, which gives the same picture from numbers close to the
+/// smallest floats.
 void scale_down(Draw& draw, cases::Case& c) {
   const float factor = draw.pick(std::array{0x1p-30F, 0x1p-100F, 0x1p-120F, 0x1p-130F});
   for (cases::ClipVertex& p : c.positions) {
@@ -90,9 +92,9 @@ void scale_down(Draw& draw, cases::Case& c) {
 
 cases::Case make(Draw& draw) {
   StateRequest request;
-  request.most_side = 24;  // many triangles, few pixels: most samples near one of them
+  request.most_side = 24;  // few pixels, so that most samples are near a triangle
   cases::Case c = random_state(draw, request);
-  // An odd side has a centre in its middle.
+  // A framebuffer with odd sides has a pixel centre in its middle.
   if (draw.one_in(2)) {
     c.viewport = {0, 0, 0, 0, c.viewport.min_depth, c.viewport.max_depth};
     c.framebuffer.width |= 1;

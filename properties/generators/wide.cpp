@@ -1,5 +1,5 @@
-// wide: targets of more than 64 pixels in a row, and few rows. Rasterizers take pixels in blocks,
-// tiles or words of a mask; what only the first of them gets right fails here.
+// wide: framebuffers with few rows of more than 64 pixels each. Rasterizers process pixels in
+// blocks, tiles or mask words; a bug in any but the first of a row shows here.
 
 #include <array>
 
@@ -10,15 +10,15 @@
 namespace rastercheck::properties::wide_generator {
 namespace {
 
-/// A point at which a row's first and last pixels may lie anywhere in their blocks; every third one
-/// is beyond the target.
+/// A point anywhere, so that triangles' rows begin and end anywhere in their blocks. One point in
+/// three may lie outside the framebuffer.
 WindowPoint random_point(Draw& draw, const cases::Case& c) {
   if (draw.one_in(3)) return point_about(draw, c);
   if (draw.one_in(2)) return visible_sample(draw, c);
   return visible_point(draw, c);
 }
 
-/// A triangle, of equal weights or not.
+/// Adds a triangle with equal or different weights.
 void add_free(Draw& draw, cases::Case& c) {
   const bool is_flat_on = draw.one_in(3);
   std::array<cases::ClipVertex, 3> corners;
@@ -31,7 +31,8 @@ void add_free(Draw& draw, cases::Case& c) {
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
-/// A triangle along the rows from near one side to near the other, at most a few pixels high.
+/// Adds a triangle along the rows, from near one side to near the other and at most a few pixels
+/// high.
 void add_streak(Draw& draw, cases::Case& c) {
   const auto end = static_cast<double>(c.framebuffer.width);
   const WindowPoint middle = visible_sample(draw, c);

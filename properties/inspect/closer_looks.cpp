@@ -12,10 +12,10 @@ namespace {
 using records::CloserLook;
 using records::Specimen;
 
-/// Values of each look, where the baseline does not say which part is shown.
+/// Maximum number of values in a look, unless the baseline determines the part to show.
 constexpr std::uint32_t kMostValues = records::kMostSpecimenValues;
 
-/// What was kept, if it has the sample.
+/// Returns the part that the baseline kept, if it contains the sample.
 std::optional<Specimen> kept_around(const LookRequest& request) {
   const auto& [triangle, y, x, sample] = request.at;
   const bool has_it = request.before && request.before->triangle == triangle &&

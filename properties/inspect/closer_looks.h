@@ -1,6 +1,6 @@
 #pragma once
 
-// Cases that came out otherwise than in a baseline, drawn again and looked at.
+// Draws again and inspects cases whose results differ from a baseline.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,31 +19,31 @@
 
 namespace rastercheck::properties {
 
-/// What is to be looked at.
+/// A request to draw a case again and to inspect a sample.
 struct LookRequest {
-  records::CaseKey key;        ///< the backend draws it, whoever drew it before
-  std::string case_name = {};  ///< empty where the case has none
+  records::CaseKey key;        ///< its backend draws the case, whoever drew it before
+  std::string case_name = {};  ///< empty if unnamed
   cases::SamplePlace at{};     ///< its triangle is an index into the case's triangles
-  std::optional<std::uint32_t> attribute = std::nullopt;  ///< nothing for depth
-  /// Of the error that grew, if that is why.
+  std::optional<std::uint32_t> attribute = std::nullopt;  ///< empty for depth
+  /// Kind and stratum of the error that grew, if that is the reason to look.
   std::optional<records::AttributeKind> kind = std::nullopt;
   std::optional<records::Stratum> stratum = std::nullopt;
-  /// What has to be drawn there, to the bit: else it is not what was asked for, as of a drawing
-  /// that a law made of the case. Nothing: whatever is.
+  /// The exact value that must be drawn there. If another value is drawn, the request is dropped,
+  /// because the value may be from a law's changed case. Empty: any value.
   std::optional<float> actual = std::nullopt;
-  /// What the baseline kept of the case; the same part is shown if it has the sample.
+  /// The baseline's drawn part; the same part is shown if it contains the sample.
   std::optional<records::Specimen> before = std::nullopt;
 };
 
-/// Draws each again, in order. `plan` is that of the run that the cases are from, whose corpus it
-/// has to be. Left out is what cannot be drawn, or is not drawn so any more.
+/// Draws each case again, in order. `plan` and `corpus` must be those of the cases' run. Leaves out
+/// cases that cannot be drawn or no longer give the same value.
 std::vector<records::CloserLook> closer_looks(std::span<const LookRequest> requests,
                                               const records::Plan& plan,
                                               std::span<const cases::Case> corpus,
                                               const backends::BackendFactory& backends);
 
-/// Parts of which `again` (draw_again) has other bits than what was kept, those that changed most
-/// first (records::change_of), each at its sample that did: `most` at most.
+/// Returns up to `most` parts whose bits in `again` (draw_again) differ from the kept ones, largest
+/// change first (records::change_of), each at its most changed sample.
 std::vector<LookRequest> changed_parts(std::span<const records::Specimen> kept,
                                        std::span<const records::Specimen> again, std::size_t most);
 

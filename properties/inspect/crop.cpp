@@ -11,16 +11,16 @@ namespace {
 
 using oracle::PixelBox;
 
-/// Samples of a crop, at most.
+/// Maximum number of samples in a crop.
 constexpr std::uint32_t kMostSamples = records::kMostInspected * records::kMostInspected;
-/// Pixels around what the triangle touches.
+/// Pixels shown around those that the triangle touches.
 constexpr int kMargin = 2;
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
-/// At most `most` of [from, to), with `at` as near to the middle as they allow.
+/// Returns a part of [from, to) no longer than `most`, with `at` as near to its middle as possible.
 std::pair<int, int> part_around(int at, int from, int to, int most) {
   const int first = std::clamp(at - most / 2, from, std::max(from, to - most));
   return {first, std::min(first + most, to)};

@@ -1,6 +1,6 @@
 #pragma once
 
-// The part of a drawing that is looked at.
+// Chooses the inspected part of a drawing.
 
 #include <cstdint>
 
@@ -11,12 +11,12 @@
 
 namespace rastercheck::properties {
 
-/// The pixels that either has; of an empty one the other.
+/// Returns the smallest box around both boxes; if one is empty, the other.
 oracle::PixelBox hull(const oracle::PixelBox& a, const oracle::PixelBox& b);
 
-/// What `touched` covers and a margin around it, within the framebuffer; of more than `most_values`
-/// values, depths among them, a square part, with the sample as near to its middle as may be. At
-/// least a pixel, at most records::kMostInspected along either side.
+/// Returns `touched` with a margin, clipped to the framebuffer. If that has more than `most_values`
+/// values (including depths), returns a square part with the sample as near to its middle as
+/// possible. Each side is at least one pixel and at most records::kMostInspected pixels long.
 oracle::PixelBox crop_around(const cases::Case& c, const oracle::PixelBox& touched,
                              const cases::SamplePlace& at, std::uint32_t most_values);
 

@@ -11,7 +11,7 @@ std::size_t digits_of(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }));
 }
 
-/// One number, with a sign perhaps.
+/// Shortens one number, which may have a sign.
 std::string shortened(std::string_view number) {
   constexpr std::size_t kKept = kMostDigits / 4;  // at either end
   if (digits_of(number) <= 2 * kKept) return std::string(number);

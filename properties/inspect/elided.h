@@ -6,14 +6,14 @@
 
 namespace rastercheck::properties {
 
-/// Digits of a fraction beyond which some are left out.
+/// Number of digits of the longest fraction that is shown in full.
 inline constexpr std::size_t kMostDigits = 200;
 
-/// A fraction, "p/q" or "p". Of one with more digits a numerator or denominator of more than half
-/// as many keeps its first and its last ones, with "…" between them.
+/// Writes a fraction as "p/q" or "p". In a longer fraction, a numerator or denominator of more than
+/// half of kMostDigits keeps only its first and last digits, with "…" between.
 std::string elided(const oracle::Rational& value);
 
-/// "[fraction, fraction]", or one fraction where both ends are one.
+/// Writes "[fraction, fraction]", or one fraction if both ends are equal.
 std::string elided(const oracle::ValueRange& range);
 
 }  // namespace rastercheck::properties

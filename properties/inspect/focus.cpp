@@ -15,7 +15,7 @@ using oracle::JudgedSample;
 using oracle::JudgedValue;
 using records::FragmentClass;
 
-/// Keeps the sample to look at, of those that it is shown.
+/// Chooses the sample to look at from the samples that see() gets.
 class Search {
  public:
   explicit Search(const FocusRequest& request) : request_(&request) {}
@@ -23,7 +23,7 @@ class Search {
   void see(const JudgedSample& sample) {
     if (has_violation_ || !fits(sample)) return;
     if (sample.fragment_class != FragmentClass::correct) {
-      // What is missing or extra has no value that is wrong.
+      // A missing or extra sample has no wrong value.
       take(sample, request_->attribute, 0);
       has_violation_ = true;
       return;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which sample of a drawing to look at.
+// Chooses the sample of a drawing to inspect.
 
 #include <cstdint>
 #include <optional>
@@ -12,27 +12,27 @@
 
 namespace rastercheck::properties {
 
-/// What is looked for: a sample, and of its values the one that matters.
+/// The sample in focus, and the value that matters.
 struct Focus {
   cases::SamplePlace at;
-  std::optional<std::uint32_t> attribute = std::nullopt;  ///< nothing: its coverage, or its depth
+  std::optional<std::uint32_t> attribute = std::nullopt;  ///< empty: coverage, or depth
   bool operator==(const Focus&) const = default;
 };
 
-/// What is settled of a focus; the rest is open.
+/// The fixed members of a focus; the others are open.
 struct FocusRequest {
   std::optional<std::uint32_t> triangle = std::nullopt;
   std::optional<std::uint32_t> x = std::nullopt;
   std::optional<std::uint32_t> y = std::nullopt;
   std::optional<std::uint32_t> sample = std::nullopt;
   std::optional<std::uint32_t> attribute = std::nullopt;
-  bool is_depth = false;  ///< no attribute is meant
+  bool is_depth = false;  ///< depth is meant, not an attribute
 };
 
-/// Draws the case without its depth test, and finds of all samples that fit the request the first
-/// that the backend's contract does not allow, or else the one whose value is the farthest off the
-/// exact one, in scale ULP. Where nothing of the kind was drawn, what is open is 0. Fails where the
-/// case cannot be drawn. Whether there is what is asked for, inspect() says.
+/// Draws the case without its depth test. Finds, among samples that match the request, the first
+/// violation of the backend's contract, or else the sample with the largest error, in scale ULP.
+/// Open members are 0 if no sample matches. Fails if the case cannot be drawn. Does not check that
+/// the requested sample exists: inspect() does.
 Result<Focus> find_focus(const cases::Case& c, backends::Backend& backend,
                          const FocusRequest& request);
 

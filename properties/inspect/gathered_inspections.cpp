@@ -16,7 +16,7 @@ namespace {
 using records::Inspection;
 using records::Occasion;
 
-/// How large the error is that was looked at; nothing where it has none.
+/// Returns the size of the inspected error; empty if there is none.
 std::optional<double> size_of(const Inspection& inspection) {
   const records::InspectedSample* sample = records::inspected_sample(inspection);
   const std::size_t value = inspection.attribute ? 1 + std::size_t{*inspection.attribute} : 0;
@@ -25,7 +25,7 @@ std::optional<double> size_of(const Inspection& inspection) {
   return error ? std::optional(records::magnitude_bound(*error)) : std::nullopt;
 }
 
-/// The shards' inspection of a counterexample; nothing where none has one.
+/// Returns the shards' inspection of a counterexample; nullptr if there is none.
 const Inspection* find_inspection(const records::Counterexample& one,
                                   std::span<const MergedRun::LookedAt> shards) {
   for (const MergedRun::LookedAt& shard : shards) {
@@ -43,7 +43,7 @@ struct Worst {
   const Inspection* inspection = nullptr;
 };
 
-/// As inspect_run() prefers them.
+/// Orders errors as inspect_run() prefers them.
 bool is_preferred(const Worst& a, const Worst& b) {
   const auto rank = [](const Worst& one) {
     const Inspection& inspection = *one.inspection;
@@ -52,7 +52,7 @@ bool is_preferred(const Worst& a, const Worst& b) {
   return rank(a) < rank(b);
 }
 
-/// The largest of each backend, kind and stratum, the largest first.
+/// Returns the largest error of each backend, kind and stratum, the largest first.
 std::vector<Worst> worst_of(std::span<const MergedRun::LookedAt> shards) {
   using Key = std::tuple<std::string, records::AttributeKind, records::Stratum>;
   std::map<Key, Worst> largest;

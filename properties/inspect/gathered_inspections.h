@@ -1,6 +1,7 @@
 #pragma once
 
-// What shards looked at closely, as what the whole run does: for where their backends are not.
+// Combines the shards' inspections into those of the whole run, on a machine without their
+// backends.
 
 #include <span>
 #include <vector>
@@ -11,9 +12,10 @@
 
 namespace rastercheck::properties {
 
-/// As inspect_run() orders them, and as many. Of the run's counterexamples what the shard showed
-/// that found them; of each backend, kind and stratum the largest error that any shard showed,
-/// which may be another than the run's own largest that can be shown.
+/// Returns inspections in the order and with the limit of inspect_run(). Takes each
+/// counterexample's inspection from the shard that found it. For each backend, kind and stratum,
+/// takes the largest error that any shard showed, which may differ from the largest error that can
+/// be shown for the whole run.
 std::vector<records::Inspection> gathered_inspections(const records::Run& run,
                                                       std::span<const MergedRun::LookedAt> shards);
 

@@ -34,7 +34,7 @@ using records::InspectedValue;
 using records::Inspection;
 using records::Verdict;
 
-/// The drawn fragments of one triangle, by (y, x, sample): indices into the framebuffer.
+/// The drawn fragments of one triangle, by (y, x, sample): indices into the fragments.
 using FragmentIndex =
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t>;
 
@@ -47,11 +47,11 @@ FragmentIndex fragments_of(const cases::Fragments& all, std::uint32_t triangle) 
   return drawn;
 }
 
-/// One triangle of a drawing, and both its truths.
+/// One triangle of a drawing, with its exact and its promised version.
 struct InspectedDrawing {
   const cases::Case* c;
   const TriangleTruth* exact;     ///< of the exact triangle
-  const TriangleTruth* promised;  ///< as the contract has it
+  const TriangleTruth* promised;  ///< of the triangle that the contract promises
   const cases::Fragments* framebuffer;
   FragmentIndex drawn;
 
@@ -65,7 +65,7 @@ struct InspectedDrawing {
 
 // --- Values --------------------------------------------------------------------------------------
 
-/// What scale ULP are measured by (RULES §5).
+/// Returns the magnitude to which scale ULP refer (RULES §5).
 Rational magnitude_of(const InspectedDrawing& subject, std::optional<std::uint32_t> attribute) {
   if (attribute) return subject.exact->attribute_magnitude(*attribute);
   const cases::Viewport& v = subject.c->viewport;
@@ -78,7 +78,7 @@ std::optional<ValueRange> value_at(const TriangleTruth& truth,
   return attribute ? truth.attribute(*attribute, x, y, sample) : truth.depth(x, y, sample);
 }
 
-/// The end of a range that a computed value lies beyond; nothing within.
+/// Returns the end of the range that the value exceeds; empty if the value is inside.
 std::optional<Rational> passed_end(float computed, const ValueRange& range) {
   const Rational value(computed);
   if (value > range.hi) return range.hi;
@@ -96,7 +96,7 @@ Enclosure local_error(float computed, const ValueRange& range) {
   return end ? oracle::local_ulp_error(computed, *end) : Enclosure();
 }
 
-/// Its middle, or of a single value the nearest double; ends are rounded first.
+/// Returns the double nearest to a single value, or the middle of a range's rounded ends.
 double middle_of(const ValueRange& range) {
   if (range.lo == range.hi) return range.lo.nearest_double();
   return range.lo.nearest_double() / 2 + range.hi.nearest_double() / 2;
@@ -135,7 +135,7 @@ InspectedValue inspect_value(const InspectedDrawing& subject,
     value.nearest = middle_of(*exact);
   }
   add_errors(subject, exact, at, magnitude_of(subject, attribute), value);
-  // Of a range there is no one place to ask of.
+  // A range has no single place at which to evaluate the conditioning.
   if (!attribute || !exact || exact->lo != exact->hi) return value;
   if (const auto condition = subject.exact->conditioning(*attribute, x, y, sample)) {
     if (condition->kappa) value.kappa = condition->kappa->enclosure();
@@ -172,7 +172,7 @@ InspectedSample inspect_sample(const InspectedDrawing& subject, std::uint32_t x,
 
 // --- The part that is shown ----------------------------------------------------------------------
 
-/// The pixels that are shown.
+/// Returns the pixels to show.
 PixelBox crop_of(const InspectedDrawing& subject, const cases::SamplePlace& at,
                  const InspectOptions& options) {
   const auto x = static_cast<int>(at.x);
@@ -202,7 +202,7 @@ void inspect_crop(const InspectedDrawing& subject, const PixelBox& crop, Inspect
   }
 }
 
-/// What is the same for all samples.
+/// Fills in what is the same for all samples.
 Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
                             const TriangleTruth& exact) {
   const cases::Case& c = scene.source();
@@ -230,8 +230,8 @@ Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
 
 // --- How the sample came about -------------------------------------------------------------------
 
-/// Splits the errors of the sample looked for: as it was traced or, where there is no trace of the
-/// value that was drawn, as far as can be seen of any backend.
+/// Splits the errors of the sample in focus by the backend's trace. Without a trace of the drawn
+/// value, splits them as far as is possible for any backend.
 void add_splits(const cases::Case& given, const cases::Contract& contract,
                 backends::Backend& backend, Inspection& inspection) {
   const auto& [triangle, y, x, number] = inspection.place;
@@ -258,7 +258,7 @@ void add_splits(const cases::Case& given, const cases::Contract& contract,
       split.coverage_stage(x, y, number, sample->is_drawn, trace ? &*trace : nullptr);
 }
 
-/// Whether a part has pixels of the framebuffer only, and this one.
+/// True if a crop lies inside the framebuffer and contains the focus.
 bool has(const PixelBox& crop, const cases::FramebufferSize& size, const Focus& focus) {
   const auto x = static_cast<int>(focus.at.x);
   const auto y = static_cast<int>(focus.at.y);

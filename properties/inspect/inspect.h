@@ -1,7 +1,7 @@
 #pragma once
 
-// A sample of a drawing, and the pixels around it, looked at closely: what is exactly true, what
-// was drawn, and how the one became the other.
+// Inspects a sample of a drawing and the pixels around it: the exact answer, the drawn one, and how
+// the difference arose.
 
 #include <cstdint>
 #include <optional>
@@ -16,18 +16,18 @@
 namespace rastercheck::properties {
 
 struct InspectOptions {
-  /// Values, depths among them, that are shown of the pixels around the sample, at most; those of
-  /// the sample's own pixel are shown however many they are.
+  /// Maximum number of values shown around the sample, including depths; those of the sample's own
+  /// pixel are always shown.
   std::uint32_t most_values = 4096;
-  /// The pixels that are shown, however many; nothing: those that the triangle touches. The sample
-  /// is among them.
+  /// The pixels to show, without that limit; must contain the sample. Empty: the pixels that the
+  /// triangle touches.
   std::optional<oracle::PixelBox> crop = std::nullopt;
 };
 
-/// Draws the case's clip positions (oracle/transform.h), without the depth test, which has no say
-/// in how a triangle is drawn, and holds the focus' triangle against what the backend promises.
-/// Occasion, law and names are the caller's to fill in. Fails where the case cannot be drawn, or
-/// has no such triangle, pixel, sample or attribute; the reason is one line.
+/// Draws the case's clip positions (oracle/transform.h) without the depth test, which does not
+/// affect how a single triangle is drawn, and judges the triangle in focus by the backend's
+/// contract. The caller fills in occasion, law and names. Fails, with a reason of one line, if the
+/// case cannot be drawn or has no such triangle, pixel, sample or attribute.
 Result<records::Inspection> inspect(const cases::Case& c, backends::Backend& backend,
                                     const Focus& focus, const InspectOptions& options = {});
 

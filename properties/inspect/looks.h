@@ -6,8 +6,8 @@
 
 namespace rastercheck::properties {
 
-/// Draws cases of a run once more and adds what is seen of them: the samples that its report shows
-/// (run_inspections.h) and what a baseline of it would keep (specimens.h).
+/// Draws cases of a run again and adds inspections for the report (run_inspections.h) and the parts
+/// that a baseline would keep (specimens.h).
 void look_closely(records::Run& run, const CaseSources& sources,
                   const backends::BackendFactory& backends);
 

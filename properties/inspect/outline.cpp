@@ -1,7 +1,8 @@
-// A triangle with a vertex behind the eye is cut out of the guard by its three lines e_i >= 0, from
-// its exact q-matrix. The other way round, cutting its edges at the guard in homogeneous
-// coordinates, doubles lose it where the eye lies almost in its plane: the two points where its
-// edges pass w = 0 are then seen in opposite directions, and on which side the rest lies is lost.
+// If a triangle has a vertex behind the eye, its outline is the guard band clipped by the
+// triangle's three lines e_i >= 0, which come from its exact q-matrix. Clipping the triangle's
+// edges at the guard band in homogeneous coordinates would fail in doubles if the eye lies almost
+// in the triangle's plane. The two points where edges pass w = 0 are then seen in opposite
+// directions, and rounding loses the side on which the rest of the triangle lies.
 
 #include "properties/inspect/outline.h"
 
@@ -25,7 +26,7 @@ Guard guard_of(const cases::Case& c) {
   return {{-width, -height}, {2 * width, 2 * height}};
 }
 
-/// All three vertices, if they are seen within the guard.
+/// Returns all three vertices if they are in front of the eye and within the guard band.
 std::optional<Polygon> whole(const cases::Case& c, const cases::Triangle& triangle,
                              const Guard& guard) {
   const cases::Viewport& v = c.viewport;
@@ -45,10 +46,11 @@ std::optional<Polygon> whole(const cases::Case& c, const cases::Triangle& triang
   return corners;
 }
 
-/// a x + b y + c
+/// Coefficients a, b, c of a x + b y + c.
 using Line = std::array<double, 3>;
 
-/// The part of a polygon on the line's positive side, borders included (Sutherland & Hodgman).
+/// Returns the part of a polygon on the line's positive side, borders included (Sutherland &
+/// Hodgman).
 Polygon clipped(const Polygon& polygon, const Line& line) {
   const auto at = [&line](const records::WindowPoint& p) {
     return line[0] * p.x + line[1] * p.y + line[2];
@@ -77,7 +79,7 @@ std::vector<records::WindowPoint> outline_of(const oracle::SceneTruth& scene,
   if (auto corners = whole(c, c.triangles[triangle], guard)) return *std::move(corners);
   const std::optional<oracle::QMatrix> q = oracle::TriangleTruth(scene, triangle).q_matrix();
   if (!q) return {};
-  // Where all e_i >= 0 so is their sum, 1/w.
+  // Where all e_i >= 0, their sum 1/w is >= 0, too, so w needs no clipping of its own.
   Polygon polygon{guard.lo, {guard.hi.x, guard.lo.y}, guard.hi, {guard.lo.x, guard.hi.y}};
   for (const auto& [a, b, e] : *q) {
     polygon = clipped(polygon, {a.nearest_double(), b.nearest_double(), e.nearest_double()});

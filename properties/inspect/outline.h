@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a triangle is seen, for pictures: doubles, which round.
+// Outlines of triangles for pictures, in rounded doubles.
 
 #include <cstddef>
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace rastercheck::properties {
 
-/// The corners, in window pixels, of what of a triangle is in front of the eye (w > 0) and within a
-/// guard around the framebuffer, as wide as this: its vertices in their order where that is all of
-/// it, else the corners in their order around it; none where nothing is left. The scene has no
-/// camera; `triangle` is an index into its triangles.
+/// Returns the corners, in window pixels, of the part of a triangle in front of the eye (w > 0) and
+/// within a guard band around the framebuffer, as wide as the framebuffer. Gives the vertices in
+/// order if that is the whole triangle, else the corners in order around the part; empty if nothing
+/// is left. The scene must have no camera; `triangle` is an index into its triangles.
 std::vector<records::WindowPoint> outline_of(const oracle::SceneTruth& scene, std::size_t triangle);
 
 }  // namespace rastercheck::properties

@@ -12,7 +12,8 @@
 namespace rastercheck::properties {
 namespace {
 
-/// Of larger cases one triangle is taken out.
+/// Maximum number of triangles of a case that is kept whole. From a larger case one triangle is
+/// taken.
 constexpr std::size_t kMostTriangles = 8;
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
-// The cases of a run, made again, and the backends that draw them: what looking closely at a run
-// has in common, whatever of it is looked at.
+// Makes a run's cases and backends again, for everything that inspects a run.
 
 #include <cstdint>
 #include <map>
@@ -23,7 +22,7 @@
 
 namespace rastercheck::properties {
 
-/// Where a run's cases come from, those aside that its seed gives.
+/// The sources of a run's cases, other than its seed.
 struct CaseSources {
   std::span<const cases::Case> corpus = {};
   std::span<const cases::Case> saved = {};  ///< counterexamples of earlier runs
@@ -31,17 +30,17 @@ struct CaseSources {
   const cases::Case* scene = nullptr;  ///< without a camera; nullptr: none
 };
 
-/// A case that every run of the same seed has: of the corpus, or random. Nothing of other origins,
-/// and where there is none any more.
+/// Returns a case that every run with the same seed has: corpus or random. Empty for other origins,
+/// or if the case no longer exists.
 std::optional<cases::Case> frozen_case(const records::CaseKey& key, const records::Plan& plan,
                                        std::span<const cases::Case> corpus);
 
-/// Backends, made when first asked for.
+/// Backends, made on first use.
 class MadeBackends {
  public:
   explicit MadeBackends(backends::BackendFactory factory) : factory_(std::move(factory)) {}
 
-  /// nullptr where there is none any more.
+  /// nullptr if the backend can no longer be made or is lost.
   backends::Backend* find(const std::string& specification);
 
  private:
@@ -49,21 +48,22 @@ class MadeBackends {
   std::map<std::string, std::unique_ptr<backends::Backend>> made_;
 };
 
-/// A triangle of a case, in a case that holds it and is no larger than looking at it needs.
+/// A triangle within a case no larger than its inspection needs.
 struct CasePart {
   cases::Case source;
   std::uint32_t triangle = 0;  ///< index into the triangles of `source`
 };
 
-/// The case, or of a large one the triangle alone; nothing where it has no such triangle.
+/// Returns the case, or the triangle alone if the case is large; empty if the triangle does not
+/// exist.
 std::optional<CasePart> part_of(cases::Case c, std::uint32_t triangle);
 
-/// Inspects such a part. Nothing where it cannot be drawn, or has no such sample or value.
+/// Inspects a part. Empty if it cannot be drawn or has no such sample or value.
 std::optional<records::Inspection> inspect_part(cases::Case c, const std::string& specification,
                                                 Focus focus, MadeBackends& made,
                                                 const InspectOptions& options);
 
-/// Whether the sample looked for has this value, to the bit.
+/// True if the sample in focus has exactly this value.
 bool shows(const records::Inspection& inspection, std::optional<std::uint32_t> attribute,
            float actual);
 

@@ -22,17 +22,17 @@ using records::RecordKey;
 using records::Stratum;
 using records::WorstError;
 
-/// Values of each inspection: 16 × 16 pixels of a depth and an attribute. Forty make a page of some
-/// megabytes.
+/// Maximum number of values in an inspection: 16 × 16 pixels with a depth and an attribute. Forty
+/// inspections make a page of some megabytes.
 constexpr InspectOptions kOfRuns{512};
-/// Errors of one backend, kind and stratum that are tried, the largest first: those of a law that
-/// draws something else than the case itself do not come back.
+/// Number of errors tried for a backend, kind and stratum, the largest first. An error of a law
+/// that draws something else than the case itself cannot be reproduced from the case.
 constexpr std::size_t kMostTries = 4;
 
 // --- Counterexamples -----------------------------------------------------------------------------
 
-/// Where a counterexample is looked at: where it is violated, or, as that may be of a drawing of
-/// another size, where the case itself is worst.
+/// Returns where to inspect a counterexample: at its violation, if the case has this place, else
+/// where the case itself is worst. The violation may belong to a drawing of another size.
 std::optional<Focus> focus_of(const records::Counterexample& found, backends::Backend& backend) {
   const cases::Case& c = found.source;
   if (found.violations.empty() || !found.violations.front().has_place()) return std::nullopt;
@@ -69,7 +69,7 @@ void inspect_counterexamples(const records::Run& run, MadeBackends& made,
 
 // --- Worst cases ---------------------------------------------------------------------------------
 
-/// An error, and the record that has it.
+/// An error, and the key of its record.
 struct Candidate {
   const RecordKey* key = nullptr;
   const WorstError* worst = nullptr;
@@ -77,21 +77,22 @@ struct Candidate {
   double size() const { return records::magnitude_bound(worst->error); }
 };
 
-/// Larger ones; of equals those of the law that is about values, then in the order of records.
+/// Orders errors by size, the largest first; of equal errors, those of the law on values come
+/// first.
 bool is_closer(const Candidate& a, const Candidate& b) {
   const auto is_of_values = [](const Candidate& one) { return one.key->law == kValuesLaw; };
   if (a.size() != b.size()) return a.size() > b.size();
   return is_of_values(a) && !is_of_values(b);
 }
 
-using CandidateKey = std::tuple<std::string, AttributeKind, Stratum>;  ///< of which backend
+using CandidateKey = std::tuple<std::string, AttributeKind, Stratum>;  ///< backend, kind, stratum
 using Candidates = std::map<CandidateKey, std::vector<Candidate>>;
 
-/// The errors of each backend, kind and stratum, the largest first.
+/// Returns the errors of each backend, kind and stratum, the largest first.
 Candidates candidates_of(const records::Run& run) {
   Candidates candidates;
   for (const auto& [key, record] : run.records) {
-    if (key.attribute_kind == AttributeKind::flat) continue;  // copies
+    if (key.attribute_kind == AttributeKind::flat) continue;  // flat values are copies
     for (const auto& [stratum, sizes] : record.errors.strata) {
       for (const auto& worst :
            {std::cref(sizes.extremes.most_negative), std::cref(sizes.extremes.most_positive)}) {
@@ -106,7 +107,7 @@ Candidates candidates_of(const records::Run& run) {
   return candidates;
 }
 
-/// The first saved case of that law and index; nullptr where there is none.
+/// Returns the first saved case of this law and index; nullptr if there is none.
 const cases::Case* find_saved(std::span<const cases::Case> saved, const std::string& law,
                               std::uint64_t index) {
   const auto found = std::find_if(saved.begin(), saved.end(), [&](const cases::Case& c) {
@@ -115,7 +116,7 @@ const cases::Case* find_saved(std::span<const cases::Case> saved, const std::str
   return found == saved.end() ? nullptr : &*found;
 }
 
-/// The case that an error is of; nothing where there is none any more.
+/// Returns the case that has the error; empty if the case no longer exists.
 std::optional<cases::Case> case_of(const Candidate& candidate, const records::Plan& plan,
                                    const CaseSources& sources) {
   const auto& [law_name, backend, kind, stratum] = *candidate.key;

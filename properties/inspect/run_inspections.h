@@ -1,7 +1,6 @@
 #pragma once
 
-// What of a run is looked at closely: its counterexamples, and where its values were the farthest
-// off.
+// Inspects a run's counterexamples and its largest errors.
 
 #include <vector>
 
@@ -12,11 +11,12 @@
 
 namespace rastercheck::properties {
 
-/// The run's counterexamples in their order, each at its first violation, and then, of every
-/// backend, kind of value and stratum, the largest ideal error (oracle/judge.h) of all laws, by
-/// (law, backend, kind, stratum); records::kMostInspections at most, of worst cases those that are
-/// the farthest off. Left out is what cannot be shown: drawings that there are not, what its
-/// backend no longer draws so, and errors of drawings that a law made of the case.
+/// Inspects the run's counterexamples in order, each at its first violation. Then inspects, for
+/// every backend, kind and stratum, the largest ideal error (oracle/judge.h) over all laws, ordered
+/// by (law, backend, kind, stratum). Returns at most records::kMostInspections; if these errors are
+/// too many, leaves out the smaller ones. Also leaves out what cannot be shown: failed drawings,
+/// drawings that the backend no longer reproduces, and errors from a law's changed version of the
+/// case.
 std::vector<records::Inspection> inspect_run(const records::Run& run, const CaseSources& sources,
                                              const backends::BackendFactory& backends);
 

@@ -31,11 +31,11 @@ using records::Specimen;
 using records::Stratum;
 using records::WorstError;
 
-/// Cases that are tried for one that can be shown.
+/// Maximum number of cases tried until one can be shown.
 constexpr std::size_t kMostSpecimenTries = 4;
-/// Triangles of a case that are looked through for a sample that is covered.
+/// Maximum number of triangles of a case searched for a covered sample.
 constexpr std::size_t kMostSpecimenTriangles = 8;
-/// Places along either side of a triangle's box that are.
+/// Number of places tried along each axis of a triangle's box.
 constexpr int kPlaces = 9;
 
 bool draws_cases_as_they_stand(std::string_view law) {
@@ -44,7 +44,7 @@ bool draws_cases_as_they_stand(std::string_view law) {
 
 // --- Where to look -------------------------------------------------------------------------------
 
-/// A case as it is drawn, the triangle in question alone if it is a large one.
+/// Returns the case as it is drawn, or only the triangle in question if the case is large.
 std::optional<CasePart> drawn_part(const cases::Case& c, std::uint32_t triangle) {
   Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return std::nullopt;
@@ -52,21 +52,21 @@ std::optional<CasePart> drawn_part(const cases::Case& c, std::uint32_t triangle)
   return part_of(*std::move(clip), triangle);
 }
 
-/// The pixels that a triangle, exact, may cover: of the case alone.
+/// Returns the pixels that the exact triangle may cover; does not depend on the backend.
 PixelBox pixels_of(const CasePart& part) {
   const oracle::SceneTruth scene(part.source,
                                  cases::exact_contract(cases::contract_of(part.source)));
   return oracle::TriangleTruth(scene, part.triangle).pixels();
 }
 
-/// A number of places in [from, to), from the middle on.
+/// Returns the i-th place in [from, to), alternating outwards from the middle.
 int place_between(int from, int to, int i) {
   const int steps = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
   return from + (to - from) / 2 + steps * std::max(1, (to - from) / kPlaces);
 }
 
-/// A pixel that the exact triangle covers, near its middle; nothing where none of those that are
-/// tried is.
+/// Returns a pixel that the exact triangle covers, near its middle; empty if none of the tried
+/// pixels is covered.
 std::optional<cases::SamplePlace> covered_place(const CasePart& part, std::uint32_t triangle) {
   const oracle::SceneTruth scene(part.source,
                                  cases::exact_contract(cases::contract_of(part.source)));
@@ -86,7 +86,7 @@ std::optional<cases::SamplePlace> covered_place(const CasePart& part, std::uint3
   return std::nullopt;
 }
 
-/// The same of the first triangle that has one.
+/// Returns a covered pixel of the first triangle that has one.
 std::optional<cases::SamplePlace> covered_place(const cases::Case& c) {
   for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostSpecimenTriangles); ++i) {
     const auto triangle = static_cast<std::uint32_t>(i);
@@ -99,7 +99,7 @@ std::optional<cases::SamplePlace> covered_place(const cases::Case& c) {
 
 // --- Drawing -------------------------------------------------------------------------------------
 
-/// Puts what was drawn of a triangle into the specimen, whose part is settled.
+/// Fills the specimen, whose crop is already set, with the drawn fragments of a triangle.
 void fill(Specimen& specimen, const cases::Fragments& drawn, std::uint32_t triangle) {
   specimen.drawn.assign(specimen.sample_count(), false);
   specimen.bits.assign(specimen.sample_count() * specimen.values_per_sample(), 0);
@@ -117,7 +117,7 @@ void fill(Specimen& specimen, const cases::Fragments& drawn, std::uint32_t trian
   }
 }
 
-/// The part of a drawing that `specimen` says, or nothing where it cannot be drawn.
+/// Draws the crop that `specimen` describes; empty if that is impossible.
 std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends::Backend& backend) {
   const cases::FramebufferSize& size = part.source.framebuffer;
   const bool is_there =
@@ -132,14 +132,14 @@ std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends:
   return specimen;
 }
 
-/// A case, and the sample of it that what is kept lies around.
+/// A case, and the sample around which to keep a crop.
 struct SpecimenSubject {
   CaseKey key;
   std::string name;
   cases::SamplePlace at;
 };
 
-/// What is drawn around the sample.
+/// Draws the pixels around the sample; empty if that is impossible.
 std::optional<Specimen> specimen_of(const SpecimenSubject& subject, const cases::Case& c,
                                     MadeBackends& made) {
   backends::Backend* backend = made.find(subject.key.backend);
@@ -165,7 +165,7 @@ std::optional<Specimen> specimen_of(const SpecimenSubject& subject, const cases:
 
 // --- The choice ----------------------------------------------------------------------------------
 
-/// What is kept of one backend, each part of a case once.
+/// The parts kept for one backend, each part of a case once.
 class Choice {
  public:
   Choice(const records::Run& run, const CaseSources& sources, std::string backend,
@@ -212,7 +212,7 @@ class Choice {
   std::vector<Specimen> kept_;
 };
 
-/// Whether that sample is kept already.
+/// True if the sample is already kept.
 bool Choice::has(const CaseKey& key, const cases::SamplePlace& at) const {
   return std::any_of(kept_.begin(), kept_.end(), [&](const Specimen& one) {
     return one.key == key && one.triangle == at.triangle &&
@@ -220,12 +220,12 @@ bool Choice::has(const CaseKey& key, const cases::SamplePlace& at) const {
   });
 }
 
-/// False where nothing of the case can be shown.
+/// Keeps a part of a case. Returns false if no covered pixel of the case was found.
 bool Choice::add_first(const CaseKey& key, const CaseRecord& record) {
   const std::optional<cases::Case> c = case_of(key);
   const std::optional<cases::SamplePlace> place = c ? covered_place(*c) : std::nullopt;
   if (!place) return false;
-  // A backend that draws nothing of it does not bring in another case.
+  // If the backend cannot draw it, do not try another case instead.
   if (std::optional<Specimen> one = specimen_of({key, record.name, *place}, *c, *made_)) {
     keep(*std::move(one));
   }
@@ -233,7 +233,7 @@ bool Choice::add_first(const CaseKey& key, const CaseRecord& record) {
 }
 
 void Choice::add_firsts() {
-  std::map<std::pair<std::string, std::string>, std::size_t> tries;  ///< of law and stratum
+  std::map<std::pair<std::string, std::string>, std::size_t> tries;  ///< by law and stratum
   for (const auto& [key, record] : *run_->cases) {
     if (!is_of_interest(key)) continue;
     std::size_t& tried = tries[{key.law, record.stratum}];
@@ -242,7 +242,8 @@ void Choice::add_firsts() {
   }
 }
 
-/// False where the case has no such value: of a drawing that a law made of it.
+/// Keeps the part around an error. Returns false if the case's own drawing lacks the value with the
+/// error, as when the law drew a changed case.
 bool Choice::add(const Candidate& candidate) {
   const WorstError& worst = *candidate.worst;
   const cases::SamplePlace& at = worst.place;
@@ -264,7 +265,7 @@ void Choice::add_worst() {
   for (const auto& [key, record] : *run_->cases) {
     if (!is_of_interest(key)) continue;
     for (const auto& [kind, strata] : record.worst) {
-      if (kind == AttributeKind::flat) continue;  // copies
+      if (kind == AttributeKind::flat) continue;  // flat values are copies
       for (const auto& [stratum, worst] : strata) {
         errors[{kind, stratum}].push_back({&key, &record, &worst});
       }

@@ -1,16 +1,17 @@
-// Additive blending counts overdraw: where every triangle adds one, the sum at a sample is the
-// number of triangles that cover it.
+// Additive blending counts overdraw: if every triangle adds one, the sum at a sample is the number
+// of triangles that cover it.
 //
-// Why. The picture's only channel is an attribute that is 1 at all vertices, in float32, cleared to
-// 0, and no depth test hides anything. Each fragment adds exactly 1 (a flat attribute is a copy; a
-// smooth one is 1 where the contract keeps constants), and sums of ones are exact up to 2^24. So
-// what is lost between threads, tiles and batches, or drawn twice, shows as a number, however
-// triangles overlap. How many are right the oracle says, triangle by triangle:
+// Why. The picture's only channel is an attribute that is 1 at all vertices. The picture is in
+// float32 and cleared to 0, and no depth test hides anything. Each fragment adds exactly 1 (a flat
+// attribute is a copy; a smooth one is 1 if the contract keeps constants), and sums of ones are
+// exact up to 2^24. So a fragment that is lost between threads, tiles and batches, or drawn twice,
+// shows as a wrong sum, however triangles overlap. The oracle bounds the right sum, triangle by
+// triangle:
 //
 //   required there  <=  sum  <=  required or permitted there
 //
-// Samples: all; those without any triangle keep their 0. Whether the attribute is flat or smooth
-// comes from the case's numbers. Judged of backends that draw pictures.
+// Samples: all; samples without any triangle must keep their 0. The case's numbers decide whether
+// the attribute is flat or smooth. Only backends that draw pictures are judged.
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
@@ -33,14 +35,14 @@ using records::Verdict;
 /// Sums of ones are exact up to here.
 constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
 
-/// What may be drawn at a sample.
+/// How many triangles must or may be drawn at a sample.
 struct Overdraw {
   std::uint32_t required = 0;
   std::uint32_t permitted = 0;
-  std::uint32_t last = 0;  ///< of the triangles that are
+  std::uint32_t last = 0;  ///< the last of these triangles
 };
 
-/// The case with the one attribute.
+/// Returns the case with the constant 1 as its only attribute.
 cases::Case counting_case(const cases::Case& c, bool is_flat) {
   cases::Case counting = c;
   counting.depth_test = cases::DepthTest::none;
@@ -147,7 +149,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   if (backend.picture_drawer() == nullptr || clip.triangles.size() > kMostTriangles)
     return not_applicable("the backend draws no pictures, or the case has too many triangles");
   const bool keeps_constants = backend.contract(clip).keeps_constants;
-  const bool is_flat = !keeps_constants || fingerprint(clip) % 2 == 0;
+  const bool is_flat = !keeps_constants || choices_of(clip) % 2 == 0;
   const cases::Case counting = counting_case(clip, is_flat);
   const Result<cases::Picture> picture = draw_picture(counting, backend, counting_pipeline());
   if (!picture) return tl::unexpected(picture.error());

@@ -1,25 +1,25 @@
-// What is linear on the screen is off perspective by no more than the w of the vertices allow:
+// An affine value differs from the perspective value by no more than the w of the vertices allow:
 //
 //   |f − r| <= κ (max r_i − min r_i) + bound,     κ = (√ρ − 1)/(√ρ + 1),   ρ = max w_i / min w_i
 //
-// for f that is meant to be the affine Σ λ_i r_i, with r = Σ b_i r_i in perspective and all w_i >
-// 0.
+// where f should be the affine Σ λ_i r_i, r = Σ b_i r_i is the perspective value, and all w_i > 0.
 //
-// b_i = (λ_i/w_i)/Σ(λ_j/w_j). r − Σ λ_i r_i = Σ (b_i − λ_i) r_i, and as Σ (b_i − λ_i) = 0, it is at
-// most the range of the r_i times the sum of those b_i − λ_i that are positive. Let these i have
-// weights that add up to λ, and take them for one point whose 1/w is the mean of theirs, and the
-// others for another; with ρ' the ratio of the two w, 1 <= ρ' <= ρ,
+// b_i = (λ_i/w_i)/Σ(λ_j/w_j). r − Σ λ_i r_i = Σ (b_i − λ_i) r_i. Since Σ (b_i − λ_i) = 0, the
+// difference is at most the range of the r_i times the sum of the positive b_i − λ_i. Let λ be the
+// sum of the λ_i for which b_i − λ_i is positive. Replace their vertices by one point whose 1/w is
+// the weighted mean of their 1/w, and replace the other vertices by a second point in the same way.
+// If ρ' is the ratio of the two w, 1 <= ρ' <= ρ, then
 //
-//   b − λ = λ (1 − λ)(ρ' − 1)/(λ ρ' + 1 − λ),
+//   b − λ = λ (1 − λ)(ρ' − 1)/(λ ρ' + 1 − λ).
 //
-// whose derivative in λ is 0 where λ² ρ' = (1 − λ)²: at λ = 1/(√ρ' + 1), where it is κ of ρ', and
-// that grows with ρ'. On an edge whose ends have the extreme w and r it is attained (seed 000,
-// A 6.3; seed 002, §2.1: the rubber sheet).
+// Its derivative in λ is 0 if λ² ρ' = (1 − λ)², that is for λ = 1/(√ρ' + 1). There, b − λ is κ for
+// the ratio ρ', and κ grows with ρ'. An edge whose ends have the extreme w and r attains the bound
+// (Appendix 5, A 6.3; Heckbert & Moreton 1991, §2.1: the rubber sheet).
 //
-// κ = (max w − min w)/(√max w + √min w)², in double off by a share of a few 2^-53.
+// Computed in double, κ = (max w − min w)/(√max w + √min w)² has a relative error of a few 2^-53.
 //
-// Samples: those that are required, of triangles that are all in front of the eye. Attributes:
-// smooth ones at samples and centroids, and centres of one sample; elsewhere λ_i may be negative.
+// Samples: required ones of triangles entirely in front of the eye. Attributes: smooth ones at
+// samples and centroids, and at centres if the pixel has one sample; elsewhere λ_i may be negative.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ using cases::Location;
 
 // --- The law -------------------------------------------------------------------------------------
 
-/// κ of a triangle, none too small.
+/// κ of a triangle, rounded up.
 double greatest_share(const cases::Case& c, const cases::Triangle& triangle) {
   const auto w = [&](std::size_t i) { return double{c.positions[triangle[i]].w}; };
   const auto [least, greatest] = std::minmax({w(0), w(1), w(2)});
@@ -124,14 +124,15 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   });
 }
 
-/// Backends that claim smooth values to be affine, be it only where nothing is clipped.
+/// True if the backend claims that smooth values are affine, even if only for unclipped triangles.
 bool is_promised(backends::Backend& backend) {
   return backend.contract({}).claims == cases::Claim::affine;
 }
 
 // --- Its cases -----------------------------------------------------------------------------------
 
-/// Triangles in front of the eye, two of whose vertices have the extreme w and values.
+/// Makes triangles in front of the eye. Two vertices of each triangle have the extreme w and the
+/// extreme values of attribute 0.
 Generated generate(Draw& draw) {
   Generated made{random_state(draw), ""};
   cases::Case& c = made.source;

@@ -1,36 +1,38 @@
-// 1/w and r/w are affine on the screen: what is not divided by w has no curve, and what is divided
-// is nothing but the quotient of two that have none.
+// 1/w and r/w are affine on the screen: values that are not divided by w do not curve, and values
+// that are divided by w are quotients of values that do not curve.
 //
-// Affine (RULES §1, §4). z/w = Σ z_i e_i, and noperspective values where all w_i > 0: the e_i are
-// affine in window coordinates, whatever the w_i. So along a line of pixels the exact f lies on the
-// chord of any two others: with n pixels from a to b,
+// Affine (RULES §1, §4). z/w = Σ z_i e_i is affine, since the e_i are affine in window coordinates,
+// whatever the w_i. Noperspective values are affine if all w_i > 0. So along a line of pixels, the
+// exact value f lies on the chord between any two other values: for n pixels from a to b,
 //
 //   n f(x) = (b − x) f(a) + (x − a) f(b).
 //
-// Each drawn value is off by at most α, and the right side is a mean: the drawn ones differ by at
-// most 2nα. Chords from end to end: there a curve bends most.
+// Each drawn value is off by at most α, and the right side is n times a mean, so for drawn values
+// the two sides differ by at most 2nα. Each line's chord runs from its first fragment to its last,
+// so that a curve shows most.
 //
-// Quotient. Of attributes r, q and d, r smooth and q, d noperspective, with q_i = r_i/w_i and d_i =
-// 1/w_i exactly at all three vertices, q is r/w and d is 1/w everywhere: q = r d. Of drawn values
+// Quotient. Take a smooth attribute r and noperspective attributes q and d. If q_i = r_i/w_i and
+// d_i = 1/w_i exactly at all three vertices, then q is r/w and d is 1/w everywhere: q = r d. For
+// drawn values
 //
 //   |q' − r'd'| <= |q' − q| + |d| |r' − r| + |r'| |d' − d| <= α_q + (|d'| + α_d) α_r + |r'| α_d.
 //
 // α is the contract's bound in scale ULP of the greatest vertex value, which no value exceeds
-// inside a triangle. Where an inequality fails that way the oracle is asked for the share of the
-// horizon in the bound, and how wide a range the contract leaves open (as of snapped vertices): α
-// grows by as much, since the exact values of any one placement are in these ranges.
+// inside a triangle. If an inequality fails with this α, the oracle finds the horizon's share of
+// the bound and the range of values that the contract leaves open (as for snapped vertices). α then
+// grows by both, since for any placement of the vertices the exact values are in these ranges.
 //
-// Rounding here: products of a float and a number below 2^15 are exact in double, and so are those
-// of two floats; the sums are off by three roundings of numbers below 2^2 n m, m the greatest
-// value, less than 2^-49 n m <= 2^-25 n ulp(m). The errors allowed are 2n halves of that ulp at
-// least, so a share of 2^-23 more covers it.
+// Rounding in this check: products of a float and a number below 2^15 are exact in double, and so
+// are products of two floats. The sums are off by three roundings of numbers below 2^2 n m, where m
+// is the greatest value. That is less than 2^-49 n m <= 2^-25 n ulp(m). The allowed errors are at
+// least 2n halves of that ulp, so a margin of 2^-23 covers the rounding.
 //
-// Samples: those that are required. Attributes: those at samples, as centres may lie outside, and
-// centroids anywhere. Triangles with snapped vertices have no chords where they are clipped: the
-// pieces lie in planes of their own. Depths where they are not clamped, as D3D's are beyond the
-// plane of snapped vertices too.
+// Samples: required ones. Attributes: those located at samples, since centres may lie outside the
+// triangle and centroids may lie anywhere. Clipped triangles with snapped vertices have no chords:
+// their pieces lie in different planes. Depths are checked only if they are not clamped; D3D also
+// clamps the depths of snapped triangles.
 //
-// Its cases: w_i are powers of two, so that r_i = q_i w_i and d_i are floats.
+// The generated w_i are powers of two, so that r_i = q_i w_i and d_i are floats.
 
 #include <algorithm>
 #include <array>
@@ -53,8 +55,8 @@ using cases::Location;
 
 // --- The law -------------------------------------------------------------------------------------
 
-/// Whether attributes 0, 1 and 2 are r, q = r/w and d = 1/w of a triangle. Products of two floats
-/// are exact in double.
+/// True if attributes 0, 1 and 2 are r, q = r/w and d = 1/w at the triangle's vertices. The test is
+/// exact, since doubles hold products of two floats.
 bool has_quotient(const cases::Case& c, const cases::Triangle& triangle) {
   if (c.attributes.size() < 3 || !all_in_front(c, triangle)) return false;
   for (std::uint32_t a = 0; a < 3; ++a) {
@@ -97,7 +99,7 @@ class AffineCheck {
     return is_one_plane_;
   }
 
-  /// The values of a line's triangle that are affine.
+  /// The values that are affine on a line's triangle.
   std::vector<MaybeAttribute> affine_of(std::span<const LinePoint> line) const {
     std::vector<MaybeAttribute> affine;
     const bool is_clamped = case_->depth_clamp || (case_->rules == cases::Rules::d3d &&
@@ -111,21 +113,22 @@ class AffineCheck {
     return affine;
   }
 
-  /// How far a value is off, by the contract alone.
+  /// How far a value may be off by the contract alone.
   double allowed(std::size_t fragment, const MaybeAttribute& attribute) const {
     return double{findings_.bound_of(attribute).constant} * values_.vertex_ulp(fragment, attribute);
   }
 
-  /// The same with all that the oracle says; nothing where nothing is promised.
+  /// How far a value may be off, including the horizon's share and the open range that the oracle
+  /// finds; empty if nothing is promised.
   std::optional<double> allowed_at_most(std::size_t fragment, const MaybeAttribute& attribute) {
     const auto promise = findings_.promise_of(values_.place(fragment), attribute);
     if (!promise) return std::nullopt;
     return promise->bound * promise->unit + (promise->hi - promise->lo);
   }
 
-  /// Whether a difference is not what errors of these sizes explain.
+  /// True if errors of this size do not explain a difference.
   static bool is_beyond(double difference, double errors) {
-    return !(std::abs(difference) <= errors);  // nor is NaN
+    return !(std::abs(difference) <= errors);  // NaN is beyond, too
   }
 
   void check_chord(std::span<const LinePoint> line, const MaybeAttribute& attribute) {
@@ -193,7 +196,7 @@ class AffineCheck {
                          value_text(values_.value(i, 2)));
   }
 
-  /// Roundings here, as a share of the errors allowed.
+  /// A bound for rounding errors of this check, relative to the allowed errors.
   static constexpr double kRounding = 0x1p-23;
 
   const cases::Case* case_;
@@ -219,7 +222,8 @@ float power_of_two_weight(Draw& draw, int most) {
                       : static_cast<float>(1 << exponent);
 }
 
-/// Triangles of weights that are powers of two, with r, r/w and 1/w. A depth plane cuts some.
+/// Makes triangles with powers of two as w, and with attributes r, r/w and 1/w. A depth plane cuts
+/// some of the triangles.
 Generated generate(Draw& draw) {
   StateRequest request;
   request.least_side = 16;

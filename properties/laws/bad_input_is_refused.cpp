@@ -1,27 +1,26 @@
-// Bad input is refused and the target untouched: a case that is made bad in one way is answered
-// with an error by every way of drawing it, and a picture that it was to be drawn over stays what
-// it was, to the bit.
+// Bad input is refused and leaves the target untouched: in every way of drawing, a case with one
+// fault gives an error, and a picture over which the case should be drawn keeps every bit.
 //
 // Why. A backend that draws pictures promises both (backends::PictureDrawer), as the rasterizer's
-// interface does: arguments are checked before anything is drawn. A case is bad where what it
-// promises does not hold (cases::Case):
+// interface does: arguments are checked before anything is drawn. A case is bad if it breaks a
+// promise of cases::Case:
 //
-//   mesh     an index beyond the vertices; values or clip distances too few or too many; more
-//            attributes or clip distances of a vertex than there may be
+//   mesh     an index beyond the vertices; too few or too many values or clip distances; more
+//            attributes or clip distances per vertex than allowed
 //   state    a viewport with a number that is not finite, or a depth outside [0, 1]; a scissor of
 //            negative size
-//   target   no pixels, or too many, along a side; samples per pixel that there is no pattern of
+//   target   no pixels, or too many, along a side; a sample count without a pattern
 //   empty    a vertex of each triangle that is not finite, a viewport of width or height 0
 //
-// Of the last kind all that is asked for is that nothing comes of it: an error, or a drawing of
-// nothing, as a triangle that is not finite may be left out and one without area covers nothing.
-// Attribute values and clip distances that are not finite are no part of this: they are drawn with
-// as they are.
+// Faults of the last kind must merely have no effect: the backend may return an error or draw no
+// fragments. It may leave out a triangle that is not finite, and a triangle without area covers
+// nothing. Attribute values and clip distances that are not finite are not faults: backends draw
+// with them as they are.
 //
-// In which way, and where, comes from the case's numbers; the case itself is valid, so that it can
-// be saved. The picture is that of the valid case, drawn by adding colours, without a depth test:
-// whatever is drawn over it once more shows. Looked at are all samples. Under a sanitizer the law
-// also says that no array is read where it has nothing.
+// The case's numbers choose the fault and its place. The case itself is valid, so that it can be
+// saved. The picture is drawn from the valid case with additive blending and without a depth test,
+// so that anything that is drawn over it again shows. All samples are compared. Under a sanitizer
+// the law also shows that no array is read out of bounds.
 
 #include <array>
 #include <cstddef>
@@ -31,8 +30,8 @@
 #include <string_view>
 #include <utility>
 
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/same_picture.h"
@@ -127,11 +126,11 @@ void empty_viewport(cases::Case& c, Choices& choices) {
   size = choices.pick(std::array{0.0F, -0.0F});
 }
 
-/// A way to make a case bad.
+/// A fault, and the function that puts it into a case.
 struct Fault {
   std::string_view what;
   std::string_view label;
-  bool may_draw_nothing;  ///< in place of an error
+  bool may_draw_nothing;  ///< instead of an error
   void (*make)(cases::Case& c, Choices& choices);
 };
 
@@ -150,13 +149,13 @@ constexpr std::array<Fault, 11> kFaults{
      {"vertices that are not finite", "empty", true, &spoil_positions},
      {"a viewport without area", "empty", true, &empty_viewport}}};
 
-/// Adds colours, whatever the depth.
+/// A pipeline that adds colours, whatever the depth.
 cases::Pipeline adding_pipeline(const cases::Case& c) {
   cases::Pipeline pipeline;
   pipeline.depth_function = cases::DepthFunction::always;
   pipeline.blend = cases::Blend::additive;
   pipeline.clear_depth = 0.625F;
-  const bool has_bytes = c.attributes.size() == 4 && fingerprint(c) % 2 == 0;
+  const bool has_bytes = c.attributes.size() == 4 && choices_of(c) % 2 == 0;
   if (has_bytes) pipeline.format = cases::ColorFormat::rgba8;
   return pipeline;
 }
@@ -168,7 +167,8 @@ class RefusalCheck {
     check_.labels = {std::string(fault.label)};
   }
 
-  /// `count` is what was drawn where it was not refused.
+  /// Checks one way of drawing. `count` is the number of fragments drawn if the case was not
+  /// refused.
   void see(bool is_refused, std::size_t count, std::string_view how) {
     ++check_.judgement.counts.required;
     auto& classes = check_.judgement.errors[AttributeKind::coverage].classes;
@@ -216,12 +216,12 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const Result<cases::Picture> before = draw_picture(clip, backend, pipeline);
   if (!before) return tl::unexpected(before.error());
 
-  Choices choices(fingerprint(clip));
+  Choices choices(choices_of(clip));
   const Fault& fault = choices.pick(kFaults);
   cases::Case bad = clip;
   fault.make(bad, choices);
   RefusalCheck refusal(clip, fault);
-  // Not by properties::draw(), which takes cases to be valid.
+  // Not properties::draw(), which expects valid cases.
   const Result<backends::Drawn> drawn = backend.draw(bad);
   refusal.see(!drawn, drawn ? drawn->fragments.size() : 0, "drawn as fragments");
   const Result<cases::Picture> picture = drawer->draw_picture(bad, pipeline);

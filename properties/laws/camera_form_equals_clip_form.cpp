@@ -1,34 +1,36 @@
 // Camera form equals clip form: what a camera shows at a sample lies on the ray from the eye
-// through that sample, and it does not matter which of the camera's matrices says what. It holds
-// clip positions, viewport, interpolation and depth against the camera, without any inverse.
+// through that sample, however the transform is distributed over the camera's matrices. The law
+// checks clip positions, viewport, interpolation and depth against the camera, without any inverse.
 //
-// Why. Seed 001 has P = C + (c + u a + v b) w for the point P that is seen at (u, v): the eye C and
-// an image plane's basis. The clip form of the same is that P's clip position, projection · view ·
-// model · (P, 1), appears at (u, v) (RULES §1). With R_x … R_w the rows of that matrix both say
+// Why. The Rasterization slides give P = C + (c + u a + v b) w for the point P seen at (u, v), from
+// the eye C and the basis of an image plane. The clip form says the same: P's clip position,
+// projection · view · model · (P, 1), appears at (u, v) (RULES §1). If R_x … R_w are the rows of
+// that matrix, both forms say
 //
 //   U · (P, 1) = 0,  U = R_x W/2 + (x0 + W/2 − u) R_w       V alike, from R_y
 //   Z · (P, 1) = 0,  Z = s R_z − (d − l) R_w                d = l + s z/w, the depth
 //
-// An object position is linear over its triangle, so three smooth attributes that are it are the P
-// of what is seen. With attributes off by at most δ_j and the depth by at most ε, and P' computed,
+// An object position is linear over its triangle, so if it is stored in three smooth attributes,
+// their values at a sample are the P seen there. If the attributes are off by at most δ_j and the
+// depth by at most ε, the drawn P' satisfies
 //
 //   |U · (P', 1)| <= Σ |U_j| δ_j + ρ |w|      |Z · (P', 1)| <= Σ |Z_j| δ_j + ε |w|
 //   |w| <= |R_w · (P', 1)| + Σ |R_wj| δ_j
 //
-// where ρ is how far snapping may move a vertex in pixels, where values come from snapped vertices:
-// then what is drawn at p is a mean of vertices moved by ρ at most, and belongs within ρ of p. The
-// sums are done in double, each with fewer than 16 roundings: 2^-48 of what is summed, in absolute
-// terms, is granted besides.
+// where ρ is how far snapping may move a vertex, in pixels, if values come from snapped vertices:
+// the fragment at p is then a mean of vertices moved by at most ρ, so its true place is within ρ of
+// p. The sums are computed in double, each with fewer than 16 roundings, so another 2^-48 of the
+// summed absolute values is allowed.
 //
-// Numbers of the matrices and positions are so short that the clip positions are float32 without
-// rounding. So the product of view and model in place of the model, or of all three in place of the
-// projection, is the same camera: the harness rounds it to the same clip positions, and the vertex
-// stage of a backend that has one makes these of it, or, what its contract may allow, numbers
-// within its bound.
+// The numbers of matrices and positions are so short that the clip positions are float32 without
+// rounding. So moving the product of view and model into the model, or of all three into the
+// projection, gives the same camera. The harness must round each of these cameras to the same clip
+// positions; a backend's vertex stage must compute the same clip positions or, if its contract
+// allows, numbers within its bound.
 //
-// Samples: all that are drawn. Where snapping moves the vertices of values, those of triangles that
-// nothing clips; depths where nothing is snapped or clamped. A contract that does not say where
-// vertices are placed is asked by the oracle.
+// Samples: all drawn ones; but if values come from snapped vertices, only those of unclipped
+// triangles. Depths: only if nothing is snapped or clamped. If a contract does not say where
+// vertices are placed, the oracle judges.
 
 #include <algorithm>
 #include <array>
@@ -59,8 +61,8 @@ using cases::Matrix4;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// The product, where all its numbers are exact in float32; sums of four products of short numbers
-/// are exact in double.
+/// Returns the product if all its numbers are exact in float32, else nothing. Sums of four products
+/// of short numbers are exact in double.
 std::optional<Matrix4> product(const Matrix4& left, const Matrix4& right) {
   Matrix4 result{};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -73,7 +75,7 @@ std::optional<Matrix4> product(const Matrix4& left, const Matrix4& right) {
         size += std::abs(term);
       }
       result[4 * i + j] = to_float(sum);
-      // Multiples of 2^-20 below 2^30: no sum was rounded.
+      // If all sums are multiples of 2^-20 below 2^30, none was rounded.
       const bool is_short = size < 0x1p30 && std::floor(sum * 0x1p20) == sum * 0x1p20;
       if (!is_short || double{result[4 * i + j]} != sum) return std::nullopt;
     }
@@ -81,11 +83,12 @@ std::optional<Matrix4> product(const Matrix4& left, const Matrix4& right) {
   return result;
 }
 
-/// A case with a camera, in clip form, and its camera's matrix in one.
+/// A case with a camera, rewritten in clip form, and the camera's matrices as one.
 struct Forms {
   cases::Case clip;  ///< its attributes are the object position
   Matrix4 matrix{};
-  std::vector<cases::Case> cameras;  ///< the same case with other distributions of it
+  std::vector<cases::Case> cameras;  ///< the same case, with its transform distributed differently
+                                     ///< over the matrices
 };
 
 /// The case with x, y and z of its positions as attributes.
@@ -108,7 +111,8 @@ bool is_affine(const cases::Case& c) {
                      [](const ClipVertex& p) { return p.w == 1; });
 }
 
-/// Nothing where the case has no camera, or anything is rounded.
+/// Returns the forms of a case; nothing if the case has no camera, if any object position has w !=
+/// 1, or if any number is rounded.
 std::optional<Forms> forms_of(const cases::Case& c) {
   if (!c.camera || !is_affine(c)) return std::nullopt;
   const auto view_model = product(c.camera->view, c.camera->model);
@@ -140,7 +144,8 @@ std::optional<Forms> forms_of(const cases::Case& c) {
 
 std::array<float, 4> coordinates_of(const ClipVertex& p) { return {p.x, p.y, p.z, p.w}; }
 
-/// Holds the clip positions that a vertex stage makes of a form to be those of the case.
+/// Checks that the clip positions that a vertex stage computed from one form equal the case's clip
+/// positions, or are within the bound.
 void check_stage(const Forms& forms, const cases::Case& camera,
                  const std::vector<ClipVertex>& computed, float bound, Check& check) {
   if (computed == forms.clip.positions) return;  // nearly always
@@ -163,13 +168,13 @@ void check_stage(const Forms& forms, const cases::Case& camera,
   }
 }
 
-/// A sum, and how large what it was made of is.
+/// A sum, and the sum of its terms' magnitudes.
 struct Sum {
   double value = 0;
   double size = 0;
 };
 
-/// Coefficients of (x, y, z, 1), and how large what they were made of is.
+/// Coefficients of (x, y, z, 1), each with the magnitude of its terms.
 using Row = std::array<Sum, 4>;
 
 class RayCheck {
@@ -182,7 +187,7 @@ class RayCheck {
     if (contract_.coverage) tally_.label("snapped");
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const cases::SamplePlace place = drawn.place_of(i);
-      if (!is_of_case(forms_->clip, place)) continue;  // a matter of coverage
+      if (!is_of_case(forms_->clip, place)) continue;  // a matter for laws about coverage
       tally_.pass_required(place.triangle);
       if (has_promise(place.triangle)) see(place, drawn, i);
     }
@@ -213,7 +218,7 @@ class RayCheck {
     return verdicts_.truth(triangle).has_certain_orientation();
   }
 
-  /// a r + b w, rows of the matrix by their numbers.
+  /// Returns a r + b R_w, where r is row `row` of the matrix.
   Row combined(double a, std::size_t row, double b) const {
     Row result;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -224,11 +229,11 @@ class RayCheck {
     return result;
   }
 
-  /// What is known of the computed P'.
+  /// The computed P' and what is known about it.
   struct Seen {
     std::array<double, 4> p{};
     std::array<double, 4> off{};  ///< δ_j
-    double w = 0;                 ///< no less than |w| of what is seen
+    double w = 0;                 ///< an upper bound for |w| of the exact P
   };
 
   static Sum times(const Row& row, const Seen& seen) {
@@ -296,7 +301,7 @@ class RayCheck {
             const char* what) {
     const Sum sum = times(row, seen);
     const double most = off_by(row, seen) + besides + 0x1p-48 * sum.size;
-    if (std::abs(sum.value) <= most * (1 + 0x1p-48)) return;  // of NaN it is not
+    if (std::abs(sum.value) <= most * (1 + 0x1p-48)) return;  // NaN does not pass
     if (contract_.coverage && verdicts_.is_undefined(place, 0)) return;
     records::Violation violation =
         violation_at(place, FragmentClass::beyond_bound, "on the ray through the sample",
@@ -318,7 +323,7 @@ class RayCheck {
   bool is_promised_ = false;
 };
 
-/// Holds the harness and a vertex stage to make the clip positions of all forms.
+/// Checks that the harness and the vertex stage compute the same clip positions from all forms.
 Result<Check> check_forms(const Forms& forms, backends::Backend& backend) {
   Check check;
   check.judgement.errors[AttributeKind::coverage];
@@ -359,23 +364,23 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint6
   return check;
 }
 
-// --- the law's own cases: cameras of whole numbers ----------------------------------------------
+// --- the law's own cases: cameras with integer matrices ------------------------------------------
 
-/// A matrix of whole numbers and its inverse, of whole numbers too.
+/// An integer matrix and its inverse, also integer.
 struct Turn {
   Matrix4 matrix = cases::kIdentity;
   Matrix4 inverse = cases::kIdentity;
   bool is_sheared = false;
   bool is_mirrored = false;
 
-  /// Puts another one behind it.
+  /// Applies another matrix after this one.
   void add(const Matrix4& next, const Matrix4& next_inverse) {
     matrix = product(next, matrix).value_or(matrix);
     inverse = product(inverse, next_inverse).value_or(inverse);
   }
 };
 
-/// Quarter turns, a shear, a mirror and a translation.
+/// Returns a random product of quarter turns, a shear, a mirror image and a translation.
 Turn random_turn(Draw& draw) {
   Turn turn;
   const int turns = draw.between(0, 2);
@@ -411,7 +416,8 @@ Turn random_turn(Draw& draw) {
   return turn;
 }
 
-/// w = −z, and z/w = 1 − n/w: the near plane is at w = n (OpenGL: n/2), the far one nowhere.
+/// Returns a projection with w = −z and z/w = 1 − n/w: the near plane is at w = n (OpenGL: n/2),
+/// the far plane at infinity.
 Matrix4 random_projection(Draw& draw) {
   Matrix4 matrix{};
   matrix[0] = draw.pick(std::array{0.5F, 0.75F, 1.0F, 1.5F});
@@ -423,14 +429,14 @@ Matrix4 random_projection(Draw& draw) {
   return matrix;
 }
 
-/// A whole number of 64ths up to `most`, of either sign.
+/// A multiple of 1/64 from −most to `most`.
 float short_number(Draw& draw, float most) {
   const int units = static_cast<int>(most * 64);
   const int chosen = draw.between(-units, units);
   return static_cast<float>(chosen) / 64;
 }
 
-/// A point before the camera, or, seldom, beside or behind it.
+/// A point in front of the camera, or sometimes beside or behind it.
 std::array<float, 3> point_in_view(Draw& draw) {
   const bool is_behind = draw.one_in(8);
   const int depth = draw.between(16, 400);

@@ -1,23 +1,24 @@
-// A roll by a quarter turns the picture: a camera that is rolled by 90° about the direction that it
-// looks in — R P in place of the projection P — shows, in the turned viewport, the turned picture.
+// A roll by a quarter turns the picture: if a camera is rolled by 90° about its viewing direction
+// (R P replaces the projection P), it shows the turned picture in the turned viewport.
 //
 // Why. R takes the clip position (x, y, z, w) to (∓y, ±x, z, w): its rows are rows of the identity
-// but for signs, so that R P is P with two rows exchanged and signs changed, without any rounding.
-// Clip positions R P V M p are then the turned ones of P V M p (RULES §1), and
-// (u, v) → (H − v, u) is what becomes of the picture (internal/quarter_turn.h).
+// up to signs, so R P is P with two rows exchanged and signs changed, without any rounding. So the
+// clip positions R P V M p are the turned clip positions P V M p (RULES §1), and the picture turns
+// by (u, v) → (H − v, u) (internal/quarter_turn.h).
 //
-// Two things follow, and are asked.
+// The law checks two consequences.
 //
-//   The vertex stage  of the rolled camera, turned back, is within the bound of the contract of the
-//                     exact positions of the camera as it was: each sum of products is the same one
-//                     but for its sign, and so is (|P| |V| |M| |p|)_k that it is measured by. What
-//                     is good for projections with numbers on the diagonal only shows here.
-//   The picture       of these clip positions, turned back, is right for them turned back: the same
-//                     coverage, values and facing, as det M stays.
+//   The vertex stage  gives positions for the rolled camera that, turned back, are within the
+//                     contract's bound of the original camera's exact positions: each sum of
+//                     products is the same up to its sign, and so is (|P| |V| |M| |p|)_k, in which
+//                     the bound is measured. A stage that handles only diagonal projections well
+//                     fails here.
+//   The picture       of these positions, turned back, is right for the turned-back positions: it
+//                     has the same coverage, values and facing, since det M stays the same.
 //
-// A backend without a vertex stage is handed clip positions that are rounded once. What does not
-// turn with the picture, and cases that are left out, are those of "a quarter turn turns the
-// picture"; cases without a camera, and those with clip positions beyond float32, as well.
+// A backend without a vertex stage gets clip positions that are rounded once. The exceptions are
+// those of "a quarter turn turns the picture"; cases without a camera, or with clip positions
+// beyond float32, are left out as well.
 
 #include <fmt/format.h>
 
@@ -44,7 +45,7 @@ using cases::Matrix4;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// R P.
+/// Returns R P.
 Matrix4 rolled(const Matrix4& projection, const QuarterTurn& turn) {
   Matrix4 result = projection;
   for (std::size_t column = 0; column < 4; ++column) {
@@ -56,7 +57,8 @@ Matrix4 rolled(const Matrix4& projection, const QuarterTurn& turn) {
   return result;
 }
 
-/// The clip positions that a backend makes of a camera case, or those that it is handed.
+/// Returns the clip positions that a backend's vertex stage computes for a camera case or, if it
+/// has none, the clip positions that the backend is given.
 Result<std::vector<cases::ClipVertex>> positions_of(const cases::Case& c,
                                                     backends::Backend& backend) {
   if (backend.vertex_stage() != nullptr) return transform(c, backend);
@@ -65,7 +67,7 @@ Result<std::vector<cases::ClipVertex>> positions_of(const cases::Case& c,
   return clip->positions;
 }
 
-/// Holds positions of the rolled camera, turned back, against the camera as it was.
+/// Checks the rolled camera's positions, already turned back, against the original camera.
 void judge_positions(const cases::Case& c, const std::vector<cases::ClipVertex>& positions,
                      float bound, Check& check) {
   const auto judged = oracle::judge_transform(c, positions, bound);
@@ -93,8 +95,8 @@ bool is_finite(const cases::ClipVertex& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
-/// Draws the clip positions of the rolled camera, and holds that, turned back, against what is
-/// drawn of them turned back.
+/// Draws the clip positions of the rolled camera, turns the drawing back, and compares it with a
+/// drawing of the turned-back positions.
 Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolled_clip,
                             const QuarterTurn& turn, backends::Backend& backend,
                             std::uint64_t index) {
@@ -144,7 +146,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint6
 
 // --- the law's own cases: cameras that look at triangles ----------------------------------------
 
-/// A projection of near and far planes, f_x and f_y its scales; without shift.
+/// A symmetric projection with near and far planes, and its scales in x and y.
 struct RolledLens {
   double near = 0;
   double far = 0;
@@ -179,7 +181,8 @@ Matrix4 projection_of(const RolledLens& lens, cases::Rules rules) {
 
 using Point = std::array<double, 3>;
 
-/// What a turn and a shift take to `p`, nearly: matrices are turns but for rounding.
+/// Returns the point that a rotation and a translation take to `p`; approximate, since the matrices
+/// are rotations only up to rounding.
 Point before_motion(const Matrix4& matrix, const Point& p) {
   Point result{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -190,7 +193,7 @@ Point before_motion(const Matrix4& matrix, const Point& p) {
   return result;
 }
 
-/// A turn about an axis, then a shift.
+/// Returns a rotation about an axis followed by a translation.
 Matrix4 random_motion(Draw& draw, float farthest) {
   const int axis = draw.between(0, 2);
   Matrix4 matrix = rotation(static_cast<std::size_t>(axis), draw.uniform(-1, 1));
@@ -198,23 +201,23 @@ Matrix4 random_motion(Draw& draw, float farthest) {
   return matrix;
 }
 
-/// A point that the camera sees at `ndc`, `distance` in front of it; behind it where that is
-/// negative.
+/// Returns the point that the camera sees at `ndc`, `distance` in front of the eye, or behind the
+/// eye if negative.
 Point eye_point(const RolledLens& lens, const std::array<double, 2>& ndc, double distance) {
   return {ndc[0] * distance / lens.scale_x, ndc[1] * distance / lens.scale_y, -distance};
 }
 
-/// How far in front of the eye a vertex is.
+/// Chooses how far in front of the eye a vertex is.
 using Distance = double (*)(Draw& draw, const RolledLens& lens);
 
 double in_front(Draw& draw, const RolledLens& lens) { return lens.near + 8 * double{draw.unit()}; }
 
-/// Beyond the near plane, one in three.
+/// One vertex in three is on the eye's side of the near plane.
 double about_near_plane(Draw& draw, const RolledLens& lens) {
   return draw.one_in(3) ? lens.near / 2 : in_front(draw, lens);
 }
 
-/// Behind the eye, one in three.
+/// One vertex in three is behind the eye.
 double about_eye(Draw& draw, const RolledLens& lens) {
   return draw.one_in(3) ? -in_front(draw, lens) : in_front(draw, lens);
 }

@@ -1,20 +1,21 @@
 // Complementary clip distances share what is drawn: a triangle cut by a user clip distance d, and
-// the same cut by −d, are together exactly what is drawn without either, and nothing is in both.
+// the same triangle cut by −d, together draw exactly what is drawn without either, and nothing
+// twice.
 //
-// Why. A sample is inside iff f = Σ e_i d_i > 0, and −d makes −f of it; a zero is decided by f's
-// own normal, which −d turns round (RULES §2). So each sample that is drawn without d is drawn with
-// just one of the two, with these exceptions, where it is drawn with both:
+// Why. A sample is inside iff f = Σ e_i d_i > 0, and −d turns f into −f. A zero is decided by f's
+// own normal, which −d reverses (RULES §2). So each sample that is drawn without d is drawn with
+// exactly one of d and −d, except that it is drawn with both if
 //
-//   f ≡ 0                    the distance says nothing: inside with either
+//   f ≡ 0                    the distance decides nothing: inside with either sign
 //   D3D: f = 0 at a sample   f >= 0 is inside
 //
-// Which samples these are, the oracle says: those that it requires of both. All other distances of
-// the case, and all else, stay as they are. Each triangle as if drawn alone: a depth test in the
-// case is left out.
+// The oracle identifies these samples: it requires them in both drawings. The case's other
+// distances and the rest of its state stay as they are. Each triangle is drawn as if alone: the
+// case's depth test is removed.
 //
-// Samples: those that the contract decides in all three drawings. Of a snapped triangle the cut
-// makes vertices that are snapped too, and near these the oracle permits either (RULES §3); it
-// permits either on f = 0 under a contract that names no tie rule.
+// Samples: those that the contract decides in all three drawings. The cut adds snapped vertices to
+// a snapped triangle, and near these the oracle leaves samples open (RULES §3). The oracle also
+// leaves samples with f = 0 open under a contract that names no tie rule.
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,7 @@ cases::Case without_distance(const cases::Case& c, std::size_t index) {
   return changed;
 }
 
-/// The case with the opposite of its clip distance `index`.
+/// The case with its clip distance `index` negated.
 cases::Case with_opposite(const cases::Case& c, std::size_t index) {
   cases::Case changed = c;
   for (std::size_t v = 0; v < c.positions.size(); ++v) {
@@ -63,10 +64,10 @@ cases::Case with_opposite(const cases::Case& c, std::size_t index) {
   return changed;
 }
 
-/// One of the three drawings, and what the oracle says of its case.
+/// One of the three drawings, and the oracle's verdicts on its case.
 class JudgedDrawing {
  public:
-  /// The case must outlive it.
+  /// The case must outlive this object.
   static Result<JudgedDrawing> make(const cases::Case& c, backends::Backend& backend) {
     const Result<backends::Drawn> drawn = draw_promised(c, backend);
     if (!drawn) return tl::unexpected(drawn.error());
@@ -87,7 +88,7 @@ class JudgedDrawing {
   JudgedDrawing(const cases::Case& c, const cases::Contract& contract,
                 const cases::Fragments& drawn)
       : verdicts_(c, contract) {
-    // What is not of the case, or comes twice, is a matter of coverage.
+    // Fragments outside the case, and repeated ones, are left to laws about coverage.
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (is_of_case(c, drawn.place_of(i))) places_.push_back(drawn.place_of(i));
     }
@@ -112,7 +113,7 @@ class SharingCheck {
     std::set_union(parts.begin(), parts.end(), whole.places().begin(), whole.places().end(),
                    std::back_inserter(all));
     for (const cases::SamplePlace& place : all) see(place, whole, kept, rest);
-    // A plane between a triangle's samples: both parts drew something of it.
+    // If the plane passes between a triangle's samples, both parts drew some of them.
     std::vector<std::uint32_t> shared;
     std::set_intersection(of_kept_.begin(), of_kept_.end(), of_rest_.begin(), of_rest_.end(),
                           std::back_inserter(shared));
@@ -207,9 +208,10 @@ void set_distance(cases::Case& c, std::uint32_t vertex, std::size_t index, doubl
   c.clip_distances[vertex * c.clip_distance_count + index] = to_float(value);
 }
 
-/// The distance a (u − u0) + b (v − v0) of window positions, (u0, v0) a sample and a, b whole: as
-/// Σ e_i (u_i w_i) = u and Σ e_i w_i = 1, a vertex has w times that. Exact wherever its position
-/// is, so that the zeros run exactly through samples, and the same for all triangles.
+/// Sets the distance a (u − u0) + b (v − v0) at window position (u, v), where (u0, v0) is a sample
+/// and a and b are integers. Since Σ e_i (u_i w_i) = u and Σ e_i w_i = 1, a vertex gets w times
+/// this distance. The distance is exact if the vertex's position is exact. So the zeros run exactly
+/// through samples, on the same line for all triangles.
 void set_line_through_sample(Draw& draw, cases::Case& c, std::size_t index) {
   const WindowPoint sample = visible_sample(draw, c);
   const int a = draw.between(-3, 3);
@@ -227,8 +229,8 @@ void set_line_through_sample(Draw& draw, cases::Case& c, std::size_t index) {
   }
 }
 
-/// A distance at every triangle's first vertex and its opposite at the second; the third's is
-/// anything, or zero: the plane passes through that vertex then.
+/// Sets opposite distances at every triangle's first and second vertex. The third vertex gets any
+/// distance, or zero, so that the plane passes through it.
 void set_opposites(Draw& draw, cases::Case& c, std::size_t index) {
   for (const cases::Triangle& triangle : c.triangles) {
     const float distance = draw.uniform(-1, 1);
@@ -239,7 +241,8 @@ void set_opposites(Draw& draw, cases::Case& c, std::size_t index) {
   }
 }
 
-/// Zeros at all vertices but some: planes along edges and through vertices, and no plane at all.
+/// Sets the distance of many vertices to zero, which gives planes along edges and through vertices,
+/// or no plane at all.
 void set_zeros(Draw& draw, cases::Case& c, std::size_t index) {
   const int one_in = draw.pick(std::array{2, 3, 64});
   for (std::uint32_t v = 0; v < c.positions.size(); ++v) {

@@ -1,26 +1,27 @@
-// Clipped equals clipless: a triangle that reaches beyond a plane, and the polygon that clipping at
-// that plane leaves of it, draw the same samples with the same values. A rasterizer that clips
-// is held against itself where nothing is left to clip, and so is one that needs no clipper.
+// Clipped equals clipless: a triangle that reaches beyond a plane, and the polygon that remains
+// after clipping at that plane, draw the same samples with the same values. If a rasterizer clips,
+// the law compares its drawings with and without something to clip; a rasterizer without a clipper
+// must draw both alike, too.
 //
-// Why. A clip plane is one more functional, L = Σ e_i L_i >= 0, of the values L_i that it has at
-// the vertices (RULES §2): what it leaves is the polygon of the vertices with L_i > 0 and of the
-// points p = (L_j p_i − L_i p_j)/(L_j − L_i) of edges that it cuts. Attributes, depths and other
-// distances are linear in clip space too, so that the polygon's triangles have the map of the whole
-// (§1). With L_i among ±1 and ±3 units those points are mixes in quarters, and float32 where the
-// vertices are short: the polygon is exact. Planes are
+// Why. A clip plane is one more functional, L = Σ e_i L_i >= 0, with values L_i at the vertices
+// (RULES §2). Clipping leaves the polygon of the vertices with L_i > 0 and of the points p = (L_j
+// p_i − L_i p_j)/(L_j − L_i) on edges that the plane cuts. Attributes, depths and other distances
+// are linear in clip space too, so the polygon's triangles have the same map as the whole (§1). If
+// the L_i are ±1 or ±3 units, the points p are mixes in quarters, which are float32 if the vertices
+// are short: the polygon is exact. The planes are
 //
-//   near, far             L = z (OpenGL: z + w), w − z      which the depth clamp leaves out
-//   a side                L = w ± x, w ± y                  beyond it the viewport draws nothing
+//   near, far             L = z (OpenGL: z + w), w − z      the depth clamp is turned off
+//   a side                L = w ± x, w ± y                  nothing is drawn beyond it
 //   a clip distance       L = d
-//   near, through the eye with z a multiple of w less a constant, so that w < 0 where L < 0
+//   near, through the eye as for near; w = L + 1/2 unit, so that w < 0 at vertices with L < 0
 //
-// Values are within the bound of one exact value, so the two drawings' differ by twice the bound at
-// most. What becomes of attributes and depth tests: laws/splitting_a_triangle.cpp.
+// Both drawings are within the bound of the same exact value, so they differ by at most twice the
+// bound. For attributes and depth tests see laws/splitting_a_triangle.cpp.
 //
-// Samples: all but those with L = 0, which belong to the polygon if its edge's direction says so,
-// and to the triangle as its plane has it: depth planes and distances of D3D take zeros inside.
-// Whether it is 0 says the exact value of an attribute that is L at the vertices. What snapping
-// leaves open: internal/parted_triangles.h.
+// Samples: all but those with L = 0. For these, the polygon decides by its edge's direction, but
+// the triangle by its plane: depth planes, and under D3D also clip distances, count zeros as
+// inside. The exact value of an attribute that equals L at the vertices tells whether L is 0. For
+// what snapping leaves open see internal/parted_triangles.h.
 
 #include <algorithm>
 #include <array>
@@ -32,8 +33,8 @@
 #include <vector>
 
 #include "cases/capabilities.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/parted_triangles.h"
 #include "properties/laws/internal/verdicts.h"
@@ -45,7 +46,7 @@ using cases::ClipVertex;
 using cases::Triangle;
 
 enum class Plane { near, far, left, right, low, high, distance, near_through_eye };
-/// The depth planes and clip distances each as often as two sides.
+/// Depth planes and clip distances are listed twice, to be chosen twice as often as each side.
 constexpr std::array kPlanes{Plane::near,
                              Plane::near,
                              Plane::far,
@@ -59,13 +60,13 @@ constexpr std::array kPlanes{Plane::near,
                              Plane::distance,
                              Plane::distance};
 
-/// L at the vertices, in units, not all of one sign: one vertex beyond the plane, or two.
+/// L at the vertices, in units, with both signs: one or two vertices lie beyond the plane.
 using Units = std::array<int, 3>;
 constexpr std::array kUnits{Units{1, 1, -1},  Units{3, 3, -1},  Units{1, 1, -3},  Units{3, 1, -1},
                             Units{1, -1, -1}, Units{3, -1, -1}, Units{1, -3, -3}, Units{3, -3, -1}};
 
-/// The power of two that L is counted in: half the greatest at or below the numbers that go into it
-/// besides, so that their sums have as few digits (with_short_vertices). Nothing where sums might
+/// The unit of L: half of the power of two at or below the greatest of the other numbers in L, so
+/// that sums of L and these numbers stay short (with_short_vertices). Returns nothing if sums might
 /// leave float32.
 std::optional<double> unit_of(const cases::Case& c, const Triangle& triangle, Plane plane) {
   double greatest = 0;
@@ -128,7 +129,7 @@ const char* word_of(Plane plane) {
   }
 }
 
-/// The corners that are left of a triangle, in its order: those inside, and the points where edges
+/// The corners of the clipped triangle, in order: the vertices inside, and the points where edges
 /// cross the plane.
 std::vector<std::uint32_t> clipped(cases::Case& c, const Triangle& triangle, const Units& units) {
   std::vector<std::uint32_t> corners;
@@ -146,11 +147,11 @@ std::vector<std::uint32_t> clipped(cases::Case& c, const Triangle& triangle, con
 
 struct PlaneClipping {
   Parted parted;
-  cases::Case with_l;  ///< the whole, its only attribute L in units
+  cases::Case with_l;  ///< the whole, with L in units as its only attribute
   Plane plane = Plane::near;
 };
 
-/// The planes that a backend clips at.
+/// The planes at which a backend clips.
 std::vector<Plane> planes_of(const cases::Capabilities& has) {
   using cases::Feature;
   const auto is_there = [&has](Plane plane) {
@@ -172,7 +173,7 @@ std::vector<Plane> planes_of(const cases::Capabilities& has) {
 }
 
 PlaneClipping clipping_of(const cases::Case& c, const std::vector<Plane>& planes) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   PlaneClipping result;
   result.plane = planes[choices.below(planes.size())];
   cases::Case source = c;
@@ -219,7 +220,7 @@ PlaneClipping clipping_of(const cases::Case& c, const std::vector<Plane>& planes
   return result;
 }
 
-/// Whether L is 0 at a sample that the whole draws.
+/// True if L is 0 at a sample that the whole may draw.
 bool is_on_plane(Verdicts& with_l, const cases::SamplePlace& place) {
   const auto verdict = with_l.judge(place.triangle, place).verdict;
   if (verdict == records::Verdict::forbidden) return false;
@@ -235,7 +236,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   if (planes.empty()) return not_applicable("the backend clips at no plane");
   PlaneClipping clipping = clipping_of(clip, planes);
   cases::Contract exact;
-  exact.tie_rule = cases::TieRule::unspecified;  // ties of either kind are not forbidden
+  exact.tie_rule = cases::TieRule::unspecified;  // so that no tie is forbidden
   Verdicts with_l(clipping.with_l, exact);
   bool has_zero = false;
   clipping.parted.is_exempt = [&](const cases::SamplePlace& place) {

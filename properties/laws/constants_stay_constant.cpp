@@ -1,15 +1,15 @@
-// Constants stay constant: an attribute that has the same value at all three vertices has it
-// everywhere, to the bit; of zeros whichever sign, unless the contract keeps that.
+// Constants stay constant: an attribute with the same value at all three vertices has that value
+// everywhere, to the bit; a zero may have either sign, unless the contract keeps signs of zero.
 //
-// How far that follows from the contract. A bound of b scale ULP, one half of it for the rounding
-// to float32, promises a result before rounding that is off by less than e = b − 1/2. Where e < 1/4
-// rounding to nearest gives the constant back: neighbouring floats are an ulp away, or half an ulp
-// below a power of two, so that the nearest middle between floats is 1/4 ulp from the constant.
-// Where the promise is weaker, as towards the horizon, nothing is judged, unless the contract
-// promises to keep constants, whatever the bound.
+// How far the contract implies this. A bound of b scale ULP includes 1/2 for the rounding to
+// float32, so the result before rounding is off by less than e = b − 1/2. If e < 1/4, rounding to
+// nearest gives the constant back: neighbouring floats are an ulp away, or half an ulp below a
+// power of two, so the nearest midpoint between floats is 1/4 ulp from the constant. If the promise
+// is weaker, as towards the horizon, nothing is judged, unless the contract promises to keep
+// constants whatever the bound.
 //
-// Attributes: smooth and noperspective ones, at every location; flat ones are copies anyhow.
-// Samples: those that are required, so that no snapped or clipped outline has a say.
+// Attributes: smooth and noperspective ones, at every location; flat attributes are copies anyway.
+// Samples: required ones, so that snapping and clipping of the outline do not matter.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ using oracle::Rational;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// b with b − 1/2 < 1/4, exclusive.
+/// A bound b must be below this, so that b − 1/2 < 1/4.
 constexpr double kMostBound = 0.75;
 
 bool is_constant(const cases::Case& c, const cases::Triangle& triangle, std::size_t attribute) {
@@ -41,14 +41,14 @@ bool is_constant(const cases::Case& c, const cases::Triangle& triangle, std::siz
          is_same(first, c.attributes_of(triangle[2])[attribute]);
 }
 
-/// Whether the promise is strong enough anywhere: g >= 1 but for extrapolated centres, K >= 1, and
-/// the range of a constant is 0.
+/// True if the promise may be strong enough somewhere. g >= 1 except at extrapolated centres, K >=
+/// 1, and the range of a constant is 0.
 bool may_be_exact(const cases::ValueBound& bound) {
   return double{bound.constant} + double{bound.per_horizon} + double{bound.per_condition} <
          kMostBound;
 }
 
-/// Indices of what of one triangle the law speaks about.
+/// Indices of the triangle's attributes that the law checks.
 std::vector<std::uint32_t> constants_of(const cases::Case& c, const cases::Contract& contract,
                                         const cases::Triangle& triangle) {
   std::vector<std::uint32_t> constants;
@@ -169,8 +169,8 @@ float random_constant(Draw& draw) {
   }
 }
 
-/// Gives most attributes one value at all vertices; in a third of the cases snapped vertices, which
-/// clipping makes more of.
+/// Makes most attributes constant over all vertices. A third of the cases have snapped vertices, to
+/// which clipping adds more.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

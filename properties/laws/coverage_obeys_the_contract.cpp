@@ -1,4 +1,5 @@
-// Coverage obeys the contract: every required sample is drawn, no forbidden one is, none twice.
+// Coverage obeys the contract: every required sample is drawn, no forbidden sample is drawn, and no
+// sample is drawn twice.
 
 #include "properties/judged_law.h"
 

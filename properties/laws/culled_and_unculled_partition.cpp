@@ -1,16 +1,18 @@
-// Culled and unculled partition: what culling of back faces leaves and what culling of front faces
-// leaves are together what is drawn without culling, bit for bit, and no triangle is in both. With
-// the other orientation for front faces the two change places, and without culling nothing changes.
+// Culled and unculled partition: a drawing with back faces culled and one with front faces culled
+// together equal the drawing without culling, bit for bit, and no triangle is in both. If front
+// faces get the other orientation, the two drawings change places, and the drawing without culling
+// stays the same.
 //
-// Why. A triangle's facing is the sign of its determinant, of the positions that the basis names,
-// against the orientation of front faces: one sign for the whole triangle, whatever of it is seen,
-// clipped or behind the eye (RULES §1). So each triangle that has an area is drawn by just one of
-// the two, and one without covers nothing. Culling decides whether it is drawn and nothing else: a
-// fragment's place and values do not depend on it. Whichever facing a contract leaves open, it is
-// one and the same for all drawings of a triangle.
+// Why. A triangle's facing is the sign of its determinant, computed from the positions that the
+// basis names and compared with the orientation of front faces. The sign is the same for the whole
+// triangle, whatever part of it is visible, clipped or behind the eye (RULES §1). So exactly one of
+// the two drawings has each triangle with an area, and a triangle without area covers nothing.
+// Culling decides only whether a triangle is drawn: a fragment's place and values do not depend on
+// it. If a contract leaves a triangle's facing open, the facing must still be the same in all
+// drawings.
 //
-// Samples: all, of every triangle, values and derivatives too. A depth test would let the
-// triangles that are left decide what is seen: it is taken away.
+// Samples: all samples of every triangle, with values and derivatives. The depth test is removed,
+// since what it hides depends on which triangles remain.
 
 #include <cstdint>
 #include <set>
@@ -28,7 +30,7 @@ cases::FrontFace turned_round(cases::FrontFace face) {
   return face == cases::FrontFace::ccw ? cases::FrontFace::cw : cases::FrontFace::ccw;
 }
 
-/// What is drawn with culling, and with front faces as they are or turned round.
+/// Draws the case with a given culling, and with front faces as they are or reversed.
 class Drawings {
  public:
   Drawings(const cases::Case& c, backends::Backend& backend) : case_(c), backend_(&backend) {
@@ -61,7 +63,7 @@ void append(cases::Fragments& to, const cases::Fragments& from) {
   add(to.derivatives, from.derivatives);
 }
 
-/// Triangles that both drawings have fragments of, one violation each.
+/// Reports each triangle with fragments in both drawings, once.
 void find_shared(const cases::Fragments& of_fronts, const cases::Fragments& of_backs,
                  Check& check) {
   const std::set<std::uint32_t> fronts(of_fronts.triangle.begin(), of_fronts.triangle.end());
@@ -112,7 +114,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   return check;
 }
 
-/// Cases of triangles of both orientations.
+/// Makes cases with triangles of both orientations.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
@@ -123,7 +125,7 @@ Generated generate(Draw& draw) {
       case 0:
         c.triangles[i] = turned;
         break;
-      case 1:  // drawn from both sides
+      case 1:  // visible from both sides
         if (count <= 8) c.triangles.push_back(turned);
         break;
       default:

@@ -1,26 +1,27 @@
-// What is degenerate covers nothing, and leaves its neighbours as they are: triangles without area
-// are put between those of a case. They draw nothing, and the others draw the same bits as without
+// Degenerate triangles cover nothing, and leave their neighbours as they are: inserted between the
+// triangles of a case, they draw nothing, and the case's triangles draw the same bits as without
 // them.
 //
-// Why. det M = 0 leaves no Q = M^-1, and so no sample: the triangle is a line seen edge-on, or less
-// (RULES §1). And of Σ e_i w_i = 1 follows that where all w_i <= 0 some e_i < 0. What is put in is
-// degenerate without any rounding:
+// Why. If det M = 0, Q = M^-1 does not exist and no sample is covered: on the screen, the triangle
+// is a line or less (RULES §1). If all w_i <= 0, Σ e_i w_i = 1 implies that some e_i < 0. The
+// inserted triangles are degenerate without any rounding:
 //
 //   a repeated vertex    an index twice, or three times
-//   a vertex twice       as another one at 2^k p, which appears where p does
-//   opposite vertices    p and −2^k p: the plane of the three holds the eye
-//   collinear vertices   p, q and (i p + j q) / 4, the numbers of p and q being short
-//   collinear samples    centres of pixels, on which ties are asked as well, where they are exact
+//   a vertex twice       p and 2^k p, which appear at the same place
+//   opposite vertices    p and −2^k p: the triangle's plane contains the eye
+//   collinear vertices   p, q and (i p + j q) / 4, where p and q have short numbers
+//   collinear samples    centres of pixels, if exact: they test ties as well
 //   behind the eye       all w <= 0, and all w = 0
 //   the eye itself       x = y = z = w = 0
 //
-// Each triangle is drawn as if alone, so others have no say in how; a depth test takes the nearest
-// of what is drawn, which is the same.
+// Each triangle is drawn as if alone, so degenerate triangles do not affect the others. A depth
+// test selects the nearest fragment, and the fragments are the same.
 //
-// Samples: all, where coverage is exact. Snapping may give an area to what has none: there the
-// oracle says which samples of the degenerate triangles are forbidden; of a repeated vertex, one
-// that is there twice, and collinear points of the grid, which stay so, all; and the depth test is
-// left out, as they may hide others. Neighbours: all, to the bit.
+// Samples: all, if coverage is exact. If coverage is snapped, snapping may give a degenerate
+// triangle an area, and the oracle tells which of the triangle's samples are forbidden. For a
+// repeated or doubled vertex, and for collinear grid points, which stay collinear, all samples are
+// still forbidden. With snapping, the depth test is removed, since degenerate triangles may hide
+// others. Neighbours: all samples, to the bit.
 
 #include <array>
 #include <cmath>
@@ -33,8 +34,8 @@
 
 #include "cases/capabilities.h"
 #include "cases/contract.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/parted_triangles.h"
 #include "properties/laws/internal/same_drawing.h"
@@ -84,7 +85,7 @@ const char* word_of(Degeneracy kind) {
   return "vertex in the eye";
 }
 
-/// The position times a power of two of either sign; nothing where that is no float32.
+/// The position times a power of two of either sign; empty if that is not float32.
 std::optional<ClipVertex> scaled(const ClipVertex& p, double factor) {
   const auto times = [factor](float part) { return static_cast<float>(double{part} * factor); };
   const ClipVertex result{times(p.x), times(p.y), times(p.z), times(p.w)};
@@ -94,7 +95,8 @@ std::optional<ClipVertex> scaled(const ClipVertex& p, double factor) {
   return result;
 }
 
-/// (i p + j q) / 4 of short positions (with_short_vertices), |i|, |j| <= 8.
+/// Returns (i p + j q) / 4 for short positions (with_short_vertices) and |i|, |j| <= 8; empty if
+/// that is not float32.
 std::optional<ClipVertex> combined(const ClipVertex& p, const ClipVertex& q, int i, int j) {
   ClipVertex result;
   for (float ClipVertex::*part : {&ClipVertex::x, &ClipVertex::y, &ClipVertex::z, &ClipVertex::w}) {
@@ -105,12 +107,12 @@ std::optional<ClipVertex> combined(const ClipVertex& p, const ClipVertex& q, int
   return result;
 }
 
-/// Makes triangles without area of a case's vertices.
+/// Makes triangles without area from a case's vertices.
 class Degenerates {
  public:
   Degenerates(cases::Case& c, Choices& choices) : case_(&c), choices_(&choices) {}
 
-  /// Appends the vertices that it needs. Nothing where they are not exact.
+  /// Makes a triangle and appends its vertices. Returns nothing if the vertices are not exact.
   std::optional<Triangle> make(Degeneracy kind) {
     const Triangle& of = case_->triangles[choices_->below(case_->triangles.size())];
     const std::size_t first = choices_->below(3);
@@ -165,7 +167,7 @@ class Degenerates {
     return with(p, q, third);
   }
 
-  /// Centres of pixels in a line.
+  /// A triangle with its corners at pixel centres on one line.
   std::optional<Triangle> on_samples(std::uint32_t a, std::uint32_t b) {
     const WindowPoint start = visible_middle(*case_);
     const auto along = static_cast<int>(choices_->below(5));
@@ -195,17 +197,17 @@ class Degenerates {
   Choices* choices_;
 };
 
-/// A case with degenerate triangles between its own.
+/// A case with degenerate triangles between its own triangles.
 struct Mixed {
   cases::Case source;
-  /// [triangle]: what it was in the case; or of what kind it is.
+  /// [triangle]: its index in the original case, or empty if it is degenerate; and its kind.
   std::vector<std::optional<std::uint32_t>> original;
   std::vector<Degeneracy> kinds;
   std::set<std::string> labels;
 };
 
-/// Whether a backend draws a case with such a triangle and promises something of it. Of one that
-/// draws everything nothing is asked.
+/// True if a backend accepts the triangle and promises something about it. Always true for a
+/// backend that draws everything and has no limits.
 bool is_drawn(const cases::Case& c, const Triangle& triangle, backends::Backend& backend) {
   const backends::About about = backend.about();
   const cases::Capabilities& has = about.capabilities;
@@ -219,7 +221,7 @@ bool is_drawn(const cases::Case& c, const Triangle& triangle, backends::Backend&
 
 Mixed mixed(const cases::Case& c, backends::Backend& backend) {
   constexpr std::size_t kMost = 6;
-  const std::uint64_t number = fingerprint(c);
+  const std::uint64_t number = choices_of(c);
   Mixed result;
   result.source = c;
   std::vector<std::pair<Triangle, Degeneracy>> added;
@@ -255,7 +257,8 @@ class DegenerateCheck {
   DegenerateCheck(const Mixed& mixed, const cases::Contract& contract)
       : mixed_(&mixed), is_exact_(!contract.coverage), verdicts_(mixed.source, contract) {}
 
-  /// Takes the degenerate triangles out of a drawing, and gives the others the numbers they had.
+  /// Checks the degenerate triangles' fragments and removes them from a drawing. Restores the other
+  /// triangles' indices.
   cases::Fragments without_degenerate(const cases::Fragments& drawn) {
     const std::size_t count = drawn.attribute_count;
     const auto nowhere = static_cast<std::uint32_t>(mixed_->source.triangles.size());
@@ -327,7 +330,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check;
 }
 
-/// Culling in half of the cases, which has to know what faces nowhere.
+/// Half of the cases cull faces, since culling must handle triangles without a facing.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   const bool is_culled = draw.one_in(2);

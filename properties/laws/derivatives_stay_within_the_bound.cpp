@@ -1,18 +1,18 @@
-// Screen derivatives stay within the bound: ∂r/∂u and ∂r/∂v of every attribute of what was rightly
-// drawn are no farther from the exact ones than the contract says (cases::Contract), and are
-// numbers. It follows from RULES §4, which make them as exact as the values are.
+// Screen derivatives stay within the bound: ∂r/∂u and ∂r/∂v of every attribute of a correctly drawn
+// fragment are numbers no farther from the exact derivatives than the contract says
+// (cases::Contract). This follows from RULES §4, which make derivatives as exact as the values.
 //
-// Attributes: all that have one exact derivative, so not noperspective ones with some w <= 0, nor
-// centroids where their place is open, nor any where the contract leaves several placements.
-// Samples: those that are required; of a case with many fragments some that are spread evenly.
+// Attributes: those with a single exact derivative. This excludes noperspective attributes with
+// some w <= 0, centroids whose place is open, and all attributes if the contract allows several
+// placements. Samples: required ones; an evenly spread selection if a case has many fragments.
 
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/laws/internal/verdicts.h"
@@ -24,7 +24,7 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// At most so many fragments of a case are judged.
+/// The greatest number of fragments of a case that are judged.
 constexpr std::size_t kMostFragments = 64;
 
 class DerivativesCheck {
@@ -104,7 +104,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check_drawn(c, backend, &find);
 }
 
-/// Any case, with an attribute at least.
+/// Makes any case with at least one attribute.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   ensure_attribute(draw, made.source);

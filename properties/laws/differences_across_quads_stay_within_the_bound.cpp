@@ -1,22 +1,23 @@
-// Differences across quads stay within the bound: from the even to the odd one of two pixels side
-// by side in a 2×2 quad, every attribute of a fragment of either changes by what the triangle's own
-// map says, to within the contract's bound (cases::Contract::quad_share), and by a number.
+// Differences across quads stay within the bound: between two adjacent pixels of a 2×2 quad, from
+// the even to the odd one, every attribute of a fragment changes by a number that agrees with the
+// triangle's own map to within the contract's bound (cases::Contract::quad_share).
 //
-// Why. APIs shade quads so that a shader may ask for dFdx: where a fragment's neighbour is beyond
-// the triangle's edge, or beyond the framebuffer, the scissor or the viewport, there is a helper in
-// its place, and its value is that of the same map N/D there. So the difference is exact but for
-// what the two values are off by. A helper that takes another triangle's value, or is held to the
-// edge, makes a seam of wrong derivatives along every outline.
+// Why. APIs shade quads so that a shader may use dFdx. If a fragment's neighbour lies beyond the
+// triangle's edge, the framebuffer, the scissor or the viewport, a helper pixel takes its place,
+// with the value of the same map N/D at that pixel. So the difference is exact up to the errors of
+// the two values. A helper that takes another triangle's value, or is clamped to the edge, makes a
+// seam of wrong derivatives along every outline.
 //
-// The law says nothing of a neighbour behind the eye's horizon, where the map has its pole and
-// RULES §4 leave values undefined, nor of one just before it ("next to the horizon": 1/w there is
-// less than 2^-16 of the fragment's), where what is left of 1/w is mostly rounding; nor of
-// centroids of several samples, as a helper's pixel need not have any, of noperspective values with
-// some w <= 0, and where the contract leaves several placements.
+// Left out: neighbours behind the eye's horizon, where the map has its pole and RULES §4 leave
+// values undefined; neighbours just before the horizon ("next to the horizon": 1/w is less than
+// 2^-16 of the fragment's), where 1/w is mostly rounding error; centroids with several samples, as
+// a helper pixel need not have a centroid; noperspective values with some w <= 0; and contracts
+// that allow several placements.
 //
-// Along x or y, as the case's numbers choose. Nothing is tested or blended: what is drawn last is
-// seen. Samples: some of those that were drawn, up to half of them beside one that was not, where
-// the last triangle is required. Judged of backends that draw pictures and promise a bound.
+// The case's numbers choose x or y. Without depth test and blending, the last triangle drawn is
+// visible. Samples: some of the drawn samples at which the last triangle is required; up to half of
+// the checked samples lie beside a sample that was not drawn. Only backends that draw pictures and
+// promise a bound are judged.
 
 #include <fmt/format.h>
 
@@ -24,8 +25,8 @@
 #include <utility>
 
 #include "oracle/judged_number.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/seen_triangles.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/random_state.h"
@@ -37,7 +38,7 @@ using oracle::WindowAxis;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// At most so many samples of a case are judged.
+/// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 64;
 
 constexpr float kNotDrawn = std::numeric_limits<float>::infinity();
@@ -159,14 +160,15 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   if (!is_promised(backend) || clip.attributes.empty())
     return not_applicable("no differences are promised, or the case has no attributes");
   clip.depth_test = cases::DepthTest::none;
-  Choices choices(fingerprint(clip));
+  Choices choices(choices_of(clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline_of(axis));
   if (!picture) return tl::unexpected(picture.error());
   return DifferencesCheck(clip, backend.contract(clip), axis, *picture).run();
 }
 
-/// Any case with an attribute at least, often clipped to a few pixels, beyond which helpers lie.
+/// Makes any case with at least one attribute. In a quarter of the cases, a scissor leaves only a
+/// few pixels, with helper pixels beyond.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

@@ -1,18 +1,19 @@
-// Discarding draws what keeping the kept texels draws: with Texturing::discard_below the picture is
-// the one that those fragments leave whose texel's alpha is not less, and no other ones: neither
-// colour nor depth.
+// Discarding draws what keeping the kept texels draws: with Texturing::discard_below, the picture
+// is drawn as if only the fragments existed whose texel's alpha is at least the limit. The others
+// affect neither colour nor depth.
 //
-// Why. Seed 004 draws transparency so: where a texel's alpha is 0, neither the pixel nor its depth
-// is written, and what lies behind shows. Which texel a fragment has is exact ("texels are those of
-// the exact coordinates"), and so is whether k/255 is less than the limit; what fragments leave is
-// in properties/laws/internal/picture_model.h. Depths are those of what the backend itself draws.
+// Why. MIT 6.837 2000, lecture 18, draws transparency this way: if a texel's alpha is 0, neither
+// the pixel nor its depth is written, and what lies behind shows. A fragment's texel is exact
+// ("texels are those of the exact coordinates"), and so is the comparison of k/255 with the limit.
+// See properties/laws/internal/picture_model.h for how fragments make a picture. Their depths are
+// those that the backend itself draws.
 //
-// The texture, nearest filtering, its wraps, the limit, whether depths are written, blend and
-// format are chosen by the case's numbers; the depth test is `less`. The coordinates are the first
-// two attributes.
+// The case's numbers choose the texture, its wrap modes, the limit, whether depths are written,
+// blend and format. Filtering is nearest, and the depth test is `less`. The coordinates are the
+// first two attributes.
 //
-// Samples: some of those with fragments, of which every one has one exact value of both
-// coordinates. Depths and colours are held to the bit. Judged of backends that draw pictures.
+// Samples: some of those at which both coordinates of every fragment have a single exact value.
+// Depths and colours must agree to the bit. Only backends that draw pictures are judged.
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@
 #include <string>
 
 #include "oracle/texture_truth.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/picture_model.h"
@@ -35,19 +37,19 @@ using oracle::TextureTruth;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// At most so many samples of a case are judged.
+/// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 24;
 constexpr std::size_t kChannels = 4;
 
 cases::Pipeline pipeline_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   cases::Pipeline pipeline;
   pipeline.depth_function = cases::DepthFunction::less;
   pipeline.writes_depth = choices.below(4) != 0;
   pipeline.blend = choices.pick(
       std::array{cases::Blend::off, cases::Blend::off, cases::Blend::over, cases::Blend::additive});
   pipeline.format = choices.below(2) == 0 ? cases::ColorFormat::rgba8 : cases::ColorFormat::float32;
-  // Some alpha of a texel's, or near the ends.
+  // In two picks of five, the limit is the alpha of some byte; else it is 0.5, tiny or 1.
   const auto byte = static_cast<float>(choices.below(256));
   const float limit = choices.pick(std::array{byte / 255, byte / 255, 0.5F, 0x1p-20F, 1.0F});
   pipeline.texturing = texturing_of(choices, &noise_byte);
@@ -55,7 +57,7 @@ cases::Pipeline pipeline_of(const cases::Case& c) {
   return pipeline;
 }
 
-/// What may be seen of a sample: the fragments there, in the order of submission.
+/// [sample]: its fragments, in submission order.
 using FragmentsAt = std::map<std::size_t, std::vector<std::size_t>>;
 
 class DiscardCheck {
@@ -83,7 +85,7 @@ class DiscardCheck {
   }
 
  private:
-  /// Samples with most fragments are the likeliest: those that are left have one of each stretch.
+  /// Selects at most kMostSamples samples, spread evenly.
   FragmentsAt some_samples() const {
     FragmentsAt all;
     for (std::size_t i = 0; i < fragments_->size(); ++i) {
@@ -101,7 +103,8 @@ class DiscardCheck {
     return some;
   }
 
-  /// Keeps those of a sample that pass; whether it is certain which do.
+  /// Keeps the fragments of a sample that are not discarded. Returns false if it is uncertain which
+  /// fragments these are.
   bool keep(const std::vector<std::size_t>& fragments) {
     std::vector<TextureTruth::Color> colors;
     for (const std::size_t i : fragments) {
@@ -198,7 +201,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return DiscardCheck(clip, fragments->contract, pipeline, fragments->fragments, *picture).run();
 }
 
-/// Triangles over triangles, some of which show others through their texels.
+/// Makes overlapping triangles, some of which show others through their texels.
 Generated generate(Draw& draw) {
   Generated made = overlapping_case(draw);
   set_coordinates(draw, made.source);

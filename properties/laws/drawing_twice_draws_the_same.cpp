@@ -1,17 +1,16 @@
-// Drawing twice draws the same bits: a case that is drawn three times by one backend, twice in
-// succession and once more after another case was drawn, comes out the same each time.
+// Drawing twice draws the same bits: a backend draws a case three times, twice in succession and
+// once more after another case, with the same result each time.
 //
-// Why. What is drawn depends on the case alone. What differs between two drawings of it is what the
-// drawings before have left behind: memory that is not initialised or not cleared, tables kept of
-// another draw's samples, attributes or viewport, a list that still has something in it. The other
-// case is unlike this one in all of these: larger, of other rules, samples, attributes, clip
-// distances and coverage, without a scissor or culling, and its triangles are other ones. Where a
-// backend does not support such a case the other one is this one, turned; where it does not support
-// that, there is no other case.
+// Why. A drawing depends on the case alone. Only remains of earlier drawings can make a difference:
+// memory that is not initialised or cleared, tables kept from another draw's samples, attributes or
+// viewport, a list that is not empty. The other case differs in all of these: it is larger, has
+// other rules, samples, attributes, clip distances, coverage and triangles, and no scissor or
+// culling. If the backend does not support that case, the other case is the given one with its
+// triangles turned; if the backend does not support this either, there is no other case.
 //
-// Samples: all, values and derivatives too, whatever the contract leaves open. Backends that draw
-// pictures draw one each time as well, by a pipeline of the case's numbers. The drawing in the
-// middle, which has the same case before it, is what the other two are held against.
+// Samples: all, with values and derivatives, even those that the contract leaves open. Backends
+// that draw pictures also draw a picture each time, with a pipeline from the case's numbers. The
+// other two drawings are compared with the middle one, which follows a drawing of the same case.
 
 #include <algorithm>
 #include <optional>
@@ -39,8 +38,8 @@ cases::Rules other_rules(cases::Rules rules) {
   return cases::Rules::vulkan;
 }
 
-/// A larger case that shares no state with this one. All of it is seen in a few pixels of its far
-/// corner, as nothing is asked of it but what it leaves behind.
+/// Returns a larger case whose state differs from the given case's. Its triangles appear in a few
+/// pixels of its far corner, since only the remains of drawing it matter.
 cases::Case other_case(const cases::Case& c) {
   constexpr int kMoreColumns = 37;
   constexpr int kMoreRows = 21;
@@ -76,13 +75,13 @@ cases::Case other_case(const cases::Case& c) {
   return other;
 }
 
-/// The same case with other triangles.
+/// Returns the same case with its triangles turned.
 cases::Case turned_case(cases::Case c) {
   for (cases::ClipVertex& p : c.positions) p = {-p.y, p.x, p.z, p.w};
   return c;
 }
 
-/// What is drawn of a case at a time: fragments, and a picture where the backend draws some.
+/// The result of drawing a case once: fragments, and a picture if the backend draws pictures.
 struct DrawnAtOnce {
   cases::Fragments fragments;
   std::optional<cases::Picture> picture;
@@ -99,7 +98,7 @@ Result<DrawnAtOnce> draw_all(const cases::Case& c, backends::Backend& backend) {
   return drawing;
 }
 
-/// Draws something else, for what it leaves behind.
+/// Draws another case, which may leave something behind.
 Result<void> draw_other(const cases::Case& c, backends::Backend& backend) {
   const auto is_unsupported = [](const Result<DrawnAtOnce>& drawn) {
     return !drawn && drawn.error().failure == Failure::unsupported;
@@ -134,7 +133,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   return check;
 }
 
-/// Most have several triangles, one above the other.
+/// Most cases have several overlapping triangles.
 Generated generate(Draw& draw) {
   return draw.one_in(2) ? generate_any(draw) : overlapping_case(draw);
 }

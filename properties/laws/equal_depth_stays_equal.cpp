@@ -1,20 +1,20 @@
-// Equal depth stays equal: a plane of equal depth is drawn with one depth, by however many
-// triangles of a case.
+// Equal depth stays equal: all triangles of a case that lie in one plane of equal depth are drawn
+// with the same depth.
 //
-// z/w(p) = Σ z_i e_i(p), and Σ w_i e_i(p) = 1: where z_i = k w_i at all vertices, z/w is k
-// everywhere, whatever the w_i, their signs too. That z_i w_j = z_j w_i is decided exactly:
-// products of two floats are exact in double. The bound alone allows two depths where the exact one
-// lies close to the middle between two floats; two neighbouring fragments that take different ones,
-// or two triangles of one plane, make a surface fight with itself (RULES §6). Judged where the
-// contract promises otherwise.
+// z/w(p) = Σ z_i e_i(p), and Σ w_i e_i(p) = 1: if z_i = k w_i at all vertices, z/w is k everywhere,
+// whatever the w_i and their signs. z_i w_j = z_j w_i is decided exactly, since doubles hold
+// products of two floats. The bound alone allows two depths if the exact depth is close to the
+// midpoint of two floats. If two neighbouring fragments, or two triangles of one plane, took
+// different depths, a surface would fight with itself (RULES §6). The law applies if the contract
+// promises equal depths.
 //
-// Vertices: w ≠ 0, as z/w is to be the same at all three. Samples: those that are required; which
-// they are is asked of the oracle where depths differ.
+// Vertices: w ≠ 0, since z/w must be the same at all three. Samples: required ones. The oracle is
+// asked which samples these are only if depths differ.
 //
-// Its cases. Depths that multiply every w exactly, so that few bits are left of w where a depth has
-// several: that changes neither what is seen of a triangle much, nor what is different of its w.
-// One in three lies exactly in the middle between two floats once mapped to the depth range: n + (f
-// − n) z/w = 1/2 + k/2 with k an odd multiple of 2^-24.
+// Generated cases. The depth must multiply every w exactly, so w keeps only 12 bits. That changes
+// little of what a triangle shows or how its w differ. One depth in three, mapped to the depth
+// range, lies exactly midway between two floats: n + (f − n) z/w = 1/2 + k/2 with k an odd multiple
+// of 2^-24.
 
 #include <algorithm>
 #include <bit>
@@ -38,7 +38,7 @@ struct PlaneDepth {
   double w = 1;
 };
 
-/// Products of two floats are exact in double.
+/// Exact, since doubles hold products of two floats.
 bool operator<(const PlaneDepth& a, const PlaneDepth& b) { return a.z * b.w < b.z * a.w; }
 bool operator==(const PlaneDepth& a, const PlaneDepth& b) { return a.z * b.w == b.z * a.w; }
 
@@ -46,7 +46,7 @@ PlaneDepth depth_of(const cases::ClipVertex& p) {
   return p.w < 0 ? PlaneDepth{-double{p.z}, -double{p.w}} : PlaneDepth{double{p.z}, double{p.w}};
 }
 
-/// The depth that all vertices have; nothing where they have several.
+/// The depth that all vertices share; empty if depths differ or some w = 0.
 std::optional<PlaneDepth> equal_depth(const cases::Case& c, const cases::Triangle& triangle) {
   const PlaneDepth first = depth_of(c.positions[triangle[0]]);
   const bool is_equal = std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t index) {
@@ -94,7 +94,7 @@ class EqualDepthCheck {
     }
   }
 
-  /// Of depths that are sums of few bits, which doubles are exact of.
+  /// Right for depths of few bits, for which the sums are exact in double.
   void add_middle_label(const PlaneDepth& depth) {
     const double share = depth.z / depth.w;
     const double n{case_->viewport.min_depth};
@@ -106,7 +106,7 @@ class EqualDepthCheck {
     if (off == ulp_of(mapped) / 2) findings_.label("middle between floats");
   }
 
-  /// Both zeros are the same depth.
+  /// −0 and 0 are the same depth.
   static bool is_same_depth(float a, float b) { return a == b && std::isfinite(a); }
 
   void check_plane(const std::vector<std::size_t>& fragments) {
@@ -120,7 +120,8 @@ class EqualDepthCheck {
     if (!is_one) name_others(fragments);
   }
 
-  /// The first required fragment's depth is the plane's.
+  /// Takes the first required fragment's depth as the plane's depth, and reports required fragments
+  /// with other depths.
   void name_others(const std::vector<std::size_t>& fragments) {
     std::optional<float> expected;
     for (const std::size_t i : fragments) {
@@ -153,7 +154,7 @@ bool is_promised(backends::Backend& backend) { return backend.contract({}).keeps
 
 // --- Its cases -----------------------------------------------------------------------------------
 
-/// A number without its lowest 12 of 24 bits.
+/// Clears the lowest 12 of 24 bits.
 float shortened(float value) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0xfffff000U);
 }
@@ -168,7 +169,7 @@ float random_plane(Draw& draw, cases::Case& c, bool is_middle) {
   return static_cast<float>(2 * n + 1) * 0x1p-24F;
 }
 
-/// All planes of a case are of one depth, or of two.
+/// Gives all vertices of a case the same z/w, or one of two.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

@@ -1,36 +1,38 @@
 // Equal w equals the general path: a triangle whose vertices have the same w, and the same triangle
-// with each vertex scaled by a power of two of its own, draw the same samples with the same values.
-// A rasterizer that spares the division where w is the same everywhere does not differ by more than
-// its bound from what it does elsewhere (RULES §6).
+// with each vertex scaled by its own power of two, draw the same samples with the same values. So
+// if a rasterizer skips the division for equal w, its values must agree with those of its general
+// path to within both bounds (RULES §6).
 //
-// Why. A clip position times a factor f_i > 0 appears where it did; e_i becomes e_i / f_i. What is
-// made of products of the two is the same number:
+// Why. A clip position times a factor f_i > 0 appears at the same place, and e_i becomes e_i / f_i.
+// These do not change:
 //
 //   coverage, facing      the signs of e_i stay
 //   z/w = Σ e_i z_i       as z_i becomes f_i z_i; and so near, far and the depth
-//   f   = Σ e_i d_i       a clip distance, given the factor as well
+//   f   = Σ e_i d_i       if the clip distance d_i gets the factor, too
 //   noperspective         Σ r_i w_i e_i
 //
-// Where w is the same everywhere a smooth attribute is Σ r_i e_i / Σ e_i = Σ r_i w_i e_i, as the
-// noperspective one: so it is held against a noperspective one of the scaled triangle. The path
-// that divides is asked by two smooth attributes of the scaled triangle, m with m_i = f_i r_i and n
-// with n_i = f_i: m = Σ r_i e_i / D and n = Σ e_i / D have the quotient r = Σ r_i e_i / Σ e_i.
+// If w is the same everywhere, a smooth attribute is Σ r_i e_i / Σ e_i = Σ r_i w_i e_i, like a
+// noperspective attribute, so it is compared with a noperspective attribute of the scaled triangle.
+// Two smooth attributes of the scaled triangle test the path that divides: m with m_i = f_i r_i and
+// n with n_i = f_i. m = Σ r_i e_i / D and n = Σ e_i / D have the quotient r = Σ r_i e_i / Σ e_i.
 //
-// How far values may be apart. Of one exact value, both bounds together (close_drawings.h). For the
-// quotient: with computed m + a, n + b, and r + c of the triangle of equal w,
+// How far apart values may be. Two computed values of the same exact value may differ by both
+// bounds together (close_drawings.h). For the quotient, let m + a and n + b be computed in the
+// scaled triangle, and r + c in the triangle of equal w. Then
 //
 //   (m + a) − (r + c)(n + b) = a − r b − c (n + b)     as m = r n
 //   |m' − r' n'| <= A + max|r_i| B + C |n'|             A, B, C the bounds of each
 //
-// where a primed number is the computed one; rounding the left side costs 2^-52 |r' n'| at most.
+// where primes mark computed numbers; rounding the left side costs at most 2^-52 |r' n'|.
 //
-// Factors are 2^k, |k| <= 4, and so is w, so that nothing is rounded; attributes are at the sample,
-// where |r| <= max|r_i| (but for exact values of samples that only snapping covers, of which the
-// quotient is left out), and there is no depth test. Samples: all, but those that the contract
-// leaves open and that are drawn by only one. Window positions are the same numbers and so are
-// their roundings to a grid: a contract that names the rounding has them move alike. Of clipped
-// triangles it does not say where the new vertices come to lie; of these, and of any where it names
-// no rounding, values are not compared.
+// Factors are 2^k, |k| <= 4, and so is w, so that nothing is rounded. Attributes are located at the
+// sample, where |r| <= max|r_i|, unless values come from exact positions and only snapping covers
+// the sample; if that is possible, the quotient is not compared. The depth test is off. Samples:
+// all, except those that the contract leaves open and that only one drawing has. Window positions
+// are the same numbers in both cases, so a contract that names the rounding moves them alike. The
+// contract does not say where clipping puts the new vertices of snapped triangles. So values from
+// snapped positions are not compared for clipped triangles, and for no triangle if the contract
+// names no rounding.
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +42,8 @@
 #include <span>
 #include <vector>
 
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/close_drawings.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/verdicts.h"
@@ -54,7 +56,7 @@ using cases::ClipVertex;
 using cases::Interpolation;
 using records::FragmentClass;
 
-/// The number times a power of two, if that is a float32.
+/// The number times a power of two, if that is float32.
 std::optional<float> scaled(float number, double factor) {
   const double product = double{number} * factor;
   const float rounded = to_float(product);
@@ -62,24 +64,25 @@ std::optional<float> scaled(float number, double factor) {
   return rounded;
 }
 
-/// One coordinate of a vertex brought to w = 1: where it appeared, if it was in front of the eye.
-/// Short of float32's ends, so that factors leave it exact.
+/// Brings a vertex's coordinate to w = 1. A vertex in front of the eye still appears at the same
+/// place. The result stays away from float32's limits, so that factors leave it exact.
 float at_equal_w(float coordinate, float w) {
   const double divisor = w > 0 ? double{w} : 1;
   const double moved = std::clamp(double{coordinate} / divisor, -0x1p100, 0x1p100);
   return std::abs(moved) < 0x1p-100 ? 0.0F : static_cast<float>(moved);
 }
 
-/// The case with one w, and the same with vertices scaled.
+/// The case with a single w, and the same case with scaled vertices.
 struct CasePair {
   cases::Case equal;
   cases::Case general;
   std::vector<double> factors;  ///< [vertex]
-  /// Attributes of `general`, behind those of `equal`: n, and m of one attribute, if it is exact.
+  /// The attribute from which m and n are made; empty if they cannot be exact. In `general`, m and
+  /// n follow the attributes of `equal`.
   std::optional<std::size_t> quotient_of;
 };
 
-/// The attribute whose products with the factors are float32, if any is.
+/// An attribute whose products with the factors are float32, if any.
 std::optional<std::size_t> attribute_for_quotient(const CasePair& pair) {
   for (std::size_t a = 0; a < pair.equal.attributes.size(); ++a) {
     if (pair.equal.attributes[a].interpolation == Interpolation::flat) continue;
@@ -119,7 +122,7 @@ CasePair pair_of(const cases::Case& c) {
   for (cases::Attribute& attribute : equal.attributes) {
     attribute.location = cases::Location::sample;
   }
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   const auto w = static_cast<float>(std::ldexp(1.0, static_cast<int>(choices.below(9)) - 4));
   for (ClipVertex& p : equal.positions) {
     p = {w * at_equal_w(p.x, p.w), w * at_equal_w(p.y, p.w), w * at_equal_w(p.z, p.w), w};
@@ -133,7 +136,7 @@ CasePair pair_of(const cases::Case& c) {
     }
   }
   for (std::size_t v = 0; v < equal.positions.size(); ++v) {
-    if (v % 8 == 0) choices = Choices(fingerprint(c) + v);
+    if (v % 8 == 0) choices = Choices(choices_of(c) + v);
     const double factor = std::ldexp(1.0, static_cast<int>(choices.below(9)) - 4);
     pair.factors.push_back(factor);
     ClipVertex& p = pair.general.positions[v];
@@ -148,7 +151,7 @@ CasePair pair_of(const cases::Case& c) {
   return pair;
 }
 
-/// The first attributes of a drawing.
+/// Returns a drawing with only its first `count` attributes and no derivatives.
 cases::Fragments with_attributes(const cases::Fragments& drawn, std::size_t count) {
   cases::Fragments result = drawn;
   result.derivatives.clear();
@@ -191,7 +194,7 @@ class PathsCheck {
   }
 
  private:
-  /// Whether the contract places the vertices of both alike, and says what is drawn of them.
+  /// True if the contract places the vertices of both cases alike and bounds the values.
   bool has_values(std::uint32_t triangle) {
     if (!of_equal_.coverage || of_equal_.basis == cases::Basis::ideal) return true;
     if (of_equal_.is_unspecified() || of_general_.is_unspecified()) return false;
@@ -249,7 +252,7 @@ class PathsCheck {
     const auto of_r = bound_of(pair_->equal, of_equal_, triangle, a);
     bounds_.reset();
     const bool is_covered =
-        !of_equal_.coverage || of_equal_.basis == cases::Basis::snapped;  // by what values are of
+        !of_equal_.coverage || of_equal_.basis == cases::Basis::snapped;  // in the values' basis
     if (!is_covered) return bounds_;
     if (!of_m || !of_n || !of_r) return bounds_;
     const auto in_values = [](const ValueAllowance& one) {
@@ -285,7 +288,7 @@ class PathsCheck {
   Verdicts verdicts_;
   Verdicts verdicts_of_general_;
   std::optional<Bounds> bounds_;
-  bool has_quotient_ = false;  ///< some was compared
+  bool has_quotient_ = false;  ///< true if any quotient was compared
   std::uint32_t triangle_ = std::numeric_limits<std::uint32_t>::max();
 };
 

@@ -1,17 +1,19 @@
-// Filtered colours stay within the bound: what bilinear and trilinear filtering give is no farther
-// from the colour of exact arithmetic than the contract says (cases::TextureBounds), and a number.
+// Filtered colours stay within the bound: bilinear and trilinear filtering give numbers no farther
+// from the exactly computed colour than the contract says (cases::TextureBounds).
 //
 // Why. The exact colour is a polynomial of the exact coordinates within a square of texels, and
-// continuous from one to the next (oracle/texture_truth.h); with a colour's steps from texel to
-// texel at most 1, an error of a coordinate is one of W or H times as much, at most. The level of
-// detail is that of exact screen derivatives, each as far off as the contract says: an enclosure,
-// and with it a range of colours, to which the bound is added.
+// continuous from one square to the next (oracle/texture_truth.h). Colours of adjacent texels
+// differ by at most 1, so an error of a coordinate changes the colour by at most W or H times as
+// much. The level of detail comes from exact screen derivatives, each off by as much as the
+// contract allows. That gives an enclosure of the level and so a range of colours, to which the
+// bound is added.
 //
-// The texture's size and its wraps, and which of the two filters, are chosen by the case's numbers;
-// texels are noise, much of it black and white. The coordinates are the first two attributes.
+// The case's numbers choose the texture's size, its wrap modes, and the filter; texels are noise,
+// much of it black and white. The coordinates are the first two attributes.
 //
-// Samples: as of "texels-are-those-of-the-exact-coordinates"; for trilinear filtering derivatives
-// have one exact value too. Judged of backends that draw pictures and promise a bound.
+// Samples: as in "texels-are-those-of-the-exact-coordinates"; for trilinear filtering, derivatives
+// must have a single exact value, too. Only backends that draw pictures and promise a bound are
+// judged.
 
 #include <fmt/format.h>
 
@@ -20,6 +22,7 @@
 #include <cmath>
 
 #include "oracle/texture_truth.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/seen_triangles.h"
 #include "properties/laws/internal/tally.h"
@@ -34,11 +37,11 @@ using oracle::TextureTruth;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// At most so many samples of a case are judged.
+/// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 16;
 
 cases::Pipeline pipeline_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   cases::Pipeline pipeline;
   pipeline.depth_function = cases::DepthFunction::always;
   pipeline.texturing = texturing_of(choices, &noise_byte);
@@ -46,7 +49,7 @@ cases::Pipeline pipeline_of(const cases::Case& c) {
   return pipeline;
 }
 
-/// max|r| of the case's vertices.
+/// max|r| over the case's vertices.
 Rational greatest(const cases::Case& c, std::size_t attribute) {
   float most = 0;
   for (std::size_t v = 0; v < c.positions.size(); ++v) {

@@ -1,14 +1,14 @@
-// Flat values are the provoking vertex's, to the bit: of the last vertex under OpenGL's rules, of
-// the first under others (RULES §4), whatever is cut away of the triangle, wherever its vertices
-// are snapped, whichever side is seen.
+// Flat values are the provoking vertex's, to the bit: the last vertex's under OpenGL's rules, the
+// first one's under others (RULES §4), however the triangle is clipped, wherever its vertices are
+// snapped, whichever side is visible.
 //
 // A flat attribute is a copy. Nothing is interpolated, so huge values do not overflow, subnormal
-// ones are not flushed and −0 keeps its sign, and clipping does not change which vertex provokes:
-// not even one that is cut off itself, or lies behind the eye.
+// ones are not flushed, and −0 keeps its sign. Clipping does not change which vertex provokes, even
+// if that vertex is cut off or lies behind the eye.
 //
-// Samples: all that are drawn, rightly or not; which triangle they are of is known.
+// Samples: all that are drawn, rightly or not, since their triangle is known.
 //
-// Its cases: bit patterns that a detour through another number would change.
+// Generated values: bit patterns that a conversion to another type and back would change.
 
 #include <array>
 #include <bit>
@@ -70,7 +70,7 @@ class FlatCheck {
   const cases::Case* case_;
   const cases::Fragments* drawn_;
   ValueFindings findings_;
-  /// Says of each triangle whether anything is promised; if not, it may have any values.
+  /// [triangle]: true if anything is promised; if not, any values may be drawn.
   std::vector<bool> is_promised_;
 };
 
@@ -88,7 +88,7 @@ float telling_value(Draw& draw) {
       return draw.spread(-149, -127);
     case 2:
       return draw.spread(120, 127);
-    case 3: {  // an index beyond 2^24 − 1, as its bits
+    case 3: {  // an index up to 2^24 − 1, as its bits
       const auto bits = static_cast<std::uint32_t>(draw.bits(24));
       return std::bit_cast<float>(bits);
     }
@@ -97,7 +97,8 @@ float telling_value(Draw& draw) {
   }
 }
 
-/// One flat attribute at least, and no vertex with another's value but by chance.
+/// Makes cases with at least one flat attribute. All vertices have different values, except by
+/// chance.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

@@ -1,33 +1,35 @@
-// A mirror mirrors the picture: what is drawn of a case whose clip positions, viewport and scissor
-// are mirrored is, mirrored back, right for the case as it was.
+// A mirror mirrors the picture: if a case is drawn with its clip positions, viewport and scissor
+// mirrored, and the drawing is mirrored back, it is right for the original case.
 //
 //   left and right   (u, v) → (W − u, v)        up and down   (u, v) → (u, H − v)
 //
-// with W × H the framebuffer's size; or both, as the case's numbers choose.
+// where W × H is the framebuffer's size. The case's numbers choose one mirror or both.
 //
-// Why. With u = x0 + w/2 + x/w w/2 the viewport at W − x0 − w and the clip position (−x, y, z, w)
-// give just the mirrored window position, exactly; v alike, where Vulkan also has the viewport of
-// height −h that begins at H − y0. M is multiplied by a matrix of determinant −1, and so are the
-// edge functions: after the multiplication by sign det M (RULES §2) they are what they were, and
-// with them clip functionals and values. Only facing turns round: one mirror makes
-// counter-clockwise clockwise, so front faces are said to turn the other way, or the vertices come
-// in the other order; the provoking vertex stays where it was.
+// Why. Since u = x0 + w/2 + x/w w/2, the viewport at W − x0 − w and the clip position (−x, y, z, w)
+// give exactly the mirrored window position. v is mirrored alike or, under Vulkan's rules, by a
+// viewport of height −h that begins at H − y0. M is multiplied by a matrix of determinant −1, so
+// det M and the edge functions change their signs. After multiplication by sign det M (RULES §2),
+// edge functions are unchanged, and so are clip functionals and values. Only facing is reversed:
+// one mirror turns counter-clockwise into clockwise, so either the orientation of front faces or
+// the order of vertices is reversed; the provoking vertex keeps its position in the order.
 //
-// What does not go along:
+// Not mirrored exactly:
 //
-//   ties         A_i changes its sign where left and right are mirrored: no rule is the other one's
-//                mirror image, and the contract that judges names none. Where just up and down are,
-//                B_i does, and top-left is bottom-left: the case is drawn by the other rule
-//   the sides    of a viewport, one of which has its border inside: cases with a sample exactly on
-//                one that is mirrored are left out
-//   snapping     u = n + 1/2 grid units becomes W 2^b − n − 1/2: rounding to even goes along where
-//                W 2^b is even, rounding half up does not
-//   the pattern  of several samples. Of two and of four it is its own image in both mirrors, with
-//                other indices: such cases get both. Of eight and of sixteen it is not
-//   centroids    of D3D are at the first covered sample: of several they are moved to the sample
-//   guard band   around the window's origin, which is W or H away: judged as narrower by that
+//   ties         A_i changes its sign if left and right are mirrored. The mirror image of a rule is
+//                then no rule, so the judging contract names none. If only up and down are
+//                mirrored, B_i changes its sign, and top-left becomes bottom-left; the mirrored
+//                case is drawn by that rule
+//   the sides    Of two opposite borders, only one belongs to the viewport; cases with a sample
+//                exactly on a mirrored side are left out
+//   snapping     u = n + 1/2 grid units becomes W 2^b − n − 1/2: rounding to even is mirrored if
+//                W 2^b is even, rounding half up never is
+//   the pattern  Both mirrors together map the patterns of two and of four samples to themselves,
+//                with other indices: such cases get both. Larger patterns cannot be mirrored
+//   centroids    may be at the first covered sample; with several samples per pixel, values are
+//                taken at the sample instead, under all rules
+//   guard band   lies around the window's origin, which is W or H away; taken as that much narrower
 //
-// Cases whose mirrored viewport is no float32 are left out: W − x0 − w is exact or not taken.
+// Cases whose mirrored viewport is not float32 are left out: W − x0 − w must be exact.
 
 #include <algorithm>
 #include <array>
@@ -37,10 +39,10 @@
 #include <string_view>
 #include <utility>
 
+#include "properties/choices.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/laws/internal/window_symmetry.h"
@@ -54,16 +56,16 @@ using oracle::WindowAxis;
 struct Mirror {
   bool is_in_x = false;
   bool is_in_y = false;
-  bool swaps_vertices = false;       ///< rather than what a front face is
-  bool has_negative_height = false;  ///< up and down by the viewport, not by clip y
+  bool swaps_vertices = false;       ///< else reverses the orientation of front faces
+  bool has_negative_height = false;  ///< mirrors up and down by the viewport, not by clip y
   std::vector<std::uint8_t> samples;
 
   bool turns_faces() const { return is_in_x != is_in_y; }
 };
 
-/// Nothing where the pattern of samples has no such image.
+/// Chooses how to mirror a case; nothing if the sample pattern cannot be mirrored.
 std::optional<Mirror> mirror_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   Mirror mirror;
   const std::size_t axes = c.framebuffer.samples == 1 ? choices.below(5) : 4;
   mirror.is_in_x = axes <= 1 || axes == 4;
@@ -81,15 +83,15 @@ std::optional<Mirror> mirror_of(const cases::Case& c) {
   return mirror;
 }
 
-/// Where a mirrored side of the viewport begins; nothing where that is no float32, or where a
-/// sample lies exactly on one of its borders.
+/// The beginning of a mirrored side of the viewport; empty if that is not float32, or if a sample
+/// lies exactly on one of the side's borders.
 std::optional<float> mirrored_begin(WindowAxis axis, const WindowSide& side, float size,
                                     const cases::FramebufferSize& framebuffer) {
   if (is_at_samples(axis, side.begin, framebuffer) || is_at_samples(axis, side.end, framebuffer)) {
     return std::nullopt;
   }
   const int pixels = axis == WindowAxis::x ? framebuffer.width : framebuffer.height;
-  // A size that is kept begins where the other end was, be it negative or not.
+  // The size keeps its sign, so the new viewport begins at the image of the old end.
   const auto begin = exact_sum(pixels, -(size > 0 ? side.end : side.begin));
   if (!begin || !is_float(*begin)) return std::nullopt;
   return static_cast<float>(*begin);
@@ -120,7 +122,7 @@ bool mirror_viewport(const cases::Case& c, const Mirror& mirror, cases::Case& ch
   return true;
 }
 
-/// Makes faces that the mirror turns round face as they did.
+/// Restores the facing that the mirror reversed.
 void turn_faces_back(const Mirror& mirror, cases::Case& changed) {
   if (!mirror.swaps_vertices) {
     changed.front_face =
@@ -136,7 +138,7 @@ void turn_faces_back(const Mirror& mirror, cases::Case& changed) {
   }
 }
 
-/// Top-left is bottom-left upside down; of no other mirror image there is a rule.
+/// Top-left upside down is bottom-left; no other mirror image of a rule is a rule.
 cases::TieRule mirrored(cases::TieRule rule, const Mirror& mirror) {
   using cases::TieRule;
   if (mirror.is_in_x || rule == TieRule::unspecified) return TieRule::unspecified;
@@ -162,8 +164,8 @@ std::optional<cases::Case> mirrored_case(const cases::Case& c, const Mirror& mir
   return changed;
 }
 
-/// What was drawn of the mirrored case, in the places that it has in the case as it was. A fragment
-/// of no pixel gets one that the case does not have either.
+/// Maps fragments of the mirrored case to their places in the original case. A fragment outside the
+/// mirrored case stays outside the original one.
 cases::Fragments mirrored_back(const cases::Case& c, const cases::Fragments& drawn,
                                const Mirror& mirror) {
   const auto back = [](std::uint16_t at, int pixels) {
@@ -180,8 +182,8 @@ cases::Fragments mirrored_back(const cases::Case& c, const cases::Fragments& dra
   return result;
 }
 
-/// What the backend promises of the mirrored case, of the case as it was; nothing where its
-/// rounding does not go along.
+/// What the backend's contract for the mirrored case promises for the original case; empty if the
+/// contract's rounding is not mirrored.
 std::optional<cases::Contract> mirrored_back(const cases::Case& c, const cases::Contract& contract,
                                              const Mirror& mirror) {
   cases::Contract result = contract;
@@ -226,7 +228,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check;
 }
 
-/// Cases with one, two or four samples; more of them cull faces than those of all generators.
+/// Makes cases with one, two or four samples, which cull faces more often than other cases.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

@@ -1,20 +1,20 @@
-// The nearest fragment wins: with a depth test `less`, what is left at each sample is, of the
-// fragments that the same case draws there without one, that of the least depth, of equal ones the
-// first drawn; bit for bit.
+// The nearest fragment wins: with a depth test `less`, each sample keeps, bit for bit, the fragment
+// of least depth among those that the same case draws there without a test; of fragments with equal
+// depths, the first.
 //
-// Why. `less` replaces what is at a sample by what is nearer, and by nothing else: after all
-// triangles, in submission order, the least depth is left, and of equal ones the first, as no later
-// one is less than it. A triangle's fragments do not depend on what was drawn before (OpenGL,
-// "Invariance": fragments do not change with the framebuffer's contents), nor on whether there is a
-// test, so a drawing of the same triangles without one says which fragments there are to choose
-// from. Nothing has to be known of what is right about them.
+// Why. `less` replaces a fragment only by a nearer one: after all triangles, in submission order,
+// the fragment of least depth is left. Of fragments with equal depths, the first is left, as no
+// later depth is less. A triangle's fragments depend neither on what was drawn before (OpenGL,
+// "Invariance": fragments do not change with the framebuffer's contents) nor on the depth test, so
+// a drawing without a test gives the candidates. The law need not know whether their values are
+// right.
 //
-// Samples: all, but for those at which some depth is no number, which is neither nearer nor
-// farther. What is the same depth is said by the floats that the backend itself drew: -0 and 0 are
-// equal. A backend that promises tests of another format compares something else
-// (internal/depth_order.h): then a fragment may be left if each one drawn before it may be farther,
-// and none drawn after it is surely nearer. What the depth buffer begins with is a fragment drawn
-// before all; where the case does not say, it may lie at 1 or beyond all depths.
+// Samples: all, except those with a NaN depth, which is neither nearer nor farther. The floats that
+// the backend itself drew decide which depths are equal: -0 and 0 are. A backend that promises
+// depth tests in another format compares stored depths (internal/depth_order.h). Then a fragment
+// may be left if each fragment drawn before it may be farther and no fragment drawn after it is
+// surely nearer. The clear depth counts as a fragment drawn before all others; if the case does not
+// give it, it may be 1 or beyond all depths.
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +38,12 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// What a drawing without a depth test has at a sample.
+/// A sample's fragments in the drawing without a depth test.
 struct Candidates {
   std::vector<std::size_t> all;  ///< fragments, in submission order
-  std::size_t nearest = 0;       ///< fragment; the first of equals
-  bool is_tied = false;          ///< whether another is as near
-  bool has_nan = false;          ///< whether some depth is no number
+  std::size_t nearest = 0;       ///< the nearest fragment; the first of equals
+  bool is_tied = false;          ///< true if another fragment is as near
+  bool has_nan = false;          ///< true if some depth is NaN
 };
 
 class NearestCheck {
@@ -97,7 +97,7 @@ class NearestCheck {
     return order_.is_surely_less(all_->depth[there.nearest], beginning);
   }
 
-  /// Whether the depth test may leave one of a sample's fragments.
+  /// True if the depth test may leave this fragment at its sample.
   bool may_be_left(const Candidates& there, std::size_t left) const {
     const float depth = all_->depth[left];
     return std::all_of(there.all.begin(), there.all.end(), [&](std::size_t other) {
@@ -161,9 +161,9 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return NearestCheck(clip, all->fragments, tested->contract.depth_format).run(tested->fragments);
 }
 
-// --- the law's own cases: triangles drawn once more, as they are or moved in depth --------------
+// --- the law's own cases: triangles repeated, unchanged or moved in depth -----------------------
 
-/// Appends a triangle's vertices, with their values, and a triangle of them.
+/// Appends a triangle with copies of another triangle's vertices and their values.
 void repeat_triangle(cases::Case& c, const cases::Triangle& triangle) {
   const auto first = static_cast<std::uint32_t>(c.positions.size());
   for (const std::uint32_t vertex : triangle) add_vertex_like(c, vertex, c.positions[vertex]);
@@ -179,7 +179,8 @@ Generated generate(Draw& draw) {
     const int like = draw.between(0, static_cast<int>(c.triangles.size()) - 1);
     const cases::Triangle triangle = c.triangles[static_cast<std::size_t>(like)];
     repeat_triangle(c, triangle);
-    // Turned, moved nearer or farther as a whole, tilted, or just as it was.
+    // Starts the copy with another vertex, moves it nearer or farther as a whole, tilts it, or
+    // leaves it unchanged.
     const std::size_t last = c.positions.size() - 3;
     switch (draw.between(0, 3)) {
       case 0:

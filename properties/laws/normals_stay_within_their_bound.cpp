@@ -1,15 +1,15 @@
-// Normals stay within their bound: each component of the unit normal that a backend makes of a
-// normal and a model is no farther from the exact one than its contract says
+// Normals stay within their bound: each component of the unit normal that a backend computes from a
+// normal and a model matrix is no farther from the exact component than its contract says
 // (cases::Contract::normal_bound), and a normal whose image is zero becomes zero.
 //
-// Why. A plane's normal is what is perpendicular to its tangents: under a model A these become A t,
-// and (C n) · (A t) = det A (n · t) with C the cofactors of A, so that C n is perpendicular to them
-// for any A; with the sign of det A it also stays on the side that it was on. A n is not: it leans
-// wherever axes are scaled differently. Cofactors are products of two numbers, nothing is divided,
-// and what cancels is all that may cost digits: the bound is in parts of ‖|C| |n|‖ / ‖C n‖.
+// Why. A plane's normal is perpendicular to its tangents. Under a model A the tangents become A t,
+// and (C n) · (A t) = det A (n · t) with C the cofactors of A, so C n is perpendicular to the new
+// tangents for any A. With the sign of det A, it also stays on the same side of the plane. A n
+// leans if axes are scaled differently. Cofactors are products of two numbers and nothing is
+// divided, so only cancellation may cost digits: the bound is in parts of ‖|C| |n|‖ / ‖C n‖.
 //
-// The normals of a case are x, y and z of its positions, of any length. Judged are all of cases
-// with a camera, by squares of exact numbers.
+// The normals of a case are x, y and z of its positions, of any length. All normals of cases with a
+// camera are judged, by squares of exact numbers.
 
 #include <fmt/format.h>
 
@@ -95,11 +95,11 @@ float& at(Matrix4& model, std::size_t row, std::size_t column) { return model[4 
 void make_rotated(Draw& draw, Matrix4& model) {
   const int axis = draw.between(0, 2);
   model = rotation(static_cast<std::size_t>(axis), draw.uniform(-1, 1));
-  const float far = draw.spread(0, 30);  // which normals know nothing of
+  const float far = draw.spread(0, 30);  // normals must ignore the translation
   for (std::size_t row = 0; row < 3; ++row) at(model, row, 3) = far;
 }
 
-/// Axes scaled each by another factor, now and then a sheared or a mirrored one.
+/// Scales each axis by its own factor, sometimes with a shear or a mirror.
 void make_scaled(Draw& draw, Matrix4& model) {
   const bool is_mirrored = draw.one_in(2);
   for (std::size_t i = 0; i < 3; ++i) at(model, i, i) = std::fabs(draw.spread(-12, 12));
@@ -113,13 +113,14 @@ void make_any(Draw& draw, Matrix4& model) {
   model = any_matrix(draw, exponent);
 }
 
-/// Numbers as large, and as small, as a float32 can be.
+/// Uses numbers as large and as small as float32 allows.
 void make_extreme(Draw& draw, Matrix4& model) {
   const int least = draw.pick(std::array{-149, -149, -126, 100});
   for (float& number : model) number = draw.spread(least, draw.one_in(2) ? least + 20 : 127);
 }
 
-/// A row is the sum of the others, all whole numbers: exactly, or but for a float.
+/// Makes a row the sum of the other two rows, all integers; in some cases, one number is then off
+/// by a float.
 void make_nearly_singular(Draw& draw, Matrix4& model) {
   const int bits = draw.between(3, 22);
   const int most = 1 << bits;
@@ -135,7 +136,8 @@ void make_nearly_singular(Draw& draw, Matrix4& model) {
   moved = nudged(draw, moved);
 }
 
-/// Everything pressed into a plane, as planar shadows are: two of its tangents are rows.
+/// Flattens everything into a plane, as planar shadows do. A normal that equals a row of the model
+/// then becomes zero.
 void make_flat(Draw& draw, Matrix4& model) {
   const int exponent = draw.between(-4, 4);
   model = any_matrix(draw, exponent);
@@ -145,7 +147,7 @@ void make_flat(Draw& draw, Matrix4& model) {
   }
 }
 
-/// A normal of any length, one along an axis, one of the model's rows or none at all.
+/// A normal of any length, along an axis, equal to a row of the model, or zero.
 cases::ClipVertex random_normal(Draw& draw, const Matrix4& model) {
   cases::ClipVertex n;
   const int middle = draw.pick(std::array{0, 0, 0, 0, -140, 120});

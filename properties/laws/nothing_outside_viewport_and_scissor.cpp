@@ -1,22 +1,21 @@
-// Nothing is written outside viewport and scissor: there is no fragment whose sample lies outside
-// the viewport or whose pixel lies outside the scissor, and a picture keeps there, to the bit, what
-// it was cleared to.
+// Nothing is written outside viewport and scissor: no fragment has its sample outside the viewport
+// or its pixel outside the scissor, and a picture keeps its clear values there, to the bit.
 //
-// Why. Clipping in x and y is the viewport itself (RULES §2): of the points between x0 and x0 + W
-// (W of either sign) those are inside with
+// Why. Clipping in x and y is the viewport itself (RULES §2). For W of either sign, the points
+// inside are those with
 //
 //   min(x0, x0 + W) <= u < max(x0, x0 + W)
 //
-// and on the far border, which OpenGL and Vulkan leave open, nothing is asked for; v alike. That
-// depends neither on the contract's coverage nor on any grid: the borders are not snapped. Where a
-// contract leaves open which viewport is drawn by, its sides may lie as much farther out. u is a
-// multiple of 1/16 below 2^15 and exact in double; the sum x0 + W of two floats need not be, and is
-// decided as an exact one. The scissor has x <= i < x + width of pixels, in whole numbers; it may
-// reach beyond the framebuffer or have no area.
+// and v alike; on the far border, which OpenGL and Vulkan leave open, nothing is checked. This
+// depends neither on the contract's coverage nor on any grid: the borders are not snapped. If a
+// contract leaves the viewport open by some error, its sides may lie that much farther out. u is a
+// multiple of 1/16 below 2^15 and exact in double. The sum x0 + W of two floats need not be exact
+// in double, but is compared without rounding. The scissor contains the pixels with x <= i < x +
+// width, in integers; it may reach beyond the framebuffer or have no area.
 //
-// Samples: all those outside, whether anything is near them or not; what is right inside is for
-// other laws. The picture, of backends that draw some, is drawn without a depth test, so that
-// whatever reaches a sample is written. What it is cleared to comes from the case's numbers.
+// Samples: all samples outside, whether or not anything is near them; other laws check the inside.
+// Backends that draw pictures draw a picture without a depth test, so that anything that reaches a
+// sample is written. The case's numbers give the clear values.
 
 #include <array>
 #include <cstddef>
@@ -28,9 +27,9 @@
 
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
+#include "properties/choices.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/same_picture.h"
 #include "properties/laws/internal/tally.h"
@@ -45,7 +44,8 @@ using records::FragmentClass;
 
 enum class Where { inside, far_border, outside };
 
-/// Where `at` is, of the numbers between from and from + size, or up to `error` beyond these.
+/// Tells where `at` lies relative to the interval between `from` and `from + size`, widened by
+/// `error` on both sides.
 Where where(float from, float size, double error, double at) {
   const double begin{from};
   const double extent{size};
@@ -60,7 +60,7 @@ Where where(float from, float size, double error, double at) {
   return past_begin == 0 ? Where::far_border : Where::inside;
 }
 
-/// Which samples of a framebuffer may be drawn.
+/// Tells which samples of a framebuffer may be drawn.
 class Window {
  public:
   /// `error`: how far the viewport's sides may be off, in pixels.
@@ -80,7 +80,7 @@ class Window {
     }
   }
 
-  /// Of what a sample is outside, for readers; empty where it may be drawn.
+  /// Returns the name of what the sample lies outside of; empty if the sample may be drawn.
   std::string_view outside_of(std::size_t x, std::size_t y, std::size_t sample) const {
     if (scissor_ && !(is_within(x, scissor_->x, scissor_->width) &&
                       is_within(y, scissor_->y, scissor_->height))) {
@@ -116,7 +116,7 @@ class OutsideCheck {
     bool is_any_inside = false;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const cases::SamplePlace place = drawn.place_of(i);
-      // Of no pixel or sample at all: outside of everything.
+      // A place that the case does not have is outside of everything.
       const std::string_view what =
           is_of_case(*case_, place) ? window_.outside_of(place.x, place.y, place.sample) : "target";
       if (what.empty()) {
@@ -185,7 +185,7 @@ class OutsideCheck {
 };
 
 cases::Pipeline pipeline_without_test(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   cases::Pipeline pipeline;
   pipeline.depth_function = cases::DepthFunction::always;
   pipeline.clear_depth = choices.pick(std::array{0.0F, 0.5F, 0.625F, 1.0F});
@@ -214,13 +214,14 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
 
 // --- the law's own cases: small viewports and scissors, large triangles --------------------------
 
-/// A part of 0…size: from and extent, in units of 1/parts.
+/// A part of a side of the framebuffer, in pixels.
 struct Part {
   float from = 0;
   float extent = 0;
 };
 
-/// A quarter of the side or more, within the framebuffer or at most a quarter beyond it.
+/// Returns a part of at least a quarter of the side, in multiples of 1/parts. It lies within the
+/// framebuffer or at most a quarter beyond it.
 Part random_part(Draw& draw, int size, int parts) {
   const int side = size * parts;
   const int from = draw.between(-side / 4, side / 2);
@@ -229,14 +230,14 @@ Part random_part(Draw& draw, int size, int parts) {
           static_cast<float>(extent) / static_cast<float>(parts)};
 }
 
-/// Turned round: from the other end, back.
+/// Reverses a side, which then begins at the other end and has the opposite size.
 void turn_round(float& from, float& size) {
   from += size;
   size = -size;
 }
 
 void set_viewport(Draw& draw, cases::Case& c) {
-  // Whole pixels, borders on samples, and any fraction.
+  // Whole pixels, sixteenths (borders on samples), or thousandths.
   const int parts = draw.pick(std::array{1, 16, 16, 1000});
   const Part across = random_part(draw, c.framebuffer.width, parts);
   const Part down = random_part(draw, c.framebuffer.height, parts);
@@ -275,7 +276,7 @@ void set_scissor(Draw& draw, cases::Case& c) {
   c.scissor = scissor;
 }
 
-/// Anywhere in the framebuffer, or as far beyond it again on every side.
+/// Returns a vertex anywhere in the framebuffer, or beyond it by up to its size on every side.
 cases::ClipVertex random_vertex(Draw& draw, const cases::Case& c) {
   const auto width = static_cast<float>(c.framebuffer.width);
   const auto height = static_cast<float>(c.framebuffer.height);

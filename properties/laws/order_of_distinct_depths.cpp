@@ -1,17 +1,17 @@
 // Distinct depths are drawn in any order: a depth test `less` keeps the nearest fragment of each
-// sample, whichever came first. The case's triangles drawn in the reverse order leave the same
-// fragments, bit for bit, wherever the depths of the two that they leave differ.
+// sample, whichever came first. The case's triangles, drawn in reverse order, leave the same
+// fragments, bit for bit, unless the two fragments left at a sample have equal depths.
 //
-// Why. `less` replaces what is at a sample by what is nearer. A triangle's fragments do not depend
-// on what was drawn before (OpenGL, "Invariance": fragments do not change with the framebuffer's
-// contents), so the two orders have the same ones to choose from. Let a be left by one order and b
-// by the other. If a's depth were below b's, the second order would not have left b. So the depths
-// are equal, or a and b are the same fragment.
+// Why. `less` replaces a fragment only by a nearer one. A triangle's fragments do not depend on
+// what was drawn before (OpenGL, "Invariance": fragments do not change with the framebuffer's
+// contents), so the two orders have the same candidate fragments. Let one order leave a and the
+// other b. If a's depth were below b's, the second order would not have left b. So the depths are
+// equal, or a and b are the same fragment.
 //
-// Samples: all. Where the two depths are equal, or no farther apart than a step of what the
-// backend's depth tests compare, which of the two triangles is left is a matter of order and left
-// alone here; so is what has no number for a depth. Cases without a depth test get one. A third
-// drawing without it says how many fragments there were to choose from, for the labels alone.
+// Samples: all. If the two depths are equal, or at most one step of the backend's depth comparison
+// apart, the order decides which triangle is left, and the law accepts either; the same holds for
+// NaN depths. Cases without a depth test get one. A third drawing, without a depth test, counts the
+// candidates; only labels depend on it.
 
 #include <algorithm>
 #include <cstdint>
@@ -38,7 +38,7 @@ class OrderCheck {
              const cases::Fragments& backward, cases::DepthFormat compared)
       : case_(&c), forward_(&forward), backward_(&backward), order_(compared), tally_(c) {}
 
-  /// `all`: what there was to choose from.
+  /// `all` has the candidate fragments.
   Check run(const cases::Fragments& all) {
     const std::map<cases::SamplePlace, std::size_t> first = fragments_by_sample(*forward_);
     const std::map<cases::SamplePlace, std::size_t> second = fragments_by_sample(*backward_);
@@ -64,7 +64,7 @@ class OrderCheck {
 
  private:
   void add_labels(const cases::Fragments& all) {
-    std::map<cases::SamplePlace, std::pair<float, int>> depths;  // the least, and how many
+    std::map<cases::SamplePlace, std::pair<float, int>> depths;  // least depth, and number
     for (std::size_t i = 0; i < all.size(); ++i) {
       const float depth = all.depth[i];
       const auto [at, is_first] =
@@ -95,7 +95,7 @@ class OrderCheck {
     tally_.pass(AttributeKind::coverage);
   }
 
-  /// Of the two that were left, the farther one is wrong.
+  /// Reports the farther of the two fragments as the wrong one.
   static records::Violation wrong_triangle(const cases::SamplePlace& place, float depth,
                                            const cases::SamplePlace& other, float other_depth) {
     const bool is_first_wrong = other_depth < depth;
@@ -138,19 +138,21 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
       .run(all->fragments);
 }
 
-// --- the law's own cases: triangles that meet each other ----------------------------------------
+// --- the law's own cases: triangles that intersect each other ------------------------------------
 
-/// Appends a vertex where another is, with its values, and with another depth.
+/// Appends a copy of a vertex at another depth.
 std::uint32_t add_at_depth(Draw& draw, cases::Case& c, std::uint32_t vertex) {
   cases::ClipVertex p = c.positions[vertex];
-  // In eighths as often as not: equal depths, and planes that meet at samples.
+  // Half of the depths are in eighths, which gives equal depths and planes that intersect at
+  // samples.
   const int eighths = draw.between(1, 7);
   const float free = random_depth(draw, c);
   p.z = to_float(double{p.w} * (draw.one_in(2) ? eighths / 8.0 : double{free}));
   return add_vertex_like(c, vertex, p);
 }
 
-/// Adds triangles of the vertices there are, moved in depth: over those there are, or between them.
+/// Adds triangles of the existing vertices, moved in depth. They lie before, behind or across the
+/// other triangles.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

@@ -1,16 +1,16 @@
-// The parts of an error add up to the whole: what the stages of a drawing made of a value, each
-// from what it really received, is together the drawn value less the exact one, without a rest.
-// The parts are V_k − V_(k−1) of one chain (oracle/stage_split.h) that begins with the exact value
-// and ends with the drawn one, so that the sum is theirs, if the chain has a value at both ends and
-// loses none between.
+// The parts of an error add up to the whole: the contributions of a drawing's stages to a value,
+// each computed from the stage's actual input, sum to the drawn value minus the exact value,
+// without a remainder. The parts are the differences V_k − V_(k−1) in a chain of values
+// (oracle/stage_split.h) from the exact value to the drawn value, so they sum exactly if the chain
+// has both ends and no gaps.
 //
-// Of up to four fragments of each triangle and kMostFragments of a case: the sum of the parts is
-// actual − exact in exact numbers, both of the split by the backend's trace and of that which every
-// backend has; the exact value is the one that the truth of the case as given has there, its camera
-// included, the total in ULP that of the two values, and what the backend says that it received
-// makes the same difference as what it was handed. Fragments that must not be drawn are a
-// matter of coverage. How large parts are is counted, by stage and stratum. Triangles are traced
-// alone, so the depth test is left out.
+// The law checks up to four fragments of each triangle and kMostFragments of a case, for the split
+// by the backend's trace and for the split that needs no trace. The parts must sum to actual −
+// exact in exact numbers. The exact value must be that of the case as given, including its camera.
+// The total in ULP must fit the two values. The transform's part of the error must be the same,
+// whether computed from the positions that the backend reports or from those that it was given.
+// Fragments that must not be drawn are left to laws about coverage. The sizes of parts are counted
+// by stage and stratum. Triangles are traced one by one, so the depth test is removed.
 
 #include <map>
 #include <memory>
@@ -23,8 +23,8 @@
 #include "oracle/triangle_truth.h"
 #include "oracle/ulp.h"
 #include "properties/camera_cases.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/laws/internal/verdicts.h"
@@ -37,19 +37,20 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::SampleTrace;
 
-/// Fragments of a triangle, and of a case, whose errors are split.
+/// The greatest numbers of fragments of a triangle, and of a case, whose errors are split.
 constexpr std::size_t kMostOfTriangle = 4;
 constexpr std::size_t kMostFragments = 64;
 
-/// Nothing where the positions that were handed on leave the value undefined (1/w <= 0 at a sample
-/// that only snapping covers): the split has no such part then.
+/// Returns the transform's part of the error; nothing if the split has none, because the value is
+/// undefined for the transformed positions (1/w <= 0 at a sample that only snapping covers).
 std::optional<oracle::Rational> transform_part(const oracle::ExactSplit& split) {
   const auto& parts = split.parts;
   if (parts.empty() || parts.front().stage != records::Stage::transform) return std::nullopt;
   return parts.front().error;
 }
 
-/// Whether what a backend says that it received makes another difference than what it was handed.
+/// True if the transform's part of the error is different for the positions that the backend
+/// reports and for the positions that it was given.
 bool is_of_other_positions(const oracle::ExactSplit& told, const oracle::ExactSplit& seen) {
   const std::optional<oracle::Rational> received = transform_part(told);
   const std::optional<oracle::Rational> handed = transform_part(seen);
@@ -58,7 +59,7 @@ bool is_of_other_positions(const oracle::ExactSplit& told, const oracle::ExactSp
 
 class SplitCheck {
  public:
-  /// `given` with its camera, if it has one; `clip` as it was drawn.
+  /// `given` keeps its camera, if any; `clip` is the case as drawn.
   SplitCheck(const cases::Case& given, const cases::Case& clip, const cases::Fragments& drawn,
              backends::Backend& backend)
       : given_(&given),
@@ -80,7 +81,7 @@ class SplitCheck {
   }
 
  private:
-  /// In the order of their triangles.
+  /// The fragments to check, ordered by triangle.
   std::vector<std::size_t> fragments() const {
     std::map<std::uint32_t, std::vector<std::size_t>> by_triangle;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
@@ -123,7 +124,7 @@ class SplitCheck {
                    float actual, const std::optional<SampleTrace>& trace) {
     const auto& [triangle, y, x, sample] = place;
     const auto seen = split_->untraced(attribute, x, y, sample, actual);
-    if (!seen) return;  // no finite number, or undefined
+    if (!seen) return;  // not finite, or undefined
     std::optional<oracle::ExactSplit> told;
     if (trace) {
       told = split_->traced(attribute, x, y, sample, actual, *trace);
@@ -147,11 +148,12 @@ class SplitCheck {
     }
   }
 
-  /// What a split should be and is not; empty where it is right.
+  /// Returns what is expected instead of a wrong split; empty if the split is right.
   std::string fault_of(const oracle::ExactSplit& split, const cases::SamplePlace& place,
                        float actual) {
     if (!adds_up(split, actual)) return "parts that add up to the error";
-    // A centroid's place may be open, and what only snapping covers is undefined.
+    // A centroid's place may be open, and the value at a sample that only snapping covers is
+    // undefined.
     const std::optional<std::uint32_t> attribute = split.attribute;
     const bool is_centroid =
         attribute && case_->attributes[*attribute].location == cases::Location::centroid;
@@ -186,7 +188,7 @@ class SplitCheck {
   oracle::SceneTruth exact_;
   Tally tally_;
   std::uint32_t triangle_ = 0;
-  // Of that triangle.
+  // These two belong to the current triangle.
   std::unique_ptr<oracle::StageSplit> split_;
   std::unique_ptr<oracle::TriangleTruth> truth_;
   std::optional<Error> error_;
@@ -200,7 +202,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return SplitCheck(c.given(), clip, drawn->fragments, backend).run();
 }
 
-/// Any case, or, one in six, one that has a camera; in half of them with snapped vertices.
+/// Makes any case; one case in six has a camera, and half of the cases have snapped vertices.
 Generated generate(Draw& draw) {
   Generated made;
   if (draw.one_in(6)) {

@@ -1,20 +1,20 @@
 // A picture is what its fragments leave: depth test, write mask, blending, colour format and
-// resolve do, sample by sample and in submission order, what
-// properties/laws/internal/picture_model.h says, to the bit.
+// resolve follow properties/laws/internal/picture_model.h, sample by sample and in submission
+// order, to the bit.
 //
-// Why. Nothing of a pipeline's last stage is left to the implementation here: depths are compared
-// as the floats they are, blending is IEEE arithmetic in double with each rounding named, and so is
-// what a float or a byte holds of the result. Which fragments there are, with which values, is for
-// other laws to judge: the model takes what the backend itself draws of the case without a depth
+// Why. The last stages of a pipeline leave the implementation no freedom here: depths are compared
+// as floats, blending is IEEE arithmetic in double with each rounding specified, and so is the
+// rounding to the stored float or byte. Other laws judge which fragments are drawn with which
+// values; the model takes the fragments that the backend itself draws of the case without a depth
 // test.
 //
-// The pipeline is chosen by the case's numbers: one of the eight depth functions, whether depths
-// are written, what they are cleared to, a blend (`over` only of four channels), a format, and
-// whether the samples are resolved. Attributes are the channels, or, as vertex colours, the first
-// three or four of them are: Gouraud's shading.
+// The case's numbers choose the pipeline: one of the eight depth functions, whether depths are
+// written, the clear depth, a blend (`over` only with four channels), a format, and whether the
+// samples are resolved. Channels are the attributes or, as vertex colours (Gouraud shading), the
+// first three or four of them.
 //
-// Samples: all, those without a fragment too. NaNs are alike, whatever their bits. Judged of
-// backends that draw pictures.
+// Samples: all, including those without a fragment. Any two NaNs are the same. Only backends that
+// draw pictures are judged.
 
 #include <fmt/format.h>
 
@@ -91,7 +91,7 @@ class PictureCheck {
   cases::Picture expected_;
   const cases::Picture* picture_;
   std::vector<std::vector<std::uint32_t>>
-      triangles_;  ///< [sample of the picture]: those drawn there
+      triangles_;  ///< [sample of the picture]: the triangles drawn there
   Tally tally_;
 };
 

@@ -1,22 +1,23 @@
-// A power of two changes no bit: all clip coordinates of a triangle's vertices multiplied by the
-// same 2^k give the same fragments, bit for bit.
+// A power of two changes no bit: multiplying all clip coordinates of a triangle's vertices by the
+// same 2^k gives the same fragments, bit for bit.
 //
 // Why. A clip position is homogeneous: (X, Y, w) and its multiple are the same point of the window.
 // M becomes 2^k M and E_i = sign(det M) adj(M) (u, v, 1) becomes 4^k E_i: signs, ties, facing and
-// the ratios that values are made of stay, and clip functionals, homogeneous in e, as well
-// (RULES §1, §2). User clip distances scale or stay, both of which are the same cut.
+// the ratios that make up values stay the same, and so do the signs of clip functionals, which are
+// homogeneous in e (RULES §1, §2). User clip distances may be scaled or not; both give the same
+// cut.
 //
-// That is what is exact; bits follow as rounding commutes with powers of two: +, −, ×, / and
-// comparisons of numbers that are 2^a and 2^b times as large give the same digits, as long as
-// nothing is beyond the exponents. What does not is a constant that some coordinate is held against
-// — the least w that is divided by, an area below which a triangle is thrown away — and a sum of
-// numbers of different degree. No part of a contract depends on the size of a coordinate, so that
-// no backend has a reason for either.
+// So the exact values are the same. The bits are the same because rounding commutes with powers of
+// two: +, −, ×, / and comparisons of numbers that are 2^a and 2^b times as large give the same
+// digits, as long as no exponent overflows or underflows. Two things break this: comparing a
+// coordinate with a constant, such as the least w to divide by or the area below which a triangle
+// is dropped, and adding numbers of different degree. No part of a contract depends on the size of
+// a coordinate, so no backend has a reason for either.
 //
-// Coordinates: k is such that every one stays a finite float32 of the same digits, normal if it
-// was. It comes from the case's numbers, for each triangle another one. Triangles get vertices of
-// their own for that, also in the drawing they are held against. A case whose every triangle fills
-// the whole range of float32 is left out.
+// Coordinates: k is chosen so that every coordinate stays a finite float32 with the same digits,
+// and normal if it was normal. k comes from the case's numbers and differs from triangle to
+// triangle. So triangles get vertices of their own, also in the drawing for comparison. A case is
+// left out if each of its triangles spans the whole range of float32.
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +25,8 @@
 #include <set>
 #include <string>
 
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/same_drawing.h"
 
@@ -35,10 +36,10 @@ namespace {
 /// Exponents of normal float32.
 constexpr int kLeastExponent = -126;
 constexpr int kMostExponent = 127;
-/// Of the factors: most are this far from 1 at most.
+/// Most factors are within 2^±kMostUsual.
 constexpr int kMostUsual = 8;
 
-/// The case with three vertices for each triangle, in order.
+/// Returns the case with three vertices of its own for each triangle, in order.
 cases::Case with_own_vertices(const cases::Case& c) {
   cases::Case own = c;
   own.positions.clear();
@@ -58,12 +59,12 @@ cases::Case with_own_vertices(const cases::Case& c) {
   return own;
 }
 
-/// least <= k <= most.
+/// The exponents k with least <= k <= most.
 struct Powers {
   int least = kLeastExponent - kMostExponent;
   int most = kMostExponent - kLeastExponent;
 
-  /// Leaves those k by which `number` times 2^k keeps its digits.
+  /// Keeps only those k for which `number` times 2^k keeps its digits.
   void take(float number) {
     if (number == 0) return;
     const int exponent = std::ilogb(number);
@@ -83,7 +84,7 @@ Powers exponents_of(const cases::Case& c, const cases::Triangle& triangle, bool 
   return all;
 }
 
-/// One of these that is not 0, a small one more often; 0 where there is no other.
+/// Chooses a nonzero exponent, more often a small one; 0 if no other is possible.
 int exponent_of(Choices& choices, Powers all) {
   if (choices.below(4) > 0) {
     all.least = std::max(all.least, -kMostUsual);
@@ -97,22 +98,21 @@ int exponent_of(Choices& choices, Powers all) {
 
 float scaled(float number, int exponent) { return std::ldexp(number, exponent); }
 
-/// A case of own vertices, scaled, and what was done to it.
+/// A scaled case whose triangles have their own vertices, and labels that say how it was scaled.
 struct ScaledCase {
   cases::Case source;
   std::set<std::string> labels;
   bool is_changed = false;
 };
 
-ScaledCase scaled_case(const cases::Case& own) {
-  // The upper half of FNV's bits is the better one.
-  const std::uint64_t all = fingerprint(own);
+ScaledCase scaled_case(const cases::Case& own, std::uint64_t all) {
+  // The upper half of an FNV hash is better mixed.
   const std::uint64_t hash = all ^ (all >> 32);
   const bool has_distances = own.clip_distance_count > 0 && hash % 2 == 0;
   ScaledCase result{own, {}, false};
   cases::Case& c = result.source;
   for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
-    // Another one for each triangle.
+    // Each triangle gets its own choices.
     Choices choices(hash / 2 + t * std::uint64_t{0x9e3779b97f4a7c15});
     const int k = exponent_of(choices, exponents_of(c, c.triangles[t], has_distances));
     if (k == 0) continue;
@@ -136,7 +136,7 @@ ScaledCase scaled_case(const cases::Case& own) {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   const cases::Case own = with_own_vertices(clip);
-  const ScaledCase changed = scaled_case(own);
+  const ScaledCase changed = scaled_case(own, choices_of(clip));
   if (!changed.is_changed) return not_applicable("no number can be scaled by a power of two");
   const Result<backends::Drawn> before = draw_promised(own, backend);
   if (!before) return tl::unexpected(before.error());

@@ -1,25 +1,26 @@
-// A quarter turn turns the picture: what is drawn of a case whose clip positions, viewport and
-// scissor are turned by 90° is, turned back, right for the case as it was.
+// A quarter turn turns the picture: if a case is drawn with its clip positions, viewport and
+// scissor turned by 90°, and the drawing is turned back, it is right for the original case.
 //
 //   (u, v) → (H − v, u),   H the framebuffer's height
 //
-// Why. The turned clip positions and viewport give just these window positions, exactly
+// Why. The turned clip positions and viewport give exactly these window positions
 // (internal/quarter_turn.h). M is multiplied by a matrix of determinant 1: facing and 1/w stay, and
 // so do the edge functions, clip functionals and values at each sample.
 //
-// What does not turn with the picture:
+// These do not turn with the picture:
 //
-//   ties         go by a rule of left and right: the contract that judges names none
+//   ties         depend on left and right, so the judging contract names no tie rule
 //   centroids    of D3D are at the first covered sample: they are moved to the sample
-//   the sides    of a viewport, one of which has its border inside: cases with a sample exactly on
-//                an upper or lower one are left out
-//   snapping     turns with a grid that has H on it: v = n + 1/2 grid units turns into
-//                H 2^b − n − 1/2, and the even one of its neighbours is that of n and n + 1 if
-//                H 2^b is even. Rounding half up does not turn; it is left out
-//   the pattern  of samples, but for those of one and of four, whose indices are permuted
-//   guard band   around the window's origin, which is H away: it is judged as narrower by H
+//   the sides    Of two opposite borders, only one belongs to the viewport; cases with a sample
+//                exactly on an upper or lower side are left out
+//   snapping     turns if H is on the grid: v = n + 1/2 grid units becomes H 2^b − n − 1/2, and
+//                even neighbours stay even if H 2^b is even. Rounding half up does not turn, and
+//                cases with it are left out
+//   the pattern  of samples does not turn, except those of one and of four samples, whose indices
+//                are permuted
+//   guard band   lies around the window's origin, which is H away: taken as narrower by H
 //
-// Cases whose turned viewport is no float32 are left out: H − y0 − h is exact or not taken.
+// Cases whose turned viewport is not float32 are left out: H − y0 − h must be exact.
 
 #include "properties/judged_law.h"
 #include "properties/laws/internal/quarter_turn.h"
@@ -47,7 +48,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check;
 }
 
-/// Cases with the viewport's borders between rows of samples, and with one or four of these.
+/// Makes cases with one or four samples.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

@@ -1,24 +1,24 @@
-// Sample positions are the pattern's: attributes that are the window position have at sample s of
-// pixel (x, y) the value (x + p_s, y + q_s), (p_s, q_s) that sample's place in the standard pattern
-// (RULES §4), whichever way the API's y points.
+// Sample positions are the pattern's: attributes equal to the window position have, at sample s of
+// pixel (x, y), the value (x + p_s, y + q_s), whichever way the API's y points. (p_s, q_s) is the
+// sample's place in the standard pattern (RULES §4).
 //
-// Where u_i = u, v_i = v are exactly the window positions of a triangle's vertices, all w_i > 0,
-// noperspective values are affine in window coordinates and agree with u and v at three points that
-// are in no line: so everywhere. So are smooth ones where all w_i are the same. A pattern in
-// another order, upside down (as SwiftShader had one) or off by half a pixel (as PPSSPP was) shows
-// in every fragment, which coverage alone only shows at edges.
+// Let (u_i, v_i) be exactly the window positions of a triangle's vertices, and all w_i > 0.
+// Noperspective values are affine in window coordinates and agree with u and v at three points that
+// are not collinear, and so everywhere. Smooth values do so, too, if all w_i are the same. A
+// pattern in another order, upside down (as in SwiftShader once) or off by half a pixel (as in
+// PPSSPP) shows in every fragment; coverage alone shows such errors only at edges.
 //
-// Locations. At the sample that place; at the centre (x + 1/2, y + 1/2), covered or not; a centroid
-// is a point of the pixel. As floats: the numbers are multiples of 2^-4, floats themselves, so that
-// one rounding leaves them as they are, and what the contract's bound has besides it
-// (before_rounding) is what a value may be off, in ulps of the greatest vertex value or its own.
+// Locations. At the sample: the sample's place. At the centre: (x + 1/2, y + 1/2), covered or not.
+// At the centroid: any point of the pixel. The numbers are multiples of 2^-4 and exact floats, so
+// one rounding leaves them unchanged, and a value may be off only by what the contract's bound
+// allows besides this rounding (before_rounding), in ulps of the greatest vertex value or of the
+// value itself.
 //
-// Samples: those that are required. Which they are, how far snapping moves vertices and which
-// values the contract leaves open is asked of the oracle, of values that are farther off than the
-// bound. Triangles with snapped vertices are left out where they are clipped: the pieces lie in
-// planes of their own.
+// Samples: required ones. For values beyond the bound, the oracle tells whether the sample is
+// required, how far snapping moves vertices, and which values the contract leaves open. Clipped
+// triangles with snapped vertices are left out: their pieces lie in different planes.
 //
-// Its cases: vertices at multiples of 1/16 pixel, w powers of two, so that clip positions are
+// Generated cases: vertices at multiples of 1/16 pixel, w powers of two, so that clip positions are
 // exact.
 
 #include <algorithm>
@@ -44,11 +44,11 @@ using cases::Location;
 
 enum class PatternAxis { x, y };
 
-/// An attribute that is the window position along an axis.
+/// An attribute equal to the window position along an axis.
 struct Coordinate {
   std::uint32_t attribute = 0;
   PatternAxis axis = PatternAxis::x;
-  double greatest = 0;  ///< of the vertices' values
+  double greatest = 0;  ///< among the vertices' values
 };
 
 bool has_one_w(const cases::Case& c, const cases::Triangle& triangle) {
@@ -57,7 +57,7 @@ bool has_one_w(const cases::Case& c, const cases::Triangle& triangle) {
   });
 }
 
-/// The coordinates among a triangle's attributes: attributes 0 and 1, if any.
+/// Those of attributes 0 and 1 that equal the window positions of the triangle's vertices.
 std::vector<Coordinate> coordinates_of(const cases::Case& c, const cases::Triangle& triangle) {
   if (c.attributes.size() < 2) return {};
   for (const std::uint32_t index : triangle) {
@@ -83,7 +83,7 @@ std::vector<Coordinate> coordinates_of(const cases::Case& c, const cases::Triang
   return coordinates;
 }
 
-/// Numbers from lo to hi.
+/// The numbers from lo to hi.
 struct NumberRange {
   double lo = 0;
   double hi = 0;
@@ -114,7 +114,7 @@ class PatternCheck {
   }
 
  private:
-  /// Where an attribute is evaluated along an axis.
+  /// The place along an axis where an attribute is evaluated.
   NumberRange expected(const cases::SamplePlace& place, const Coordinate& coordinate) const {
     const bool is_x = coordinate.axis == PatternAxis::x;
     const double pixel = is_x ? place.x : place.y;
@@ -155,7 +155,8 @@ class PatternCheck {
                                                        : "not the window y where it is evaluated");
   }
 
-  /// What the contract leaves open beyond the place; only where it leaves several numbers open.
+  /// Widens the range by what the contract leaves open; unchanged if the contract allows only a
+  /// single number.
   static NumberRange opened(const NumberRange& range, const ValuePromise& promise) {
     if (promise.lo == promise.hi) return range;
     return {std::min(range.lo, promise.lo), std::max(range.hi, promise.hi)};
@@ -195,7 +196,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
 
 // --- Its cases -----------------------------------------------------------------------------------
 
-/// A point about the window, of few bits.
+/// A point in or near the window whose coordinates have few bits.
 WindowPoint short_point(Draw& draw, const cases::Case& c) {
   const WindowPoint p = point_about(draw, c);
   const auto sixteenths = [](double at) {
@@ -204,12 +205,13 @@ WindowPoint short_point(Draw& draw, const cases::Case& c) {
   return {sixteenths(p.u), sixteenths(p.v)};
 }
 
-/// Triangles at short points; half of the cases have several samples.
+/// Makes triangles at points of few bits; more than half of the cases have several samples per
+/// pixel.
 Generated generate(Draw& draw) {
   StateRequest request;
   request.is_on_grid = true;
   request.least_side = 8;
-  request.most_side = 16;  // there are many samples
+  request.most_side = 16;  // each pixel may have many samples
   Generated made{random_state(draw, request), ""};
   cases::Case& c = made.source;
   if (draw.one_in(2)) c.framebuffer.samples = draw.pick(std::array{2, 4, 8, 16});

@@ -1,30 +1,33 @@
-// A scaled and moved attribute is scaled and moved: where the vertices have α r_i + β in place of
-// r_i, fragments have α f + β in place of f, as far as both are allowed to be off; where β is 0, to
-// the bit. α is ± a power of two.
+// A scaled and moved attribute is scaled and moved: vertices with α r_i + β in place of r_i give
+// fragments with α f + β in place of f, within the bounds of both drawings, and to the bit if β is
+// 0. α is ± a power of two.
 //
-// Why. r = Σ r_i e_i / Σ e_i is a mean with weights that know nothing of r (RULES §1), so that
-// Σ (α r_i + β) e_i / Σ e_i = α r + β; a noperspective mean alike, and flat values are copies. Nor
-// do coverage and depth know anything of attributes: both are the same to the bit.
+// Why. r = Σ r_i e_i / Σ e_i is a mean with weights that do not depend on r (RULES §1), so Σ (α r_i
+// + β) e_i / Σ e_i = α r + β; a noperspective mean behaves alike, and flat values are copies.
+// Coverage and depth do not depend on attributes: both stay the same to the bit.
 //
-// How far. With U the unit of scale ULP (RULES §5), b the bound of the contract, and primes for the
-// drawing of α r_i + β, f is within b U of a value r that the contract leaves open, lo <= r <= hi,
-// and f' within b U' of α r' + β for another such r'. So, exactly,
+// How far. Let U be the unit of scale ULP (RULES §5) and b the contract's bound, and let primes
+// mark the drawing of α r_i + β. Then f is within b U of some value r in the range that the
+// contract leaves open, lo <= r <= hi, and f' is within b U' of α r' + β for some r' in the same
+// range. So, exactly,
 //
 //   |f' − (α f + β)| <= b U' + |α| b U + |α| (hi − lo)
 //
-// Under a contract that names one triangle lo and hi are the same, and r of a covered sample is
-// between the r_i: U = ulp(max|r_i|). Elsewhere, and where b is not the same everywhere, the oracle
-// is asked, of some fragments: U = ulp(max(|r_i|, |lo|, |hi|)), U' the same of α r + β. All of it
-// is decided by exact sums.
+// Under a contract that names one triangle, lo and hi are the same, and r of a covered sample is
+// between the r_i: U = ulp(max|r_i|). Otherwise, or if b varies, the oracle finds lo, hi and b for
+// some fragments. Then U = ulp(max(|r_i|, |lo|, |hi|)), and U' likewise for α r + β. All
+// comparisons use exact sums.
 //
-// With β = 0: rounding commutes with powers of two and with the sign, whatever the weights are and
-// however the mean is formed, as long as nothing is beyond the exponents. Judged so are attributes
-// with 0 or 2^-40 <= |r_i| <= 2^40 and values of more than 2^-100; zeros of either sign are alike.
+// With β = 0, rounding commutes with powers of two and with the sign, whatever the weights are and
+// however the mean is formed, as long as no exponent overflows or underflows. So attributes with 0
+// or 2^-40 <= |r_i| <= 2^40, and values above 2^-100, must agree to the bit; zeros of either sign
+// are the same.
 //
-// α and β come from the case's numbers, for each attribute others: such that all α r_i + β are
-// float32 without rounding; β is 0 where that takes it, and an attribute stays as it is where no α
-// does. Not judged: values that the rules leave free, or leave undefined; and moved ones whose
-// bound has a share of the vertices' range, which is another number of ulps then.
+// α and β come from the case's numbers, separately for each attribute. All α r_i + β must be
+// float32 without rounding; else β becomes 0. If some α r_i would still be rounded, the attribute
+// stays unchanged. Not judged: values that the rules leave free or undefined, and moved values if
+// the bound has a share of the vertices' range, since moving changes the size of that share in
+// ulps.
 
 #include <fmt/format.h>
 
@@ -37,10 +40,10 @@
 #include <utility>
 #include <vector>
 
+#include "properties/choices.h"
 #include "properties/exact_sum.h"
 #include "properties/float_numbers.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/drawn_values.h"
 #include "properties/laws/internal/tally.h"
@@ -53,13 +56,13 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// Of r_i that are scaled to the bit, and of f.
+/// Limits for |r_i| and for |f| of values that must scale to the bit.
 constexpr double kLeastOfBits = 0x1p-40;
 constexpr double kMostOfBits = 0x1p40;
 constexpr double kLeastValueOfBits = 0x1p-100;
-/// Beyond this a value within the bound may be infinite.
+/// Beyond this limit, a value within the bound may be infinite.
 constexpr double kMostMoved = 0x1p126;
-/// The oracle's ranges take far longer than sums.
+/// The oracle is asked for few fragments, since finding ranges takes far longer than sums.
 constexpr std::size_t kMostAsked = 16;
 
 /// α r + β.
@@ -68,7 +71,7 @@ struct Affine {
   double beta = 0;
 
   bool is_identity() const { return alpha == 1 && beta == 0; }
-  /// Where that is exact.
+  /// Returns the mapped value if a float32 holds it exactly.
   std::optional<float> of(float r) const {
     const auto sum = exact_sum(alpha * double{r}, beta);
     if (!sum || !is_float(*sum)) return std::nullopt;
@@ -94,11 +97,11 @@ Affine map_of(const cases::Case& c, std::size_t attribute, Choices& choices) {
 }
 
 std::vector<Affine> maps_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   std::vector<Affine> maps;
-  // Few numbers of a hash are many attributes': each has a part of its own.
+  // A hash has enough choices for few attributes, so each group of four attributes gets its own.
   for (std::size_t a = 0; a < c.attributes.size(); ++a) {
-    if (a % 4 == 0) choices = Choices(fingerprint(c) + a);
+    if (a % 4 == 0) choices = Choices(choices_of(c) + a);
     maps.push_back(map_of(c, a, choices));
   }
   return maps;
@@ -114,15 +117,15 @@ cases::Case changed_case(const cases::Case& c, const std::vector<Affine>& maps) 
   return changed;
 }
 
-/// What a value may be: lo <= r <= hi, and off by `bound` units.
+/// What the contract allows: a value within `bound` units of some r with lo <= r <= hi.
 struct Allowed {
   double lo = 0;
   double hi = 0;
   double bound = 0;
-  bool is_open = false;  ///< else lo and hi are two doubles around one r, if anything
+  bool is_open = false;  ///< else lo and hi enclose a single r
 };
 
-/// The greatest sizes of a value and of the moved one, there or at a vertex.
+/// The greatest magnitudes of the value and of the moved value, at the sample or at a vertex.
 struct Greatest {
   double value = 0;
   double moved = 0;
@@ -164,7 +167,7 @@ class AffinityCheck {
  private:
   static constexpr const char* kNote = "with other attribute values";
 
-  /// Fragments of the two drawings, in the same place.
+  /// Fragments of the two drawings at the same place.
   struct Pair {
     std::size_t before = 0;
     std::size_t now = 0;
@@ -174,7 +177,7 @@ class AffinityCheck {
     return case_->triangles[place.triangle];
   }
 
-  /// max |r_i| of the triangle, moved or not.
+  /// max |r_i| of the triangle, with r_i mapped by `map`.
   double magnitude(const cases::SamplePlace& place, std::size_t a, const Affine& map) const {
     double most = 0;
     for (const std::uint32_t v : triangle_at(place)) {
@@ -196,7 +199,8 @@ class AffinityCheck {
     });
   }
 
-  /// Whether one triangle is named, one point of it, and a bound that is the same everywhere.
+  /// True if the contract names a single triangle, a single point of it, and the same bound
+  /// everywhere.
   bool is_simple(std::size_t a) const {
     const bool is_at_sample =
         case_->attributes[a].location == cases::Location::sample || case_->framebuffer.samples == 1;
@@ -210,7 +214,7 @@ class AffinityCheck {
     return is_smooth ? bounds.smooth : bounds.noperspective;
   }
 
-  /// All that needs no oracle.
+  /// Compares everything that needs no oracle.
   void compare(const Pair& pair) {
     const auto [was, i] = pair;
     const cases::SamplePlace place = drawn_->place_of(i);
@@ -230,7 +234,7 @@ class AffinityCheck {
         continue;
       } else if (map.beta == 0 && has_bits(place, a)) {
         const double expected = map.alpha * double{f};
-        // A zero may be what is left of a value below all floats.
+        // A zero may be a value that has underflowed.
         if (f != 0 && std::abs(expected) < kLeastValueOfBits) continue;
         if (f == 0 && std::abs(actual) < kLeastValueOfBits) continue;
         is_right =
@@ -245,7 +249,7 @@ class AffinityCheck {
     if (is_right) tally_.pass(AttributeKind::coverage);
   }
 
-  /// What the oracle has to say.
+  /// Compares the attributes that need the oracle's ranges.
   void ask(const Pair& pair) {
     const cases::SamplePlace place = drawn_->place_of(pair.now);
     for (std::uint32_t a = 0; a < maps_.size(); ++a) {
@@ -264,8 +268,8 @@ class AffinityCheck {
       if (!range || !bound) continue;
       const double lo = range->lo.enclosure().lo;
       const double hi = range->hi.enclosure().hi;
-      // A value may be beyond its vertices' when the moved one is not, and the other way round.
-      // Roundings of α lo + β do not take it below a power of two, and so not into another ulp.
+      // A value may exceed its vertices' values when the moved value does not, and vice versa.
+      // Rounding α lo + β does not move it below a power of two, and so not to a smaller ulp.
       const Affine& map = maps_[a];
       const Greatest greatest{
           std::max({magnitude(place, a, {}), std::abs(lo), std::abs(hi)}),
@@ -339,7 +343,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
       std::any_of(maps.begin(), maps.end(), [](const Affine& map) { return !map.is_identity(); });
   if (!is_changed) return not_applicable("no attribute can be scaled or moved exactly");
   const cases::Case changed = changed_case(clip, maps);
-  // Both drawings are held to one promise.
+  // Both drawings are judged by the same contract.
   const cases::Contract contract = backend.contract(clip);
   if (backend.contract(changed) != contract) {
     return not_applicable("the contract promises something else of the changed case");
@@ -351,7 +355,8 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   return AffinityCheck(clip, contract, std::move(maps), before->fragments, drawn->fragments).run();
 }
 
-/// Every case has an attribute; most of them have values of few bits, which can be moved.
+/// Makes cases with at least one attribute. Most attributes have values of few bits, which can be
+/// moved exactly.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

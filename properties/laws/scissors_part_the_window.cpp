@@ -1,15 +1,17 @@
-// Scissors that part the window part what is drawn: the four rectangles that a column and a row cut
-// the scissor into, each drawn by itself, are together the whole drawing, bit for bit. Nothing is
-// drawn by two of them, and nothing outside of the one that was asked for.
+// Scissors that part the window part what is drawn: if the scissor is cut into four rectangles by a
+// column and a row, the drawings of the rectangles together equal the whole drawing, bit for bit.
+// No fragment is drawn in two of them, and none outside its drawing's rectangle.
 //
-// Why. A scissor is a test of pixels (i, j), x <= i < x + width and y <= j < y + height, that
-// nothing else of a fragment depends on: neither its place, nor its values, nor, with a depth test,
-// which triangles meet there. OpenGL says so ("Invariance", rule 2 and its corollary: fragments do
-// not change with the scissor's parameters, other than whether there is one): so the whole is drawn
-// with a scissor as well, of the case's own or of the whole framebuffer.
+// Why. A scissor tests pixels (i, j), x <= i < x + width and y <= j < y + height. Nothing else
+// about a fragment depends on the scissor: neither its place, nor its values, nor, with a depth
+// test, which triangles meet there. OpenGL says so ("Invariance", rule 2 and its corollary:
+// fragments do not change with the scissor's parameters, other than whether there is a scissor). So
+// the whole is drawn with a scissor as well: the case's own, or one that contains the whole
+// framebuffer.
 //
-// Samples: all, whatever the contract leaves open, values and derivatives too. The column and the
-// row come from the case's numbers, and cut off at least a pixel where there are two.
+// Samples: all, with values and derivatives, even those that the contract leaves open. The column
+// and the row come from the case's numbers, and leave at least one pixel on each side if there are
+// two.
 
 #include <array>
 #include <cstdint>
@@ -17,6 +19,7 @@
 #include <string>
 #include <utility>
 
+#include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
@@ -28,7 +31,7 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// A line between two pixels of a span, if it has two.
+/// Chooses a border between two pixels of a span, if the span has two.
 int cut_of(const PixelSpan& span, std::uint64_t number) {
   const int size = span.last - span.first;
   if (size < 2) return span.last;
@@ -42,17 +45,17 @@ bool is_within(const cases::Scissor& scissor, const cases::SamplePlace& place) {
          std::cmp_less(place.y, scissor.y + scissor.height);
 }
 
-/// What the window is parted into.
+/// How the window is parted.
 struct Parting {
   cases::Scissor whole;
   std::array<cases::Scissor, 4> parts;
-  bool is_of_case = false;  ///< whether the case has a scissor of its own
+  bool is_of_case = false;  ///< true if the case has a scissor of its own
 };
 
 Parting parting_of(const cases::Case& c) {
   const PixelSpan columns = scissor_columns(c);
   const PixelSpan rows = scissor_rows(c);
-  const std::uint64_t number = fingerprint(c);
+  const std::uint64_t number = choices_of(c);
   const int column = cut_of(columns, number >> 32);
   const int row = cut_of(rows, number & 0xffffffffU);
   Parting parting;

@@ -1,27 +1,28 @@
 // A shared edge covers each sample once: where two triangles meet at an edge, no sample is drawn by
-// both and none between them by neither. What the APIs promise of it (Vulkan: of polygons on either
-// side of the edge) is asked here of pairs that form a convex quadrilateral:
+// both, and none between them is left out. The APIs promise this (Vulkan: for polygons on either
+// side of the edge). The law checks pairs that form a convex quadrilateral:
 //
 //        v3 ───── v2        A = (v0, v1, v2)   B = (v0, v2, v3)   the pair, shared edge v0 v2
 //        │  B  ╱  │         C = (v0, v1, v3)   D = (v1, v2, v3)   the other diagonal
 //        │  ╱  A  │
 //        v0 ───── v1
 //
-// If all four turn the same way, the quadrilateral is convex, and A ∪ B = C ∪ D. A backend that
-// snaps may move the vertices, so all four have to turn that way wherever the contract lets the
-// vertices be placed, and no vertex may be clipped: clipping makes new ones. Whatever the
-// placement, then,
+// If all four have the same orientation, the quadrilateral is convex, and A ∪ B = C ∪ D. A backend
+// that snaps may move the vertices, so all four must have that orientation wherever the contract
+// lets the vertices be placed, and no vertex may be clipped, since clipping makes new vertices.
+// Then, whatever the placement,
 //
-//   nothing is drawn by both A and B                          else it is `extra`, and
-//   what is required of C, or of D, is drawn by A or by B      else it is `missing`.
+//   no sample is drawn by both A and B                           else it is `extra`, and
+//   a sample required in C or in D is drawn by A or by B         else it is `missing`.
 //
-// A sample within reach of the quadrilateral's outline is required of neither C nor D unless the
-// contract decides it, and so is one on their own diagonal; where the contract names a tie rule,
-// the rule gives the outline's samples the same answer in C and D as in A and B, because it depends
-// on the edge and its inside alone.
+// A sample within reach of the quadrilateral's outline, or on the diagonal of C and D, is required
+// in neither C nor D unless the contract decides it. If the contract names a tie rule, the rule
+// gives the outline's samples the same answer in C and D as in A and B, because it depends only on
+// the edge and its inside.
 //
-// Each triangle as if drawn alone: a depth test in the case is left out. Pairs with a user clip
-// distance that is not positive are left alone, since its zeros end at the triangles' edges.
+// Each triangle is drawn as if alone: the case's depth test is removed. Pairs with a user clip
+// distance that is not positive are left out, since the distance's zeros end at the triangles'
+// edges.
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ namespace {
 using records::FragmentClass;
 using records::Verdict;
 
-/// Two triangles of a case that share an edge and traverse it in opposite directions.
+/// Two triangles that share an edge and traverse it in opposite directions.
 struct TrianglePair {
   std::uint32_t first = 0;                 ///< index of A, the smaller
   std::uint32_t second = 0;                ///< index of B
@@ -51,7 +52,7 @@ struct TrianglePair {
 
 std::vector<TrianglePair> pairs_of(const cases::Case& c) {
   std::multimap<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::uint32_t, std::uint32_t>>
-      opposite;  // edge → triangle so far that has it, and the triangle's third vertex
+      opposite;  // edge → each triangle so far that has it, and its third vertex
   std::vector<TrianglePair> pairs;
   for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
     const cases::Triangle& triangle = c.triangles[t];
@@ -72,7 +73,7 @@ std::vector<TrianglePair> pairs_of(const cases::Case& c) {
   return pairs;
 }
 
-/// The samples that a triangle drew, in order.
+/// The samples that a triangle drew, in ascending order.
 using Samples = std::vector<std::array<std::uint32_t, 3>>;  // y, x, sample
 
 std::vector<Samples> samples_by_triangle(const cases::Case& c, const cases::Fragments& drawn) {
@@ -93,7 +94,7 @@ class SharedEdgeCheck {
         samples_(samples_by_triangle(c, drawn)),
         state_(c),
         tally_(c) {
-    contract_.triangles.clear();  // it is asked of other triangles
+    contract_.triangles.clear();  // the oracle is asked about other triangles
     state_.attributes.clear();
     state_.attribute_values.clear();
     state_.clip_distances.clear();
@@ -143,7 +144,7 @@ class SharedEdgeCheck {
     find_gaps(pair, a, c, d);
   }
 
-  /// Samples drawn by both.
+  /// Reports samples drawn by both triangles.
   void find_doubles(const TrianglePair& pair, const oracle::TriangleTruth& a) {
     Samples both;
     std::set_intersection(samples_[pair.first].begin(), samples_[pair.first].end(),
@@ -152,7 +153,7 @@ class SharedEdgeCheck {
     for (const auto& sample : both) report(pair, sample, FragmentClass::extra, a);
   }
 
-  /// Samples of the quadrilateral's inside that are drawn by neither.
+  /// Reports samples inside the quadrilateral that are drawn by neither triangle.
   void find_gaps(const TrianglePair& pair, const oracle::TriangleTruth& a,
                  const oracle::TriangleTruth& c, const oracle::TriangleTruth& d) {
     const oracle::PixelBox of_c = c.pixels();
@@ -186,7 +187,7 @@ class SharedEdgeCheck {
     tally_.see(by_first ? pair.first : pair.second);
     if (by_first != by_second) tally_.pass(records::AttributeKind::coverage);
 
-    // How close to the shared edge it was.
+    // Labels how close to the shared edge the sample was.
     const auto [y, x, s] = sample;
     const records::SampleVerdict decision =
         a.judge(static_cast<int>(x), static_cast<int>(y), static_cast<int>(s));
@@ -236,7 +237,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
 /// How the vertices of a case get their weights.
 enum class LayoutWeights { equal, powers_of_two, free };
 
-/// A mesh in coordinates of its own, laid on the screen.
+/// Maps a mesh's own coordinates to the screen.
 struct Layout {
   WindowPoint origin;
   WindowPoint right;  ///< pixels per cell
@@ -288,15 +289,15 @@ std::uint32_t add_laid_out(Draw& draw, cases::Case& c, const Layout& layout, dou
   return add_vertex(c, at_window(c, layout.at(s, t), depth, w));
 }
 
-/// Adds a triangle with any of its vertices first.
+/// Adds a triangle, starting with a random vertex.
 void add_turned(Draw& draw, cases::Case& c, cases::Triangle triangle) {
   const int turns = draw.between(0, 2);
   std::rotate(triangle.begin(), triangle.begin() + turns, triangle.end());
   c.triangles.push_back(triangle);
 }
 
-/// Cells in rows and columns, each cut along one of its diagonals; off the grid the inner vertices
-/// are moved, and the cells stay convex.
+/// Adds cells in rows and columns, each cut along a diagonal. Off the grid, vertices are moved, but
+/// cells stay convex.
 void add_mesh(Draw& draw, cases::Case& c, const Layout& layout) {
   const int columns = draw.between(1, 1 + draw.size() / 34);
   const int rows = draw.between(1, 1 + draw.size() / 50);
@@ -327,7 +328,8 @@ void add_mesh(Draw& draw, cases::Case& c, const Layout& layout) {
   }
 }
 
-/// Triangles around a hub; neighbours form convex quadrilaterals as the ring is round enough.
+/// Adds triangles around a hub. The ring is round enough that neighbours form convex
+/// quadrilaterals.
 void add_fan(Draw& draw, cases::Case& c, const Layout& layout) {
   constexpr std::array<WindowPoint, 8> kRing{WindowPoint{4, 0},  {3, 3},   {0, 4},  {-3, 3},
                                              WindowPoint{-4, 0}, {-3, -3}, {0, -4}, {3, -3}};
@@ -339,8 +341,8 @@ void add_fan(Draw& draw, cases::Case& c, const Layout& layout) {
   }
 }
 
-/// A quadrilateral whose shared edge runs exactly through a sample, with weights that are no powers
-/// of two; its other diagonal runs through a point nearby.
+/// Adds a quadrilateral whose shared edge runs exactly through a sample and whose other diagonal
+/// runs through a point nearby. Weights are not powers of two.
 void add_quad_through_sample(Draw& draw, cases::Case& c) {
   const WindowPoint sample = visible_sample(draw, c);
   const int du = draw.between(-3, 3);

@@ -1,29 +1,29 @@
 // Splitting a triangle changes nothing beyond the bound: a triangle cut into parts at a point of an
 // edge, at a point inside, or at the middles of all edges is drawn by the parts together, each
-// sample once, and with the values that it had.
+// sample once, with the same values.
 //
 // Why. Vertices are added in clip space: p = Σ s_i p_i with s_i >= 0 and Σ s_i = 1 is a point of
-// the triangle, wherever it appears, also behind the eye. What a smooth attribute r, z and a clip
-// distance d interpolate is linear in clip space, so that with r = Σ s_i r_i, and z and d alike,
-// each part has the map of the whole: the same 1/w, N/D, z/w and f at each sample (RULES §1). Its
-// edges inside are there twice, in opposite directions, and a zero is inside of one of the two
-// (§2); its outer edges lie in those of the whole. The s_i are quarters and the numbers short
-// enough that every sum is a float32: nothing is rounded.
+// the triangle, wherever it appears, even behind the eye. A smooth attribute r, z and a clip
+// distance d are linear in clip space, so with r = Σ s_i r_i, and z and d alike, each part has the
+// same map as the whole: the same 1/w, N/D, z/w and f at each sample (RULES §1). Inner edges occur
+// twice, in opposite directions, and a zero is inside exactly one of the two parts (§2). Outer
+// edges lie in edges of the whole. The s_i are quarters, and the numbers so short that every sum is
+// float32: nothing is rounded.
 //
-// Values are within the bound of one exact value, so the two drawings' differ by twice the bound at
-// most. Noperspective attributes are linear in the window and not in clip space, flat ones follow
-// the provoking vertex, centroids what is covered: all attributes are made smooth and evaluated at
-// the sample. Each triangle as if drawn alone: a depth test is left out.
+// Both drawings are within the bound of the same exact value, so they differ by at most twice the
+// bound. Noperspective attributes are linear in the window and not in clip space, flat attributes
+// follow the provoking vertex, and centroids follow the coverage. So all attributes are made smooth
+// and evaluated at the sample. Each triangle is drawn as if alone: the depth test is removed.
 //
-// Samples: all that internal/parted_triangles.h does not find open, which are samples near the
-// outline of snapped triangles. Values where attributes come from the exact positions: those of
-// vertices that are snapped, and of a point that is snapped between them, lie in other planes.
+// Samples: all except those that internal/parted_triangles.h leaves open near the outline of
+// snapped triangles. Values are compared only if they come from exact positions: an added vertex
+// that is snapped no longer lies in the plane of the triangle's snapped vertices.
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
-#include "properties/laws/internal/choices.h"
+#include "properties/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/parted_triangles.h"
 
@@ -32,19 +32,19 @@ namespace {
 
 using cases::Triangle;
 
-/// At a point of an edge: two parts.
+/// Cuts a triangle in two at a point of an edge.
 std::vector<Triangle> split_at_edge(cases::Case& c, const Triangle& whole, int quarters) {
   const std::uint32_t point = add_mixed(c, whole, {4 - quarters, quarters, 0});
   return {{whole[0], point, whole[2]}, {point, whole[1], whole[2]}};
 }
 
-/// At a point inside: three parts.
+/// Cuts a triangle in three at a point inside.
 std::vector<Triangle> split_inside(cases::Case& c, const Triangle& whole) {
   const std::uint32_t point = add_mixed(c, whole, {2, 1, 1});
   return {{whole[0], whole[1], point}, {point, whole[1], whole[2]}, {whole[0], point, whole[2]}};
 }
 
-/// At the middles of all edges: four parts.
+/// Cuts a triangle in four at the middles of its edges.
 std::vector<Triangle> split_at_middles(cases::Case& c, const Triangle& whole) {
   const std::uint32_t of_01 = add_mixed(c, whole, {2, 2, 0});
   const std::uint32_t of_12 = add_mixed(c, whole, {0, 2, 2});
@@ -61,7 +61,7 @@ Parted parted(const cases::Case& c) {
   result.parts = result.whole;
   result.parts.triangles.clear();
   result.note = "drawn in parts";
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   for (std::uint32_t t = 0; t < result.whole.triangles.size(); ++t) {
     Triangle triangle = result.whole.triangles[t];
     std::rotate(triangle.begin(), triangle.begin() + static_cast<int>(choices.below(3)),

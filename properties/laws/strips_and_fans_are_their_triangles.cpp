@@ -1,18 +1,18 @@
-// Strips and fans are their triangles: what is drawn of a strip, fan or list of indices is what the
-// triangles are drawn that the API makes of them, in its order of vertices. A wrong winding shows
-// where one side is culled, a wrong provoking vertex in flat attributes, a wrong triangle anywhere.
+// Strips and fans are their triangles: a strip, fan or list of indices draws the same as the
+// triangles that the API makes of it, in the API's order of vertices. A wrong winding shows if one
+// side is culled, a wrong provoking vertex in flat attributes, a wrong triangle anywhere.
 //
-// The rules, of the vertices v_0, v_1, … since the last restart (Vulkan 1.3, Triangle Strips and
-// Triangle Fans; Direct3D 9 the same; OpenGL 4.6, table of provoking vertices, last convention):
+// The rules, for the vertices v_0, v_1, … since the last restart (Vulkan 1.3, Triangle Strips and
+// Triangle Fans; the same in Direct3D 9; OpenGL 4.6, table of provoking vertices, last convention):
 //
 //   strip  Vulkan, D3D  (v_i, v_{i + 1 + i mod 2}, v_{i + 2 − i mod 2})
 //          OpenGL       (v_i, v_{i + 1}, v_{i + 2}), the first two swapped where i is odd
 //   fan    Vulkan, D3D  (v_{i + 1}, v_{i + 2}, v_0)
 //          OpenGL       (v_0, v_{i + 1}, v_{i + 2})
 //
-// Which topology is drawn, and of which indices, is a function of the vertices' positions: all
-// vertices in turn, now and then one once more, or a restart. The triangles of the case have no
-// say; those of generated cases are what the rules make of the indices.
+// The vertices' positions choose the topology and the indices: all vertices in turn, with
+// occasional repeats and restarts. The case's own triangles have no influence; in generated cases
+// they are the triangles that the rules make from the indices.
 
 #include <fmt/format.h>
 
@@ -21,6 +21,7 @@
 #include <string>
 #include <utility>
 
+#include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/random_state.h"
@@ -31,7 +32,8 @@ namespace {
 
 using cases::Topology;
 
-/// Vertices of a case that are drawn, so that a mesh does not take hours.
+/// The greatest number of a case's vertices that are drawn; without a limit, a mesh would take
+/// hours.
 constexpr std::size_t kMostVertices = 48;
 
 struct Indexed {
@@ -51,9 +53,9 @@ const char* word(Topology topology) {
   return "fan";
 }
 
-/// Choices that follow from the positions alone (64-bit FNV-1a of their bits, then its steps): the
-/// triangles of generated cases follow from them, and so may not be among what they are taken off,
-/// as they are of fingerprint().
+/// Choices made from the positions alone (64-bit FNV-1a of their bits, then further steps of the
+/// hash). The triangles of generated cases follow from these choices, so the choices must not
+/// depend on the triangles, as those of choices_of() do.
 class PositionChoices {
  public:
   explicit PositionChoices(const cases::Case& c) {
@@ -134,7 +136,7 @@ std::vector<cases::Triangle> triangles_of(cases::Rules rules, const Indexed& ind
   return all;
 }
 
-/// "0 1 R 2 3", R being a restart.
+/// The indices as text, "0 1 R 2 3", with R for a restart.
 std::string index_text(const std::vector<std::uint32_t>& indices) {
   std::string text;
   for (const std::uint32_t index : indices) {
@@ -178,7 +180,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
 
 bool is_promised(backends::Backend& backend) { return backend.assembler() != nullptr; }
 
-/// A flat attribute that names its vertex, and a smooth one.
+/// Adds a flat attribute that names its vertex, and a smooth attribute.
 void add_telling_attributes(Draw& draw, cases::Case& c) {
   c.attributes.push_back({"vertex", cases::Interpolation::flat, cases::Location::sample});
   c.attributes.push_back({"shade", cases::Interpolation::smooth, cases::Location::sample});
@@ -204,7 +206,7 @@ Generated generate(Draw& draw) {
   cases::Case c = random_state(draw, request);
   const int vertices = draw.between(3, 5 + draw.size() / 12);
   for (int i = 0; i < vertices; ++i) add_random_vertex(draw, c);
-  // Restarts may have left none.
+  // Restarts may have left no triangle.
   while (triangles_of(c.rules, indices_of(c)).empty()) add_random_vertex(draw, c);
   const Indexed indexed = indices_of(c);
   c.triangles = triangles_of(c.rules, indexed);

@@ -1,18 +1,20 @@
-// Texels are those of the exact coordinates: a nearest texel is the one that s and t are in as
-// rational numbers, and its colour is k/255 to the bit.
+// Texels are those of the exact coordinates: nearest filtering takes the texel that contains the
+// exact rational s and t, and the colour is k/255 to the bit.
 //
-// Why. RULES §4 give a fragment one s and one t; ⌊s W⌋, wrapped, is a whole number with nothing to
-// round. A coordinate that was rounded first is on the wrong side of a texel's border now and then,
-// by a whole texel: seams of tiles, and what seed 004's `(int)` does below 0. Every texel's colour
-// names it, so that a violation tells which one was taken.
+// Why. RULES §4 give a fragment exactly one s and one t; ⌊s W⌋, wrapped, is an integer, with
+// nothing to round. A coordinate that is rounded first is sometimes on the wrong side of a texel's
+// border, and the colour is off by a whole texel. That makes seams between tiles, as does `(int)`
+// below 0 in MIT 6.837 2000, lecture 18. Every texel's colour identifies the texel, so a violation
+// tells which one was taken.
 //
-// The texture's size, its wraps and the picture's format are chosen by the case's numbers; the
-// coordinates are its first two attributes. Nothing is tested or blended: what is drawn last is
-// seen.
+// The case's numbers choose the texture's size, its wrap modes and the picture's format; the
+// coordinates are the first two attributes. Without depth test and blending, the last triangle
+// drawn is visible.
 //
-// Samples: some of those drawn, where the last triangle is required and has one exact value of both
-// coordinates. So not noperspective ones with some w <= 0, nor centroids whose place is open, nor
-// any that the contract leaves in a range. Judged of backends that draw pictures.
+// Samples: some of the drawn samples at which the last triangle is required and both coordinates
+// have a single exact value. That excludes noperspective coordinates of triangles with some w <= 0,
+// centroids whose place is open, and values that the contract leaves in a range. Only backends that
+// draw pictures are judged.
 
 #include <fmt/format.h>
 
@@ -21,6 +23,7 @@
 #include <string_view>
 
 #include "oracle/texture_truth.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/seen_triangles.h"
@@ -33,12 +36,12 @@ namespace {
 using oracle::TextureTruth;
 using records::FragmentClass;
 
-/// At most so many samples of a case are judged.
+/// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 64;
 
 constexpr std::array<std::string_view, 3> kWrapWords{"repeat", "clamp", "mirror"};
 
-/// Red names the column, green the row; no byte is 0.
+/// Red encodes the column, green the row; no byte is 0.
 std::uint8_t naming_byte(int i, int j, std::size_t channel) {
   switch (channel) {
     case 0:
@@ -53,7 +56,7 @@ std::uint8_t naming_byte(int i, int j, std::size_t channel) {
 }
 
 cases::Pipeline pipeline_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   cases::Pipeline pipeline;
   pipeline.depth_function = cases::DepthFunction::always;
   pipeline.format = choices.below(3) == 0 ? cases::ColorFormat::rgba8 : cases::ColorFormat::float32;
@@ -106,7 +109,7 @@ class TexelCheck {
     for (std::uint32_t channel = 0; channel < color.size(); ++channel) {
       const float actual = picture_->color[at * color.size() + channel];
       const float expected = static_cast<float>(color[channel]) / 255;
-      // One texel, one violation.
+      // Reports a wrong texel once, not once per channel.
       if (!is_same(actual, expected)) return report(place, channel, color, exact, actual);
       tally_.pass(kind_of(*case_, channel % 2));
     }

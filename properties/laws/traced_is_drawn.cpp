@@ -1,14 +1,15 @@
-// The traced value is the drawn value: what a backend says about how a sample came about is how it
-// came about. A trace that is computed beside the drawing, or recorded of another sample, explains
-// an error that nobody made.
+// The traced value is the drawn value: a backend's trace of a sample describes how the sample was
+// really computed. A trace computed beside the drawing, or recorded for another sample, explains an
+// error that does not exist.
 //
-// Of up to four fragments of each triangle, spread over all that were drawn: there is a trace, its
-// depth and attributes are the drawn ones to the bit, and it holds together. The weights at the
-// sample, and those of a value, are what its lines give, and of a value from planes numerator and
-// denominator are what these give, every operation rounded to double (records/stage_trace.h); what
-// was evaluated is rounded to the value. Of samples beside them that were not drawn: if there is a
-// trace it says so, and its weights are those of its lines. Triangles are traced alone, so the
-// depth test is left out. Judged of backends that trace.
+// The law checks up to four fragments of each triangle, spread over all its drawn fragments. A
+// trace must exist, its depth and attributes must equal the drawn ones to the bit, and the trace
+// must be consistent. Its lines give the weights at the sample and those of a value; its planes, if
+// any, give a value's numerator and denominator. For lines and planes, every operation is rounded
+// to double (records/stage_trace.h). The evaluated result rounds to the value. For neighbouring
+// samples that were not drawn, a trace, if it exists, must say so, and its lines must give its
+// weights. Triangles are traced one by one, so the depth test is removed. Only backends that trace
+// are judged.
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ using records::FragmentClass;
 using records::SampleTrace;
 using records::TracedValue;
 
-/// Fragments of a triangle that are traced, and samples beside each of them that are asked for.
+/// The greatest number of fragments of a triangle that are traced.
 constexpr std::size_t kMostTraced = 4;
 
 bool is_same_float(float a, float b) {
@@ -44,7 +45,7 @@ double on_axis(const records::TracedAxis& axis, double at) {
   return axis.scale * (2 * at - axis.shift);
 }
 
-/// A line or a plane; `c` is that of a plane.
+/// The value of a line or a plane at (u, v); `c` is its constant.
 template <typename Plane>
 double value_at(const Plane& plane, const records::TracedFrame& frame, double c, double u,
                 double v) {
@@ -53,7 +54,7 @@ double value_at(const Plane& plane, const records::TracedFrame& frame, double c,
 
 using Weights = std::array<double, 3>;
 
-/// What is wrong with weights at (u, v); empty where nothing is.
+/// Returns what is wrong with the weights at (u, v); empty if they are right.
 std::string fault_of_weights(const SampleTrace& trace, const Weights& weights, double u, double v) {
   if (!trace.lines || !trace.frame) return "the trace has weights and no lines";
   for (std::size_t i = 0; i < 3; ++i) {
@@ -103,7 +104,7 @@ class TraceCheck {
   Result<Check> run() {
     std::map<std::uint32_t, std::vector<std::size_t>> fragments;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      // What is not of the case is a matter of coverage.
+      // Fragments outside the case are left to laws about coverage.
       if (drawn_->triangle[i] < case_->triangles.size()) {
         fragments[drawn_->triangle[i]].push_back(i);
       }
@@ -137,7 +138,7 @@ class TraceCheck {
     for (const cases::SamplePlace& at : beside) check_not_drawn(at);
   }
 
-  /// The first samples to the right, below, and behind in the pattern that were not drawn.
+  /// Adds the nearest undrawn samples: to the right, below, and later in the pattern.
   void add_neighbours(const cases::SamplePlace& at, const Places& drawn, Places& beside) const {
     for (std::uint32_t cases::SamplePlace::*const towards :
          {&cases::SamplePlace::x, &cases::SamplePlace::y, &cases::SamplePlace::sample}) {
@@ -231,7 +232,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
 
 bool is_promised(backends::Backend& backend) { return backend.tracer() != nullptr; }
 
-/// Any case, in half of them with snapped vertices.
+/// Makes any case; half of the cases have snapped vertices.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   if (draw.one_in(2)) set_snapped_coverage(draw, made.source);

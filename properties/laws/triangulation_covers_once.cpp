@@ -1,35 +1,36 @@
-// A triangulation of the screen covers each sample once: where triangles with common edges fill an
-// outline that holds the whole viewport, every sample of the viewport is drawn by exactly one of
-// them, wherever their vertices lie: on samples, beyond the screen, with any w > 0. Where one plane
-// cuts all of them, so is every sample on its inner side, and none on the other.
+// A triangulation of the screen covers each sample once: if triangles with common edges fill an
+// outline around the whole viewport, exactly one of them draws each sample of the viewport,
+// wherever their vertices lie: on samples, beyond the screen, with any w > 0. If one plane cuts all
+// triangles, the same holds on the plane's inner side, and no sample is drawn on the other side.
 //
-// Why. Let p be a point of the window, all w > 0 and all triangles of one orientation. Each turns
-// once around p if it covers p and not at all else, and an edge that two triangles run through in
-// opposite directions adds nothing to the sum: so the number of triangles that cover p is the
-// number of times that the outline, the edges that only one triangle has, runs around p. That is
-// the same all over the viewport if no edge of the outline meets it. Here each one has both ends
-// beyond the same side of the viewport, and its turns around the middle are counted by the edges
-// that cross the ray from there to the right: both ends have x > w, and y changes its sign.
+// Why. Let p be a point of the window, all w > 0 and all triangles of one orientation. A triangle
+// winds once around p if it covers p, and otherwise not at all. An edge that two triangles traverse
+// in opposite directions adds nothing to the sum of windings. So the number of triangles that cover
+// p is the outline's winding number around p; the outline is the edges that only one triangle has.
+// The number is the same all over the viewport if no edge of the outline meets the viewport. The
+// law requires both ends of each outline edge to lie beyond the same side of the viewport. It
+// counts the turns around the viewport's middle by the edges that cross the ray from the middle to
+// the right: both ends have x > w, and y changes its sign.
 //
-// Ties. Inside is A > 0, or A = 0 and σ B > 0, where E(p) = 0 (RULES §2): that is E > 0 at
-// p + (ε, σ ε²) for small ε, another point, on no edge. So the sentence holds of ties as well, also
-// of a sample at a vertex that any number of triangles share.
+// Ties. If E(p) = 0, inside is A > 0, or A = 0 and σ B > 0 (RULES §2). That is the same as E > 0 at
+// p + (ε, σ ε²) for small ε, which is a point on no edge. So ties are covered once as well, even at
+// a vertex that many triangles share.
 //
-// A plane. A clip distance d_i = ±x_i or ±y_i at all vertices interpolates to x/w or y/w, whatever
-// the triangle: inside is a half of the viewport. z_i = ±x_i or ±y_i likewise, inside being
-// −1 <= z/w <= 1 (OpenGL), all of it, or 0 <= z/w, a half. On the line of a clip distance a sample
-// is drawn at most once, as its own normal decides. Nothing is rounded, and all that is asked of
-// the case is comparisons of its numbers.
+// A plane. A clip distance d_i = ±x_i or ±y_i at all vertices interpolates to ±x/w or ±y/w in every
+// triangle, so its inside is one half of the viewport. The same holds for z_i = ±x_i or ±y_i:
+// inside is −1 <= z/w <= 1 (OpenGL), which is the whole viewport, or 0 <= z/w, which is one half.
+// On the line where a clip distance is 0, a sample is drawn at most once, as the distance's own
+// normal decides. Nothing is rounded: the case's numbers are only compared.
 //
-// Snapping moves a vertex for all its triangles alike, but may turn thin ones round, and clipping
-// makes other vertices in each: cases are left out that have either. Where a contract names no tie
-// rule, or keeps no grid so that each edge may be off a little by itself, two triangles side by
-// side still share what is between them, but not three around a vertex: samples are left out that
-// more than two may cover. All others are decided without the oracle, which says what is special
-// of a sample that is not drawn once. Samples on the far border of the viewport may be left out
-// (§2), and are.
+// Snapping moves a vertex alike for all its triangles, but may flip thin triangles, and clipping
+// makes new vertices in each triangle: such cases are left out. A contract may name no tie rule, or
+// keep no grid, so that each edge may be off a little independently. Two adjacent triangles then
+// still share their edge, but three around a vertex need not agree, so samples that more than two
+// triangles may cover are left out. All other samples are decided without the oracle, which is
+// asked only about samples that are not drawn once. Samples on the viewport's far border may be
+// drawn or not (§2) and are not checked.
 //
-// Culling, a depth test and attributes have no say: they are left out.
+// Culling, a depth test and attributes do not matter, and are removed.
 
 #include <algorithm>
 #include <array>
@@ -58,14 +59,14 @@ using cases::ClipVertex;
 using records::FragmentClass;
 using records::Verdict;
 
-/// Which half of the viewport is drawn: where s n >= 0, n being x/w or y/w.
+/// The half of the viewport that is drawn: sign · n >= 0, where n is x/w or y/w.
 struct HalfPlane {
   bool is_along_x = false;
   int sign = 1;
-  bool is_closed = false;  ///< whether samples on its line are certainly drawn
+  bool is_closed = false;  ///< true if samples on its line are certainly drawn
 };
 
-/// Whether a number of each vertex is ±x or ±y.
+/// Returns the half-plane if `number` is ±x or ±y at all vertices; else nothing.
 template <typename Number>
 std::optional<HalfPlane> half_plane_of(const cases::Case& c, const Number& number) {
   for (const bool is_along_x : {true, false}) {
@@ -82,7 +83,7 @@ std::optional<HalfPlane> half_plane_of(const cases::Case& c, const Number& numbe
   return std::nullopt;
 }
 
-/// The planes that cut all triangles alike; nothing where something else may clip.
+/// Returns the planes that cut all triangles alike; nothing if anything else may clip.
 std::optional<std::vector<HalfPlane>> half_planes_of(const cases::Case& c) {
   std::vector<HalfPlane> planes;
   const float near = near_depth(c);
@@ -94,7 +95,7 @@ std::optional<std::vector<HalfPlane>> half_planes_of(const cases::Case& c) {
     auto plane = half_plane_of(c, [&c](std::size_t v) { return c.positions[v].z; });
     if (!plane) return std::nullopt;
     plane->is_closed = true;
-    // −1 <= z/w <= 1 is the viewport.
+    // −1 <= z/w <= 1 is the whole viewport.
     if (c.rules != cases::Rules::opengl) planes.push_back(*plane);
   }
   for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
@@ -109,10 +110,10 @@ std::optional<std::vector<HalfPlane>> half_planes_of(const cases::Case& c) {
   return planes;
 }
 
-/// What is to be drawn of a sample.
+/// How often a sample must be drawn.
 enum class Times { none, once, at_most_once, any };
 
-/// The viewport and its halves, exact.
+/// The viewport and the half-planes that cut it, without rounding.
 class Screen {
  public:
   /// `error`: how far the viewport's sides may be off, in pixels.
@@ -150,7 +151,7 @@ class Screen {
     Times result = Times::once;
     for (const HalfPlane& plane : planes_) {
       const std::size_t axis = plane.is_along_x ? 0 : 1;
-      const double twice = 2 * position[axis];  // comparing is exact, subtracting need not be
+      const double twice = 2 * position[axis];  // a comparison is exact, a difference need not be
       if (is_open((twice - twice_middle_[axis]) / 2)) return Times::any;
       const int side = (twice > twice_middle_[axis]) - (twice < twice_middle_[axis]);
       const int inside = side * turn_[axis] * plane.sign;
@@ -174,9 +175,9 @@ class Screen {
     return holds(scissor_->x, scissor_->width, x) && holds(scissor_->y, scissor_->height, y);
   }
 
-  /// More than a few roundings of doubles.
+  /// Allows for more than a few roundings of doubles.
   static constexpr double kUp = 1 + 0x1p-40;
-  /// Whether a line at that distance may lie on either side.
+  /// True if a line at that distance may lie on either side of the sample.
   bool is_open(double distance) const { return error_ > 0 && std::fabs(distance) <= kUp * error_; }
 
   std::vector<HalfPlane> planes_;
@@ -191,7 +192,8 @@ class Screen {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The edges that no other triangle runs through the other way; nothing where one is there twice.
+/// Returns the edges that no other triangle traverses in the opposite direction; nothing if an edge
+/// occurs twice in one direction.
 std::optional<std::vector<Edge>> outline_of(const cases::Case& c) {
   std::set<Edge> edges;
   for (const cases::Triangle& triangle : c.triangles) {
@@ -206,9 +208,9 @@ std::optional<std::vector<Edge>> outline_of(const cases::Case& c) {
   return outline;
 }
 
-/// Whether the outline runs around the viewport once, no edge meeting it, however its ends are
-/// moved by up to `reach` pixels. An end is beyond a side if its distance from it, in pixels times
-/// w, is more than twice that: far more than the few roundings of a double cost.
+/// Tells if the outline runs around the viewport once without meeting it, even if the ends of edges
+/// move by up to `reach` pixels. An end counts as beyond a side if it is more than twice `reach`
+/// away from the side. The excess is far more than a few roundings in double cost.
 class AreaOutline {
  public:
   AreaOutline(const cases::Case& c, double reach) : case_(&c) {
@@ -233,7 +235,7 @@ class AreaOutline {
   }
 
  private:
-  /// n/w > 1 + margin. Without a margin exact.
+  /// n/w > 1 + margin; exact if the margin is 0.
   static bool is_beyond(float n, float w, double margin) {
     return double{n} > double{w} && (margin == 0 || double{n} > double{w} * (1 + margin));
   }
@@ -243,7 +245,7 @@ class AreaOutline {
   double margin_y_ = 0;
 };
 
-/// Whether the case is what the law is about, under a contract.
+/// True if the case is a triangulation that the law can check under this contract.
 bool is_triangulation(const cases::Case& c, const cases::Contract& contract, Verdicts& verdicts) {
   const bool all_in_front = std::all_of(c.positions.begin(), c.positions.end(),
                                         [](const ClipVertex& p) { return p.w > 0; });
@@ -251,7 +253,7 @@ bool is_triangulation(const cases::Case& c, const cases::Contract& contract, Ver
   if (!all_in_front || !edges || c.triangles.empty()) return false;
   double reach = contract.coverage ? placement_reach(*contract.coverage) : 0;
   if (contract.has_open_viewport()) {
-    // In a smaller viewport it is more of the screen.
+    // In a smaller viewport, `reach` is a larger part of the screen.
     reach *= cases::most_growth(c.viewport, contract.viewport_error);
   }
   if (!AreaOutline(c, reach).runs_around_once(*edges)) return false;
@@ -332,7 +334,7 @@ class CoveredOnce {
     }
   }
 
-  /// Whether the contract lets each of three triangles decide by itself.
+  /// True if the contract lets three triangles decide independently of each other.
   bool is_open(const cases::SamplePlace& place, Times wanted) {
     const bool is_strict =
         contract_.tie_rule != cases::TieRule::unspecified && contract_.is_on_grid;
@@ -345,7 +347,7 @@ class CoveredOnce {
     return possible > 2;
   }
 
-  /// The place with a triangle that may cover it.
+  /// The place with the first triangle that may cover it.
   cases::SamplePlace first_covering(cases::SamplePlace place) {
     for (std::uint32_t t = 0; t < case_->triangles.size(); ++t) {
       place.triangle = t;

@@ -1,31 +1,31 @@
 // Values are monotone along a line: from sample to sample along a row, a column or a diagonal
-// inside one triangle a smooth value only grows or only falls, and so do noperspective values and
+// inside one triangle, a smooth value only grows or only falls, and so do noperspective values and
 // depths.
 //
-// Along a line r(t) = (a + b t)/(c + d t), the denominator being 1/w, positive at both ends of a
-// triangle's part of the line and so between: the derivative (b c − a d)/(c + d t)² has one sign.
-// Affine values, and depths held to a range, are monotone anyhow. Whether samples between were
-// drawn does not matter.
+// Along a line r(t) = (a + b t)/(c + d t). The denominator is 1/w. It is positive at both ends of
+// the triangle's part of the line, and so in between; the derivative (b c − a d)/(c + d t)²
+// therefore keeps its sign. Affine values and clamped depths are monotone anyway. It does not
+// matter whether samples in between were drawn.
 //
-// Of drawn values. A float f that comes of r is round(r + δ), |δ| <= e units of the scale, e what
-// the bound has besides one rounding (before_rounding): off by at most e units and half an ulp of f
-// itself. Where r grows from sample k to sample l
+// Drawn values. A float f computed for r is round(r + δ) with |δ| <= e units of the scale, where e
+// is the bound without one rounding (before_rounding). So f is off by at most e units and half an
+// ulp of f itself. If r grows from sample k to sample l,
 //
-//   f_k − f_l <= 2 e unit + (ulp(f_k) + ulp(f_l))/2,
+//   f_k − f_l <= 2 e unit + (ulp(f_k) + ulp(f_l))/2.
 //
-// and e is the whole bound, without the ulps of f, where that is not known of the rounding. Which
-// way r goes follows from the two ends of the line where their floats differ by more than that;
-// where they do not, r goes either way, and all floats are to be as close to those of both ends.
+// If the rounding is not known, e is the whole bound, and the ulps of f are dropped. If the floats
+// at the two ends of the line differ by more than that, they tell whether r grows or falls. If not,
+// r may do either, and all floats must be that close to the floats at the ends.
 //
-// Where an inequality fails with the contract's bound alone, the oracle is asked for the horizon's
-// share of it and how wide a range the contract leaves open (as of snapped vertices): the floats
-// may be farther apart by as much, and the ends have to differ by more.
+// If an inequality fails with the contract's bound alone, the oracle finds the horizon's share of
+// the bound and the range that the contract leaves open (as for snapped vertices). The floats may
+// then be that much farther apart, and the ends must differ by that much more.
 //
-// Rounding here: differences of two floats in double are off by 2^-53 of the greater, less than
-// 2^-29 units. The errors allowed are a share of 2^-23 larger.
+// Rounding in this check: differences of two floats in double are off by 2^-53 of the greater
+// float, which is less than 2^-29 units. The allowed errors have a margin of 2^-23.
 //
-// Samples: those that are required. Attributes: those at samples, as centres may lie outside, and
-// centroids anywhere. Noperspective ones where all w > 0.
+// Samples: required ones. Attributes: those located at samples, since centres may lie outside the
+// triangle and centroids may lie anywhere; noperspective attributes only if all w > 0.
 
 #include <algorithm>
 #include <array>
@@ -45,18 +45,18 @@ namespace {
 using cases::Interpolation;
 using cases::Location;
 
-/// Whether along lines of a triangle an attribute is monotone.
+/// True if an attribute is monotone along lines of a triangle.
 bool is_monotone(const cases::Case& c, const cases::Triangle& triangle, std::uint32_t attribute) {
   const cases::Attribute& declared = c.attributes[attribute];
   if (!is_at_sample(c, attribute) || declared.interpolation == Interpolation::flat) return false;
   return declared.interpolation == Interpolation::smooth || all_in_front(c, triangle);
 }
 
-/// How far a float may be from what it comes of.
+/// How far a float may be from its exact value.
 struct EndError {
   double bound = 0;  ///< scale ULP
   double unit = 0;
-  double width = 0;  ///< of what the contract leaves open
+  double width = 0;  ///< width of the range that the contract leaves open
 
   double of(double value) const {
     const double rounding = bound < 1 ? ulp_of(value) / 2 : 0;
@@ -64,7 +64,7 @@ struct EndError {
   }
 };
 
-/// Which way values go along a line.
+/// Whether values grow or fall along a line.
 enum class Way { up, down, either };
 
 class MonotoneCheck {
@@ -90,20 +90,21 @@ class MonotoneCheck {
   }
 
  private:
-  /// By the contract alone.
+  /// The error that the contract alone allows.
   EndError error_of(std::size_t fragment, const MaybeAttribute& attribute) const {
     return {double{findings_.bound_of(attribute).constant},
             values_.vertex_ulp(fragment, attribute)};
   }
 
-  /// With all that the oracle says; nothing where nothing is promised.
+  /// The error including the horizon's share and the open range, which the oracle finds; empty if
+  /// nothing is promised.
   std::optional<EndError> asked_error_of(std::size_t fragment, const MaybeAttribute& attribute) {
     const auto promise = findings_.promise_of(values_.place(fragment), attribute);
     if (!promise) return std::nullopt;
     return EndError{promise->bound, promise->unit, promise->hi - promise->lo};
   }
 
-  /// Whether value k is above value l by more than what errors explain. NaN is.
+  /// True if value k exceeds value l by more than errors explain, or if a value is NaN.
   static bool is_above(double k, double l, const EndError& of_k, const EndError& of_l) {
     return !(k - l <= (of_k.of(k) + of_l.of(l)) * (1 + kRounding));
   }
@@ -124,7 +125,8 @@ class MonotoneCheck {
     findings_.label(attribute ? "attribute" : "depth");
     if (attribute && way != Way::either) findings_.label("certain way");
     if (line.size() >= 16) findings_.label("long line");
-    // What a value is held against: where the way is certain the greatest (least) one before it.
+    // The index of the value to compare with: if values are certain to grow (fall), the greatest
+    // (least) value so far.
     std::size_t extreme = 0;
     for (std::size_t i = 0; i <= end; ++i) {
       findings_.see(values_.place(line[i].fragment), attribute);
@@ -145,7 +147,7 @@ class MonotoneCheck {
     }
   }
 
-  /// Whether what the contract alone does not explain is a violation at l.
+  /// Reports a violation at l, unless the oracle explains what the contract alone does not.
   void ask(std::span<const LinePoint> line, const MaybeAttribute& attribute, std::size_t k,
            std::size_t l, Way way) {
     const std::size_t a = line.front().fragment;
@@ -164,7 +166,7 @@ class MonotoneCheck {
     if (way != Way::either && way_of(at_a, at_b, *of_a, *of_b) == way) {
       is_wrong =
           way == Way::up ? is_above(at_k, at_l, *of_k, *of_l) : is_above(at_l, at_k, *of_l, *of_k);
-    } else {  // between the ends, whichever way
+    } else {  // must lie between the ends
       const bool is_above_both =
           is_above(at_l, at_a, *of_l, *of_a) && is_above(at_l, at_b, *of_l, *of_b);
       const bool is_below_both =
@@ -181,7 +183,7 @@ class MonotoneCheck {
                          std::to_string(line.front().at) + " to " + std::to_string(line.back().at));
   }
 
-  /// Roundings here, as a share of the errors allowed.
+  /// A bound for rounding errors of this check, relative to the allowed errors.
   static constexpr double kRounding = 0x1p-23;
 
   const cases::Case* case_;
@@ -197,8 +199,8 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   });
 }
 
-/// A triangle about the middle of the window, so that there are lines; w up to a factor of 64
-/// apart.
+/// Adds a triangle around the middle of the window, so that lines are long enough; the w differ by
+/// a factor of up to 64.
 void add_large_triangle(Draw& draw, cases::Case& c) {
   const WindowPoint middle = visible_middle(c);
   constexpr std::array<WindowPoint, 3> kDirections{{{1, 0.25}, {-0.75, 1}, {-0.25, -1}}};
@@ -214,7 +216,7 @@ void add_large_triangle(Draw& draw, cases::Case& c) {
   c.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// Attributes at samples, so that each says something.
+/// Puts all attributes at samples, so that the law applies to each.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

@@ -1,24 +1,23 @@
 // Values stay in the range of their vertices: inside a triangle a smooth value is between the least
-// and the greatest of the three that were put in, and so are noperspective values and depths.
+// and the greatest of the three vertex values, and so are noperspective values and depths.
 //
-// r = Σ r_i E_i / Σ E_i with all E_i >= 0 at a sample that is covered: a mean of the r_i, which no
-// mean leaves. So are noperspective values and depths where all w_i > 0: the weights w_i e_i are
-// not negative either, and add up to 1. Depths of what is clipped lie in the depth range besides.
-// One rounding to float32 leaves a range whose ends are floats as little as a mean does, as it is
-// monotone. What a contract's bound has left besides that rounding (before_rounding) may carry a
-// value beyond the range by as much, in ulps of the greatest r_i, and no farther: an attribute from
-// −1000 to 0 has no business at half an ulp of 1000.
+// At a covered sample all E_i >= 0, so r = Σ r_i E_i / Σ E_i is a mean of the r_i and stays in
+// their range. So do noperspective values and depths if all w_i > 0: the weights w_i e_i are not
+// negative either, and sum to 1. Clipped depths are also within the depth range. Rounding to
+// float32 is monotone, so one rounding does not leave a range whose ends are floats. A value may
+// leave the range only by what the contract's bound allows besides this rounding (before_rounding),
+// in ulps of the greatest r_i: an attribute from −1000 to 0 must stay below half an ulp of 1000.
 //
-// The ends of depths, n + (f − n) z_i/w_i, are no floats: in double they are off by five roundings
-// of numbers of at most m = max(n, f), one of each operation, by less than 2^-50 m.
+// The ends of a range of depths, n + (f − n) z_i/w_i, are not floats. In double they are off by
+// five roundings, one per operation, of numbers of at most m = max(n, f), so by less than 2^-50 m.
 //
-// Attributes: those at samples, and at centroids, which are points of the triangle as well; centres
-// only of one sample, as others may lie outside. Samples: those that are required. Where coverage
-// is snapped and values come from other positions than coverage does, the sample need not lie in
-// the triangle that they are values of. So of a value beyond the range the oracle is asked what the
-// contract leaves open there; the range is made as large as that.
+// Attributes: those located at samples and at centroids, which are also points of the triangle;
+// those at centres only if pixels have one sample, since other centres may lie outside. Samples:
+// required ones. If coverage is snapped and values come from other positions than coverage, the
+// sample need not lie in the triangle that its values come from. So for a value beyond the range,
+// the oracle tells what the contract leaves open there, and the range is widened by that.
 //
-// Its cases: attributes of two values, so that one whole edge is at an end of the range.
+// Generated attributes have two values, so that a whole edge is at an end of the range.
 
 #include <algorithm>
 #include <array>
@@ -39,11 +38,11 @@ using cases::Location;
 
 // --- The law -------------------------------------------------------------------------------------
 
-/// Numbers from lo to hi, and the floats that are within.
+/// The numbers from lo to hi, and the unit of their scale.
 struct VertexRange {
   double lo = 0;
   double hi = 0;
-  double unit = 0;  ///< ulp of the greatest
+  double unit = 0;  ///< ulp of the greatest magnitude
 };
 
 VertexRange range_of_attribute(const cases::Case& c, const cases::Triangle& triangle,
@@ -53,7 +52,7 @@ VertexRange range_of_attribute(const cases::Case& c, const cases::Triangle& tria
   return {lo, hi, ulp_of(std::max(std::abs(lo), std::abs(hi)))};
 }
 
-/// Of the vertices' depths, as far as they are drawn.
+/// The range of the vertices' depths, clamped to the depth range.
 VertexRange range_of_depth(const cases::Case& c, const cases::Triangle& triangle) {
   const double n{c.viewport.min_depth};
   const double f{c.viewport.max_depth};
@@ -69,7 +68,7 @@ VertexRange range_of_depth(const cases::Case& c, const cases::Triangle& triangle
   return {std::max(lo - off, std::min(n, f)), std::min(hi + off, greatest), ulp_of(greatest)};
 }
 
-/// What of one triangle the law speaks about.
+/// The ranges that the law checks for one triangle.
 struct TriangleRanges {
   bool has_depth = false;
   VertexRange depth;
@@ -121,7 +120,8 @@ class RangeCheck {
     findings_.see(place, attribute);
     if (attribute) add_labels(*attribute, range, actual);
     if (actual >= range.lo && actual <= range.hi) return;
-    // The bound's share that depends on the horizon, and what the contract leaves open.
+    // The promise includes the part of the bound that depends on the horizon, and the range that
+    // the contract leaves open.
     const std::optional<ValuePromise> promise = findings_.promise_of(place, attribute);
     if (!promise) return;
     const double unit = std::max(range.unit, promise->unit);
@@ -156,7 +156,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
 
 // --- Its cases -----------------------------------------------------------------------------------
 
-/// The two values of an attribute.
+/// Chooses the two values of an attribute.
 std::array<float, 2> random_ends(Draw& draw) {
   switch (draw.between(0, 4)) {
     case 0:
@@ -170,7 +170,7 @@ std::array<float, 2> random_ends(Draw& draw) {
       const float near = draw.spread(-20, 0);
       return {near, far};
     }
-    case 3: {  // neighbours
+    case 3: {  // neighbouring floats
       const float value = draw.spread(-8, 8);
       return {value, stepped(value, 1)};
     }

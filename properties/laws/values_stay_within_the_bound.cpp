@@ -1,6 +1,6 @@
-// Values stay within the bound: depth and attributes of what was rightly drawn are no farther from
-// the exact values than the contract says, and are numbers. Samples that are missing, or should not
-// be there, are another law's business.
+// Values stay within the bound: depth and attributes of correctly drawn fragments are numbers no
+// farther from the exact values than the contract says. Missing and extra samples are left to
+// another law.
 
 #include "properties/judged_law.h"
 

@@ -1,15 +1,16 @@
-// Threads, tiles and SIMD change no bit: the specifications that a backend names as ones that
-// promise the same bits (Backend::same_as) draw the same fragments and pictures as it does.
+// Threads, tiles and SIMD change no bit: the variants that a backend names as drawing the same bits
+// (Backend::same_as) draw the same fragments and pictures as the backend itself.
 //
-// Why. The promise is the backend's own, and this law holds it to it. `cpu` makes it of fragments
-// and framebuffers, of any number of threads, and of all kinds of vectors, as its kernels round
-// products and sums one by one and fuse none, and as a sample is drawn by one thread, in the order
-// of the triangles. Where nothing of the kind is promised the law has nothing to say; no bound of
-// a contract is asked for: two drawings within it may differ.
+// Why. The promise is the backend's own. `cpu` makes it for fragments and framebuffers, for any
+// number of threads and all kinds of vectors, because its kernels round each product and each sum
+// and fuse none, and because each sample is drawn by one thread, in the order of the triangles. If
+// a backend promises nothing of the kind, the law does not apply: two drawings within a contract's
+// bound may differ.
 //
-// Samples: all. A case is drawn by at most two of the specifications, spread over the list from a
-// place that the case's numbers choose; a picture by each as well, where both draw some, by a
-// pipeline of the case's numbers. Derivatives count where both have them.
+// Samples: all. At most two of the variants draw a case. They are spread over the list, from a
+// place that the case's numbers choose. If the backend and the variant draw pictures, their
+// pictures are compared as well, with a pipeline from the case's numbers. Derivatives are compared
+// if both drawings have them.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "backends/factory.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
@@ -30,10 +32,10 @@ namespace {
 
 constexpr std::size_t kMostVariants = 2;
 
-/// At most kMostVariants of them.
+/// Chooses at most kMostVariants of the variants.
 std::vector<std::string> some_of(const std::vector<std::string>& all, const cases::Case& c) {
   const std::size_t count = std::min(all.size(), kMostVariants);
-  const auto first = static_cast<std::size_t>(fingerprint(c) % all.size());
+  const auto first = static_cast<std::size_t>(choices_of(c) % all.size());
   std::vector<std::string> some;
   some.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -42,9 +44,9 @@ std::vector<std::string> some_of(const std::vector<std::string>& all, const case
   return some;
 }
 
-/// What a case shows of the ways in which backends part their work.
+/// Labels the ways of dividing work that a case exercises.
 void add_labels(const cases::Case& c, const cases::Fragments& drawn, Check& check) {
-  // More than the tiles and blocks of most rasterizers have.
+  // Larger than the tiles and blocks of most rasterizers.
   constexpr std::uint16_t kSide = 64;
   const auto is_beyond = [](std::uint16_t at) { return at >= kSide; };
   if (std::any_of(drawn.x.begin(), drawn.x.end(), is_beyond) ||
@@ -87,7 +89,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   return check;
 }
 
-/// More than 64 pixels along a side, all of them the viewport's.
+/// Makes a side longer than 64 pixels, all of it within the viewport.
 void lengthen(Draw& draw, cases::Case& c) {
   const int length = draw.between(65, 140);
   const int breadth = draw.between(4, 12);

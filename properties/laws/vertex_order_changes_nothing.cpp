@@ -1,14 +1,14 @@
 // Vertex order changes nothing beyond the bound: a triangle is the same whichever of its vertices
-// comes first. What is drawn with the second vertex first is held against the truth of the order as
-// it was, so that set-up code that is good for one order only shows; and what is drawn with the
-// third one first, where it differs from that.
+// comes first. The drawing with the second vertex first is judged by the truth of the original
+// order, which exposes set-up code that works for only one order. The drawing with the third vertex
+// first is judged where it differs from the drawing with the second first.
 //
-// Why. Rotating the columns of M permutes the rows of Q and leaves det M as it is (RULES §1): the
+// Why. Rotating the columns of M permutes the rows of Q and leaves det M unchanged (RULES §1): the
 // edge functions are the same in another order, and facing, 1/w, N/D and z/w, which are sums over
 // all three, are the same.
 //
-// Flat attributes come from the provoking vertex, which a rotation changes: all vertices are given
-// the same value of them. Leaving the attributes out instead would renumber the others.
+// Flat attributes come from the provoking vertex, which a rotation changes, so all vertices are
+// given the same value. Leaving flat attributes out instead would renumber the other attributes.
 
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"

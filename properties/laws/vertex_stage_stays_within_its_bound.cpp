@@ -1,12 +1,11 @@
 // The vertex stage stays within its bound: each coordinate of clip = projection · view · model ·
-// position that a backend computes is no farther from the exact one than its contract says
-// (cases::Contract::transform_bound), and is a number. It is what RULES §3 ask of a backend that is
-// handed camera and object positions.
+// position that a backend computes is a number no farther from the exact coordinate than the
+// contract says (cases::Contract::transform_bound). RULES §3 ask this of a backend that is given
+// camera and object positions.
 //
-// The bound is in parts of (|P| |V| |M| |p|)_k, so that what cancels may cost digits, and nothing
-// else may; half an ulp is what rounding to float32 costs. Where clip coordinates are subnormal, or
-// a product of two matrices is beyond float32, both hold as anywhere. Judged are all vertices of
-// cases with a camera.
+// The bound is in parts of (|P| |V| |M| |p|)_k, plus half an ulp for rounding to float32, so only
+// cancellation may cost digits. The bound also holds if clip coordinates are subnormal, or if a
+// product of two matrices exceeds float32. All vertices of cases with a camera are judged.
 
 #include <fmt/format.h>
 
@@ -33,7 +32,7 @@ using records::FragmentClass;
 
 std::array<float, 4> coordinates_of(const cases::ClipVertex& p) { return {p.x, p.y, p.z, p.w}; }
 
-/// The first triangle that has a vertex; 0 where none has.
+/// The first triangle with this vertex; 0 if none has it.
 std::uint32_t triangle_with(const cases::Case& c, std::uint32_t vertex) {
   const auto found = std::find_if(
       c.triangles.begin(), c.triangles.end(), [vertex](const cases::Triangle& triangle) {
@@ -93,9 +92,9 @@ bool is_promised(backends::Backend& backend) {
   return backend.vertex_stage() != nullptr && backend.contract({}).transform_bound.has_value();
 }
 
-// The cases. Numbers have up to 24 bits, so that hardly a sum is exact.
+// The cases. Numbers have up to 24 bits, so that hardly any sum is exact.
 
-/// A perspective like those of users: near and far planes, half sides of the near one.
+/// Returns a perspective as in real programs, with random near and far planes and scales.
 Matrix4 perspective(Draw& draw) {
   const double near = double{draw.uniform(0.01F, 1)};
   const double far = double{draw.uniform(10, 1000)};
@@ -122,7 +121,7 @@ void add_vertices(Draw& draw, cases::Case& c, int exponent) {
   add_separate_triangles(c);
 }
 
-/// A model in front of a perspective camera.
+/// Makes a model in front of a perspective camera.
 void make_ordinary(Draw& draw, cases::Case& c) {
   cases::Camera& camera = *c.camera;
   const int axis = draw.between(0, 2);
@@ -135,7 +134,8 @@ void make_ordinary(Draw& draw, cases::Case& c) {
   add_vertices(draw, c, 0);
 }
 
-/// A model far away from the origin, seen from nearby: model and view nearly cancel.
+/// Makes a model far from the origin, viewed from nearby: the translations of model and view nearly
+/// cancel.
 void make_far_from_origin(Draw& draw, cases::Case& c) {
   cases::Camera& camera = *c.camera;
   const int exponent = draw.between(8, 40);
@@ -155,7 +155,7 @@ void make_far_from_origin(Draw& draw, cases::Case& c) {
   add_vertices(draw, c, 0);
 }
 
-/// A mirrored model, its axes scaled each by another factor, sheared.
+/// Makes a mirrored and sheared model with its axes scaled differently.
 void make_mirrored(Draw& draw, cases::Case& c) {
   cases::Camera& camera = *c.camera;
   for (std::size_t i = 0; i < 3; ++i) camera.model[i * 5] = draw.spread(-12, 12);
@@ -169,16 +169,16 @@ void make_mirrored(Draw& draw, cases::Case& c) {
   add_vertices(draw, c, 2);
 }
 
-/// Exponents of three matrices and a position that add up to `sum`, each as far as a float32 goes,
-/// subnormal ones included.
-/// The terms of a clip coordinate are below 2^(sum + 4), and there are 64 of them.
+/// Chooses exponents for three matrices and a position that add up to `sum`, each anywhere in
+/// float32's range, including subnormal numbers. A clip coordinate has 64 terms, each below 2^(sum
+/// + 4).
 void make_with_exponents(Draw& draw, cases::Case& c, int sum) {
   constexpr int kLeast = -140;
   constexpr int kMost = 120;
   std::array<int, 4> exponents{};
   int rest = sum;
   for (std::size_t i = 0; i < 3; ++i) {
-    const int parts = 3 - static_cast<int>(i);  // after this one
+    const int parts = 3 - static_cast<int>(i);  // matrices and position after this one
     const int least = std::max(kLeast, rest - parts * kMost);
     const int most = std::min(kMost, rest - parts * kLeast);
     exponents[i] = draw.between(least, most);
@@ -190,19 +190,19 @@ void make_with_exponents(Draw& draw, cases::Case& c, int sum) {
   camera.view = any_matrix(draw, exponents[1]);
   camera.projection = any_matrix(draw, exponents[2]);
   add_vertices(draw, c, exponents[3]);
-  // Instead of w = 1, which does not go with the other exponents.
+  // Replaces w = 1, which does not fit the other exponents.
   for (cases::ClipVertex& p : c.positions) {
     if (p.w == 1) p.w = p.x;
   }
 }
 
-/// Matrices without any structure.
+/// Makes matrices without any structure.
 void make_any(Draw& draw, cases::Case& c) { make_with_exponents(draw, c, draw.between(-40, 40)); }
 
-/// Clip coordinates near the largest that float32 has.
+/// Makes clip coordinates near the largest float32.
 void make_huge(Draw& draw, cases::Case& c) { make_with_exponents(draw, c, draw.between(90, 117)); }
 
-/// Subnormal clip coordinates, and those that round to 0.
+/// Makes clip coordinates that are subnormal or round to 0.
 void make_tiny(Draw& draw, cases::Case& c) {
   make_with_exponents(draw, c, draw.between(-156, -126));
 }

@@ -1,17 +1,17 @@
-// Values at vertices come back: a sample that lies exactly at a vertex of its triangle has the
-// vertex's attribute values, to the bit.
+// Values at vertices come back: a sample exactly at a vertex of its triangle has the vertex's
+// attribute values, to the bit.
 //
-// That follows from r = Σ r_i E_i / Σ E_i, where two of the E_i are 0, but from no bound in scale
-// ULP: where another vertex has a value a million times as large, r_i may be off by thousands of
-// its own ulps and the bound still hold. Whoever reads an index or a flag back from a corner wants
-// it as it was put in. Judged where the contract promises it.
+// This follows from r = Σ r_i E_i / Σ E_i, where two of the E_i are 0. It does not follow from a
+// bound in scale ULP: if another vertex has a value a million times as large, r_i may be off by
+// thousands of its own ulps within the bound. A program that reads an index or a flag back from a
+// corner needs it unchanged. The law applies if the contract promises this.
 //
-// Vertices: w > 0, and the window position is the sample's, exactly (is_exactly_at). Where values
-// come from snapped positions, the sample has to be a point of the grid and a position not off
-// before it is rounded: then the vertex stays where it is.
-// Attributes: smooth and noperspective ones that are evaluated at the sample. Zeros of either sign
-// are alike: r_i may be −0 and the others add +0 to it.
-// Samples: those that are required, so that no snapped or clipped outline has a say.
+// Vertices: w > 0, and the window position is exactly that of the sample (is_exactly_at). If values
+// come from snapped positions, the sample must be a grid point, and positions must be exact before
+// they are rounded: then the vertex stays where it is. Attributes: smooth and noperspective ones
+// that are evaluated at the sample. Zeros of either sign are the same: r_i may be −0, and the other
+// terms add +0 to it. Samples: required ones, so that snapping and clipping of the outline do not
+// matter.
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ using records::FragmentClass;
 
 // --- The law -------------------------------------------------------------------------------------
 
-/// Indices of the attributes that the law speaks about.
+/// Indices of the attributes that the law checks.
 std::vector<std::uint32_t> attributes_at_samples(const cases::Case& c) {
   std::vector<std::uint32_t> indices;
   for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
@@ -54,10 +54,10 @@ std::vector<std::uint32_t> attributes_at_samples(const cases::Case& c) {
   return indices;
 }
 
-/// Whether a vertex exactly at the sample stays there where values come from.
+/// True if a vertex exactly at the sample stays there in the positions from which values come.
 bool stays_in_place(const cases::Contract& contract, const cases::SamplePosition& at) {
   if (!contract.coverage || contract.basis == cases::Basis::ideal) return true;
-  // A multiple of 2^-b: sixteenths times 2^b are whole.
+  // The sample is a multiple of 2^-b if its sixteenths times 2^b are divisible by 16.
   const int bits = std::min(contract.coverage->subpixel_bits, 4);
   const bool is_grid_point = ((at.x << bits) | (at.y << bits)) % 16 == 0;
   return is_grid_point && contract.is_on_grid && contract.coverage->position_error == 0;
@@ -82,7 +82,7 @@ class VertexCheck {
   }
 
  private:
-  /// The vertex, 0 to 2, that lies exactly at a sample; nothing where none does.
+  /// The vertex, 0 to 2, that lies exactly at a sample; empty if none does.
   std::optional<std::size_t> vertex_at(const cases::SamplePlace& place) const {
     const cases::SamplePosition offset = pattern_[place.sample];
     const WindowPoint p{place.x + offset.x / 16.0, place.y + offset.y / 16.0};
@@ -172,15 +172,15 @@ bool is_promised(backends::Backend& backend) { return backend.contract({}).keeps
 
 // --- Its cases -----------------------------------------------------------------------------------
 
-/// A case whose vertices can lie exactly on samples.
+/// A case in which vertices can lie exactly on samples.
 struct VertexCanvas {
   cases::Case source;
-  /// Bits that a weight may have so that the clip position of a sample is a float32 still.
+  /// The number of bits that a weight may have for the clip position of a sample to be float32.
   int weight_bits = 12;
 };
 
-/// A viewport on the grid, or one in 2^-12 pixels beside it: then double rounds the coordinates of
-/// samples.
+/// Makes a case with a viewport on the grid, or with one moved off the grid by multiples of 2^-12
+/// pixel, so that arithmetic in double rounds the coordinates of samples.
 VertexCanvas random_canvas(Draw& draw) {
   StateRequest request;
   request.is_on_grid = true;
@@ -195,7 +195,7 @@ VertexCanvas random_canvas(Draw& draw) {
     canvas.weight_bits = 6;
   }
   if (draw.one_in(2)) set_snapped_coverage(draw, c);
-  // Otherwise what a case has to say is mostly lost.
+  // Culling and scissors hide most of what a case tests.
   if (!draw.one_in(4)) c.cull = cases::Cull::none;
   if (!draw.one_in(4)) c.scissor.reset();
   return canvas;
@@ -217,7 +217,7 @@ cases::ClipVertex on_sample(Draw& draw, const VertexCanvas& canvas, const Window
   return at_window(c, p, depth, w);
 }
 
-/// Anywhere near: w is any number, now and then behind the eye.
+/// A vertex at `p`, with any w, sometimes behind the eye.
 cases::ClipVertex anywhere(Draw& draw, const VertexCanvas& canvas, const WindowPoint& p) {
   const cases::Case& c = canvas.source;
   const float depth = draw.uniform(near_depth(c) * 0.75F, 0.75F);
@@ -226,7 +226,8 @@ cases::ClipVertex anywhere(Draw& draw, const VertexCanvas& canvas, const WindowP
   return at_window(c, p, depth, w);
 }
 
-/// Four triangles around a sample, a rim point in each quadrant: exactly one of them owns it.
+/// Adds four triangles around a sample, with a rim point in each quadrant. Exactly one of the
+/// triangles owns the sample.
 void add_fan(Draw& draw, VertexCanvas& canvas) {
   constexpr std::array<WindowPoint, 4> kQuadrants{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
   const WindowPoint middle = visible_sample(draw, canvas.source);
@@ -254,8 +255,8 @@ void add_fan(Draw& draw, VertexCanvas& canvas) {
   }
 }
 
-/// A thin triangle whose tip is a sample, and which goes right from there, as no fill rule leaves
-/// out, or left.
+/// Adds a thin triangle with its tip at a sample. The triangle extends to the right, so that every
+/// fill rule includes the tip, or to the left.
 void add_sliver(Draw& draw, VertexCanvas& canvas) {
   const WindowPoint tip = visible_sample(draw, canvas.source);
   const double direction = draw.one_in(4) ? -1 : 1;
@@ -274,7 +275,7 @@ void add_sliver(Draw& draw, VertexCanvas& canvas) {
   add_triangle(canvas.source, third, first, second);
 }
 
-/// A triangle of which one vertex or more lie on samples.
+/// Adds a triangle with at least one vertex on a sample.
 void add_free_triangle(Draw& draw, VertexCanvas& canvas) {
   std::array<cases::ClipVertex, 3> corners;
   const std::size_t certain = static_cast<std::size_t>(draw.between(0, 2));
@@ -290,7 +291,7 @@ void add_free_triangle(Draw& draw, VertexCanvas& canvas) {
   add_triangle(canvas.source, corners[0], corners[1], corners[2]);
 }
 
-/// How the vertices' values of one attribute are to each other.
+/// How the vertices' values of one attribute relate to each other.
 enum class Spread { ordinary, mixed, far_below, zeros, extreme };
 
 float random_value(Draw& draw, Spread spread) {

@@ -1,15 +1,16 @@
-// Every way of drawing draws the same bits: where a driver can be asked for a case's fragments in
-// several ways (backends::WaysOfDrawing), each gives the same ones.
+// Every way of drawing draws the same bits: if a driver can be asked for a case's fragments in
+// several ways (backends::WaysOfDrawing), all give the same fragments.
 //
 // Why. A fragment's place, depth and attributes depend on its triangle and on the case's state.
-// Whether the shader writes them to colours or appends them to a buffer has no say, nor has the
-// number of triangles in a draw. No API promises it: a driver may take another path where a shader
-// has side effects, or nothing is attached, and another path may round otherwise. That is worth
-// knowing: of a mesh, fragments are appended, and what is found there is not what a layer would
-// show. Violations say whether the contract permits either drawing.
+// They do not depend on whether the shader writes them to colours or appends them to a buffer, nor
+// on the number of triangles in a draw. No API promises this: a driver may take another path if a
+// shader has side effects, or if nothing is attached, and another path may round differently. Such
+// a difference matters: meshes are drawn by appending, so a defect found in a mesh need not show
+// when the case is drawn in layers. Violations say whether the contract permits either drawing.
 //
-// Samples: all, values too; but both APIs let a subnormal number become zero on whatever way it
-// takes, and give zeros no sign. A way that does not draw such cases is left out.
+// Samples: all, with values. But both APIs let a subnormal number become zero in any way of drawing
+// and leave the sign of zeros open, so subnormal numbers and zeros count as equal. Ways that cannot
+// draw a case are left out.
 
 #include <fmt/format.h>
 
@@ -28,10 +29,10 @@
 namespace rastercheck::properties::ways_draw_the_same_law {
 namespace {
 
-/// Triangles that more than one batch of a driver holds.
+/// More triangles than one batch of a driver holds.
 constexpr std::size_t kMany = 500;
 
-/// The same with 0 for subnormal numbers and −0.
+/// Returns the fragments with subnormal numbers and −0 replaced by 0.
 cases::Fragments flushed(cases::Fragments drawn) {
   const auto flush = [](std::vector<float>& values) {
     for (float& value : values) {
@@ -43,13 +44,14 @@ cases::Fragments flushed(cases::Fragments drawn) {
   return drawn;
 }
 
-/// Whether the contract has nothing against a drawing.
+/// True if the contract permits a drawing.
 bool is_permitted(const cases::ClipCase& c, const cases::Contract& contract,
                   const cases::Fragments& drawn) {
   return judge_drawn(c, contract, drawn, {}, 0).violation_count == 0;
 }
 
-/// Finds fragments of one place that follow each other, as they do in order.
+/// Reports fragments at the place of the fragment before. Fragments are ordered by place, so
+/// repeated ones are neighbours.
 void find_repeated(const cases::Fragments& drawn, const std::string& by, Check& check) {
   for (std::size_t i = 1; i < drawn.size(); ++i) {
     if (drawn.place_of(i) != drawn.place_of(i - 1)) continue;
@@ -59,7 +61,7 @@ void find_repeated(const cases::Fragments& drawn, const std::string& by, Check& 
   }
 }
 
-/// Holds what one way drew against what another did.
+/// Compares the drawings of two ways.
 Check compare_ways(const cases::ClipCase& c, const cases::Contract& contract,
                    const cases::Fragments& first, const cases::Fragments& second,
                    std::string note) {
@@ -107,8 +109,8 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   return check;
 }
 
-/// As records of fragments have it: one sample, and nothing hidden. Some cases have their triangles
-/// again and again.
+/// Makes cases that can be drawn by appending: with one sample per pixel and without a depth test.
+/// Some repeat their triangles many times.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

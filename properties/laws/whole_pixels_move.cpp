@@ -1,23 +1,25 @@
-// Whole pixels move the picture: what is drawn of a case whose viewport and scissor are moved by
-// (du, dv) whole pixels is, moved back, right for the case as it was.
+// Whole pixels move the picture: if a case is drawn with its viewport and scissor moved by (du, dv)
+// whole pixels, and the drawing is moved back, it is right for the original case.
 //
-// Why. With u = x0 + W/2 + x/w W/2 and v = y0 + h/2 ± y/w h/2 (RULES §1) a viewport at
-// (x0 + du, y0 + dv) moves every window position by (du, dv), exactly. M is multiplied by a matrix
-// of determinant 1, and samples lie at the same places of every pixel: so at a sample that is moved
-// as well edge functions, their normals, clip functionals, 1/w and values are the same. Ties go to
-// the same triangles.
+// Why. Since u = x0 + W/2 + x/w W/2 and v = y0 + h/2 ± y/w h/2 (RULES §1), a viewport at (x0 + du,
+// y0 + dv) moves every window position by (du, dv), exactly. M is multiplied by a matrix of
+// determinant 1, and samples lie at the same places of every pixel: at a moved sample, edge
+// functions, their normals, clip functionals, 1/w and values are the same. Ties go to the same
+// triangles.
 //
-//   snapping     a grid has all whole pixels on it. v = n + 1/2 grid units moves to another such;
-//                the even one of its neighbours stays the same one where dv 2^b is even: with
-//                b = 0 the case is moved by even numbers of pixels
-//   guard band   around the window's origin, which the picture moves away from: it is judged as
+//   snapping     every grid contains all whole pixels. v = n + 1/2 grid units moves to another
+//                midpoint, and even neighbours stay even if dv 2^b is even; with b = 0, the case is
+//                moved by even numbers of pixels
+//   guard band   lies around the window's origin, from which the picture moves away: taken as
 //                narrower by the greater of |du| and |dv|
-//   the window   grows by what the picture moves up; to the other sides a part of it leaves the
-//                window. A scissor takes that from the case as it was as well, and from the moved
-//                one what comes in; no fragment depends on it
+//   the window   grows if the picture moves towards greater x or y. By other moves, a part of the
+//                picture leaves the window. A scissor removes this part from the original case,
+//                too, and removes from the moved case what enters the window. Nothing else about a
+//                fragment depends on the scissor
 //
-// How far comes from the case's numbers: some pixels, odd ones too, or beyond the blocks and tiles
-// that a rasterizer divides its window into. Cases whose moved viewport is no float32 are left out.
+// The case's numbers choose the distance: a few pixels, even or odd, or more than the blocks and
+// tiles into which a rasterizer divides its window. Cases whose moved viewport is not float32 are
+// left out.
 
 #include <algorithm>
 #include <array>
@@ -25,10 +27,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "properties/choices.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/laws/internal/window_symmetry.h"
@@ -36,13 +38,13 @@
 namespace rastercheck::properties::whole_pixels_move_law {
 namespace {
 
-/// Pixels.
+/// A move in pixels.
 struct Move {
   int du = 0;
   int dv = 0;
 };
 
-/// Along a side of `size` pixels: up, or down by half of it at most.
+/// A move along a side of `size` pixels: forward, or back by at most half the side.
 int steps_along(Choices& choices, int size) {
   constexpr std::array kUp{0, 1, 2, 3, 4, 5, 7, 8, 11, 16};
   if (choices.below(3) > 0) return choices.pick(kUp);
@@ -50,7 +52,7 @@ int steps_along(Choices& choices, int size) {
 }
 
 Move move_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   Move move;
   move.du = steps_along(choices, std::max(c.framebuffer.width, 2));
   move.dv = steps_along(choices, std::max(c.framebuffer.height, 2));
@@ -65,12 +67,12 @@ Move move_of(const cases::Case& c) {
   return {2 * (move.du / 2), 2 * (move.dv / 2)};
 }
 
-/// The pixels of `span` that are still within the window after a move; where these are none, none.
+/// The pixels of `span` that stay in the window after a move; empty if none do.
 PixelSpan staying(const PixelSpan& span, int by) {
   return {std::min(std::max(span.first, -by), span.last), span.last};
 }
 
-/// A case without what the move takes out of the window, and the moved one.
+/// The case without the part that leaves the window, and the moved case.
 struct Moved {
   cases::Case before;
   cases::Case after;
@@ -91,14 +93,14 @@ std::optional<Moved> moved_by(const cases::Case& c, const Move& move) {
       both.after.framebuffer.height > cases::kMaxSize) {
     return std::nullopt;
   }
-  // Of an empty one the corner may be beyond the window.
+  // The corner of an empty scissor may be beyond the window.
   cases::Scissor& scissor = both.after.scissor.emplace(*both.before.scissor);
   scissor.x += move.du;
   scissor.y += move.dv;
   return both;
 }
 
-/// Where a moved pixel was; a place that no case has where that is none.
+/// The original place of a moved pixel; if there is none, a place that no case has.
 std::uint16_t moved_back(std::uint16_t at, int by) {
   constexpr std::uint16_t kNowhere = std::numeric_limits<std::uint16_t>::max();
   const int was = int{at} - by;

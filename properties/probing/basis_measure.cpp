@@ -1,12 +1,14 @@
-// From which positions attributes, depth and facing come: those given, or those on the grid.
+// Measures whether attributes, depth and facing come from the given positions or from those on the
+// grid.
 //
-// Small triangles whose vertices lie nearly half a grid unit off the grid: their values at a sample
-// are worked out for both positions (w = 1: linear in the window, in double), and the share
+// Draws small triangles with vertices nearly half a grid unit off the grid. Computes their values
+// at a sample in double for both positions (w = 1, so linear in the window). The share
 //
 //   (drawn − ideal) / (snapped − ideal)
 //
-// is near 0 of the one, near 1 of the other. Facing: thin triangles that rounding turns round are
-// drawn with either face culled.
+// is near 0 if values come from the given positions, and near 1 if they come from the snapped ones.
+// For facing, draws thin triangles whose orientation is reversed by rounding, with either face
+// culled.
 
 #include <fmt/format.h>
 
@@ -22,14 +24,15 @@ namespace {
 
 using cases::Basis;
 
-/// Shares of samples near either end.
+/// Counts samples by their share: near 0 (ideal), near 1 (snapped), and all.
 struct Shares {
   int ideal = 0;
   int snapped = 0;
   int all = 0;
 
   void add(double value, double ideal_value, double snapped_value) {
-    // So many ulp of 1 apart, at least, or rounding of values says as much as positions do.
+    // The two values must differ by at least this much, or rounding of values hides the effect of
+    // positions.
     if (std::abs(snapped_value - ideal_value) < 0x1p-20) return;
     const double share = (value - ideal_value) / (snapped_value - ideal_value);
     ++all;
@@ -37,7 +40,7 @@ struct Shares {
     snapped += std::abs(share - 1) < 0.25 ? 1 : 0;
   }
 
-  /// Nothing where nothing was seen.
+  /// Empty if no sample was counted.
   std::optional<Basis> basis() const {
     if (all == 0) return std::nullopt;
     if (10 * ideal >= 9 * all) return Basis::ideal;
@@ -54,7 +57,7 @@ struct Shares {
   }
 };
 
-/// The value at a sample of what is linear in the window.
+/// Returns the value at a sample of a function that is linear in the window.
 double fine_value_at(const FineTriangle& t, const std::array<float, 3>& values, int x, int y) {
   const auto pixels = [](std::int64_t fine) { return std::ldexp(static_cast<double>(fine), -18); };
   const double u = x + 0.5 - pixels(t.x[0]);
@@ -112,7 +115,7 @@ OffGrid off_grid(const Subject& subject, int bits, bool has_noperspective, std::
   return all;
 }
 
-/// What depth is where a case's z/w is 0.
+/// Returns the window depths that belong to these values of z/w.
 std::array<float, 3> depths_of(const cases::Case& c, const std::array<float, 3>& values) {
   if (c.rules != cases::Rules::opengl) return values;
   std::array<float, 3> depths{};
@@ -156,13 +159,14 @@ ValueShares value_shares(Subject& subject, const MeasuredGrid& grid) {
   return shares;
 }
 
-/// Whether the triangle has a sample inside.
+/// True if the triangle has this pixel's sample inside.
 bool covers(const FineTriangle& t, int x, int y) {
   const FinePlace place = place_in(t, x, y);
   return place.is_inside && place.zero_edges == 0;
 }
 
-/// Thin triangles that the grid turns round, with a sample inside of what it makes of them.
+/// Returns thin triangles whose orientation the grid reverses, with a sample inside the snapped
+/// triangle.
 std::vector<FineTriangle> turning(const Subject& subject, const MeasuredGrid& grid) {
   constexpr int kTries = 40000;
   constexpr std::size_t kWanted = 32;
@@ -215,7 +219,7 @@ Shares facing_shares(Subject& subject, const MeasuredGrid& grid) {
   const bool is_y_up = c.rules == cases::Rules::opengl;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (!all[t] || front[t] == back[t]) continue;
-    // Counter-clockwise as displayed: a positive area where y points up.
+    // A front face is counter-clockwise as displayed: its area is positive if y points up.
     const bool is_front = (area_of(triangles[t]) > 0) == is_y_up;
     ++shares.all;
     ++(front[t] == is_front ? shares.ideal : shares.snapped);
@@ -223,7 +227,7 @@ Shares facing_shares(Subject& subject, const MeasuredGrid& grid) {
   return shares;
 }
 
-/// What all those that were seen have in common.
+/// Returns the answer on which all observations agree; `unspecified` if they disagree.
 std::optional<Basis> common(const std::vector<Shares>& all) {
   std::optional<Basis> basis;
   for (const Shares& one : all) {
@@ -281,7 +285,7 @@ void measure_basis(Subject& subject, const Sight& sight) {
   }
   terms.basis = snapped == ideal ? ideal.value_or(Basis::unspecified) : Basis::unspecified;
   if (snapped != ideal) return;
-  // The same whatever is asked: said once.
+  // The answer is the same whatever the case asks for, so it is reported once.
   std::vector<records::Measured>& rows = subject.result.rows;
   rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(between), rows.end());
   for (std::size_t i = before; i < rows.size(); ++i) {

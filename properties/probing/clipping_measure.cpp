@@ -1,9 +1,9 @@
-// What becomes of triangles that clip planes cut: by the near plane, the far plane, and by w = 0.
+// Measures how triangles are cut by the near plane, the far plane and w = 0.
 //
-// A clipper makes new vertices, which are rounded to the grid in turn, so that edges which were cut
-// move; how far, in grid units, is the clip tolerance: the least under which the judge finds
-// nothing wrong. Vertices with w <= 0 are apart: a triangle may be drawn rightly, not at all, or
-// wrongly.
+// A clipper makes new vertices, which are rounded to the grid, so cut edges move. The clip
+// tolerance says how far, in grid units. The measured tolerance is the least under which the judge
+// finds nothing wrong. Triangles with w <= 0 at a vertex are counted separately: drawn correctly,
+// not at all, or wrongly.
 
 #include <fmt/format.h>
 
@@ -18,7 +18,8 @@
 namespace rastercheck::properties {
 namespace {
 
-/// A vertex that appears about the window, in front of the eye and between the depth planes.
+/// Returns a vertex that appears in or near the window, in front of the eye and between the depth
+/// planes.
 cases::ClipVertex visible_vertex(Draw& draw, const cases::Case& c) {
   const float w = draw.uniform(0.5F, 2);
   const WindowPoint p = point_about(draw, c);
@@ -37,7 +38,7 @@ cases::ClipVertex beyond_far(Draw& draw, const cases::Case& c) {
   vertex.z = draw.uniform(1.125F, 3) * vertex.w;
   return vertex;
 }
-/// z stays between the planes' own signs, so that it is w that is cut.
+/// Keeps z between -1 and 1, so that the triangle is cut because of w.
 cases::ClipVertex behind_eye(Draw& draw, const cases::Case& /*c*/) {
   const float x = draw.uniform(-2, 2);
   const float y = draw.uniform(-2, 2);
@@ -50,8 +51,8 @@ cases::ClipVertex at_eye(Draw& draw, const cases::Case& /*c*/) {
   return {x, y, 0, 0};
 }
 
-/// Triangles of which `cut` vertices are made so, the others visible; a case each, so that a
-/// triangle is right or wrong for itself.
+/// Draws triangles with `cut` vertices beyond the plane and the others visible; one case each, so
+/// that each triangle is judged separately.
 std::vector<DrawnCase> draw_cut(Subject& subject, const std::string& name, MakeVertex make,
                                 int cut) {
   constexpr std::uint64_t kCases = 64;
@@ -71,10 +72,11 @@ std::vector<DrawnCase> draw_cut(Subject& subject, const std::string& name, MakeV
   return all;
 }
 
-/// Of the greatest tolerance that is tried, in grid units.
+/// Exponent of the greatest tolerance that is tried, in grid units.
 constexpr int kGreatestExponent = 12;
 
-/// The least tolerance under which they hold, in grid units; nothing where none does.
+/// Returns the least tolerance under which the drawings hold, in grid units; empty if none
+/// suffices.
 std::optional<float> tolerance_of(const Subject& subject, const std::vector<DrawnCase>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 0.0F;
@@ -86,7 +88,7 @@ std::optional<float> tolerance_of(const Subject& subject, const std::vector<Draw
   return std::nullopt;
 }
 
-/// How many keep to a unit, which is what rounding a corner takes.
+/// Counts the triangles that keep to a tolerance of one unit, which rounding a corner needs.
 std::string within_a_unit(const Subject& subject, const std::vector<DrawnCase>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 1.0F;
@@ -96,18 +98,18 @@ std::string within_a_unit(const Subject& subject, const std::vector<DrawnCase>& 
   return fmt::format("{} of {} triangles within 1", kept, drawn.size());
 }
 
-/// A pixel in grid units: more than that is another triangle.
+/// Returns the size of a pixel in grid units: a larger tolerance would permit another triangle.
 float pixel_of(const Subject& subject) {
   const cases::Coverage coverage = subject.contract(subject.base()).coverage;
   return coverage ? std::ldexp(1.0F, coverage->subpixel_bits) : 0.0F;
 }
 
-/// How many of the triangles came out how.
+/// Counts triangles by outcome.
 struct ClippingOutcomes {
   int right = 0;
   int left_out = 0;
   int wrong = 0;
-  int empty = 0;  ///< nothing of them had to be drawn, and was not
+  int empty = 0;  ///< nothing had to be drawn, and nothing was
 
   std::string text() const {
     if (right == 0 && left_out == 0 && wrong == 0) return "nothing to draw, and nothing drawn";
@@ -158,8 +160,9 @@ void measure_clipping(Subject& subject) {
                           : fmt::format("more than {} grid units", 1 << kGreatestExponent),
                 within_a_unit(subject, drawn));
   }
-  // A sample does not show the worst, which of corners rounded to the grid is about a unit.
-  // Beyond a pixel it would permit any triangle: a run shows these as violations.
+  // The drawn triangles need not show the worst case, which for corners rounded to the grid is
+  // about a unit. A tolerance beyond a pixel would permit any triangle; instead, a run shows such
+  // triangles as violations.
   const float tolerance = greatest == 0 ? 0.0F : std::max(1.0F, 2 * greatest);
   subject.result.terms.clip_tolerance = std::min(tolerance, pixel_of(subject));
 

@@ -1,15 +1,15 @@
-// By which arithmetic values are evaluated: about which point planes are, and how a value is
-// divided by 1/w. Drivers that draw in float32 are held to what such forms give
-// (docs/judge-a-driver.md), so it is worth knowing whether they are of them.
+// Measures the arithmetic of values: the reference point of planes, and how r/w is divided by 1/w.
+// Drivers that draw in float32 are judged by bounds for these forms (docs/judge-a-driver.md), so it
+// matters whether they use one of them.
 //
-// Planes: small right triangles with whole pixels for vertices, at w = 1, far from the window's
-// origin. A float32 plane about a point P costs about |p − P| / leg ulp, as r at P is a difference
-// of numbers so much larger. Their worst error is held beside those of planes in float32 about a
-// vertex, about points 16 and 64 pixels away, and about the window's origin; the nearest, as a
-// ratio, is named.
+// Planes: draws small right triangles with vertices at whole pixels, w = 1, far from the window's
+// origin. A float32 plane about a point P loses about |p − P| / leg ulp, because r at P is a
+// difference of numbers that are larger by this factor. The worst error is compared with the worst
+// errors of float32 planes about a vertex, about points 16 and 64 pixels away, and about the
+// window's origin. The result is the form for which the ratio of the two errors is nearest to 1.
 //
-// Division: triangles with one w all over and one value at all vertices, of which only the
-// arithmetic of (r/w) / (1/w) is seen: each form gives bits of its own.
+// Division: draws triangles with constant w and constant value, which show only the arithmetic of
+// (r/w) / (1/w): each form gives different bits.
 
 #include <fmt/format.h>
 
@@ -38,13 +38,13 @@ struct RightTriangle {
   int y = 0;  ///< pixels
   std::array<float, 3> values{};
 
-  /// At the middle of a pixel, that many pixels from the right angle; in double.
+  /// Returns the exact value, in double, this many pixels from the right angle along each axis.
   double exact(double along_x, double along_y) const {
     return double{values[0]} + along_x / kLeg * (double{values[1]} - double{values[0]}) +
            along_y / kLeg * (double{values[2]} - double{values[0]});
   }
 
-  /// Evaluates a float32 plane about a point so far away along both axes.
+  /// Evaluates a float32 plane about the point this far from the right angle along each axis.
   float by_plane(float along_x, float along_y, float away_x, float away_y) const {
     const float slope_x = (values[1] - values[0]) / float{kLeg};
     const float slope_y = (values[2] - values[0]) / float{kLeg};
@@ -53,7 +53,7 @@ struct RightTriangle {
   }
 };
 
-/// Worst errors, in scale ULP: values are from 1/2 to 1.
+/// Worst errors in scale ULP, of values from 1/2 to 1.
 struct PlaneErrors {
   double drawn = 0;
   std::array<double, 4> of_forms{};
@@ -111,7 +111,7 @@ std::optional<PlaneErrors> plane_errors(Subject& subject, cases::Interpolation i
   return errors;
 }
 
-/// The form whose worst error is nearest, as a ratio.
+/// Returns the form whose worst error is nearest, as a ratio.
 std::size_t nearest_form(const PlaneErrors& errors) {
   const auto ratio = [&errors](double of_form) {
     return std::max(errors.drawn, of_form) / std::min(errors.drawn, of_form);
@@ -143,7 +143,7 @@ void add_planes(Subject& subject, cases::Interpolation interpolation, const char
 
 // --- Division ------------------------------------------------------------------------------------
 
-/// A value r at a w, in float32.
+/// A way to compute a value r at a w in float32.
 struct DivisionForm {
   std::string_view name;
   float (*value)(float r, float w);

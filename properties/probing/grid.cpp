@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kPixel = std::int64_t{1} << kFineBits;
 constexpr int kSide = 64;
-/// Triangles for each size of move, and in a case.
+/// Triangles per case; there is one case per size of move.
 constexpr int kTriangles = 64;
 
 constexpr std::array kRoundings{GridRounding::nearest_even, GridRounding::half_up,
@@ -33,11 +33,12 @@ const char* name_of(GridRounding rounding) {
   return "up";
 }
 
-/// A triangle with an edge through a sample, then moved by a few units of 2^-k pixels; of 0 not.
+/// A triangle with an edge through a sample, whose vertices are then moved by a few units of 2^-k
+/// pixels; not moved if k is 0.
 FineTriangle near_sample(Draw& draw, int k) {
   const std::int64_t sample_x = draw.between(20, 43) * kPixel + kPixel / 2;
   const std::int64_t sample_y = draw.between(20, 43) * kPixel + kPixel / 2;
-  // A quarter of the edges are upright or level: these are ties of their own.
+  // A quarter of the edges are vertical or horizontal: ties on such edges are a special case.
   const bool is_along = draw.one_in(4);
   const bool is_level = draw.one_in(2);
   int along_x = draw.between(-4, 4);
@@ -63,9 +64,9 @@ FineTriangle near_sample(Draw& draw, int k) {
 
 /// An edge function over samples, oriented inwards.
 struct FineEdge {
-  std::int64_t a = 0;  ///< its change by a fine unit of x
-  std::int64_t b = 0;  ///< … of y
-  std::int64_t x = 0;  ///< a point on it
+  std::int64_t a = 0;  ///< change per fine unit of x
+  std::int64_t b = 0;  ///< change per fine unit of y
+  std::int64_t x = 0;  ///< a point on the edge
   std::int64_t y = 0;
   std::int64_t at(int pixel_x, int pixel_y) const {
     return a * (pixel_x * kPixel + kPixel / 2 - x) + b * (pixel_y * kPixel + kPixel / 2 - y);
@@ -82,7 +83,7 @@ std::array<FineEdge, 3> edges_of(const FineTriangle& t) {
   return edges;
 }
 
-/// Pixels whose samples may be inside: lo <= pixel < hi.
+/// Returns the pixels whose samples may be inside: lo <= pixel < hi.
 std::pair<int, int> pixel_range(const std::array<std::int64_t, 3>& coordinates) {
   const auto [least, most] = std::minmax_element(coordinates.begin(), coordinates.end());
   const auto lo = static_cast<int>(*least / kPixel) - 1;
@@ -90,7 +91,7 @@ std::pair<int, int> pixel_range(const std::array<std::int64_t, 3>& coordinates) 
   return {std::clamp(lo, 0, kSide), std::clamp(hi, 0, kSide)};
 }
 
-/// How far an edge has to move for the sample's answer to change, in pixels per axis.
+/// Returns how far an edge has to move for the sample's answer to change, in pixels per axis.
 double move_of(const std::array<FineEdge, 3>& edges, int x, int y, bool is_drawn) {
   double outside = 0;
   double inside = std::numeric_limits<double>::max();
@@ -130,7 +131,8 @@ void compare(const FineTriangle& placed, const std::array<std::uint64_t, 64>& ro
   }
 }
 
-/// How well a grid explains what was drawn; no further than it takes to see that it is worse.
+/// Compares a grid's predictions with what was drawn; stops once there are more than `most`
+/// mismatches.
 GridFit fit_of(const MeasuredGrid& grid, const std::vector<FineDrawing>& drawings,
                std::uint64_t most) {
   GridFit fit{grid};
@@ -239,7 +241,7 @@ GridFit fit_grid(const std::vector<FineDrawing>& drawings) {
     for (const GridRounding rounding : kRoundings) consider({bits, rounding, rounding});
   }
   if (best.grid.is_none()) return best;
-  // The axes may differ, as where window y is turned round before it is rounded.
+  // The axes may differ, for example if window y is flipped before it is rounded.
   const int bits = best.grid.bits;
   for (int near = std::max(bits - 1, 0); near <= std::min(bits + 1, cases::kMaxSubpixelBits);
        ++near) {

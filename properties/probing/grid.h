@@ -1,15 +1,15 @@
 #pragma once
 
-// Which subpixel grid window positions are rounded to, and how: read from coverage alone.
+// Measures the subpixel grid and its rounding from coverage alone.
 //
 // Vertices are placed exactly, on a grid of 2^-18 pixels, w = 1, in a viewport of 64×64 pixels at
-// the origin: a float32 viewport transform has nothing to round, so what moves them is rounding to
-// the backend's own grid. An edge is laid exactly through a sample, and its ends are then moved by
-// a few units of 2^-k pixels, k = 1…18: whether the sample is drawn tells where the ends went, and
-// triangles with k near the grid's own bits tell the most. What a grid, or none, would draw of each
-// triangle is worked out in integers; the grid with which all that was drawn agrees is the one.
-// Samples that lie on an edge are left out here: who owns them is another measure (ties.h), which
-// uses the same drawings.
+// the origin. A float32 viewport transform has nothing to round, so only rounding to the backend's
+// own grid moves them. An edge is laid exactly through a sample, and its ends are then moved by a
+// few units of 2^-k pixels, k = 1…18. Whether the sample is drawn shows to which places the ends
+// were rounded; drawings with k near the grid's own bits tell the most. Integer arithmetic predicts
+// each triangle's drawing for every grid and for none; the measured grid is the one that agrees
+// with all drawings. Samples on an edge are left out here: ties_measure.cpp finds out who owns
+// them, from drawings of the same triangles.
 
 #include <array>
 #include <cstdint>
@@ -22,10 +22,10 @@ namespace rastercheck::properties {
 /// Positions in 2^-kFineBits pixels.
 inline constexpr int kFineBits = 18;
 
-/// How a coordinate goes to the grid; `down` and `up` are towards −∞ and +∞.
+/// Rounding of a coordinate to the grid; `down` and `up` are towards −∞ and +∞.
 enum class GridRounding { nearest_even, half_up, half_down, down, up };
 
-/// A grid of 2^-bits pixels; of kFineBits bits: positions stay as they are.
+/// A grid of 2^-bits pixels; kFineBits bits mean no grid.
 struct MeasuredGrid {
   int bits = kFineBits;
   GridRounding x = GridRounding::nearest_even;
@@ -34,23 +34,23 @@ struct MeasuredGrid {
   bool operator==(const MeasuredGrid&) const = default;
 };
 
-/// The grid point that a fine coordinate goes to, in fine units.
+/// Rounds a fine coordinate to the grid; the result is in fine units.
 std::int64_t rounded(std::int64_t fine, int bits, GridRounding rounding);
 
-/// Window positions, fine.
+/// Window positions, in fine units.
 struct FineTriangle {
   std::array<std::int64_t, 3> x{};
   std::array<std::int64_t, 3> y{};
 };
 FineTriangle rounded(const FineTriangle& triangle, const MeasuredGrid& grid);
-/// Twice the area in window coordinates, with its sign.
+/// Returns twice the area in window coordinates, with its sign.
 std::int64_t area_of(const FineTriangle& triangle);
 
-/// A sample's place in a triangle: by the inward normals of its edges.
+/// A sample's place relative to a triangle's edges.
 struct FinePlace {
-  bool is_inside = false;     ///< of all edges, or on them
-  int zero_edges = 0;         ///< how many it lies on
-  std::int64_t normal_x = 0;  ///< of the last of these
+  bool is_inside = false;     ///< inside or on every edge
+  int zero_edges = 0;         ///< number of edges through the sample
+  std::int64_t normal_x = 0;  ///< inward normal of the last of these
   std::int64_t normal_y = 0;
 };
 FinePlace place_in(const FineTriangle& triangle, int x, int y);
@@ -63,25 +63,25 @@ struct FineDrawing {
   DrawnCase drawn;
 };
 
-/// Draws such triangles in a 64×64 case; nothing where the backend does not.
+/// Draws the triangles in a 64×64 case; empty if the backend does not draw it.
 std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTriangle>& triangles);
 
-/// The clip position of a fine window position in a base() case.
+/// Returns the clip position of a fine window position in a base() case.
 cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth);
 
 struct GridFit {
   MeasuredGrid grid;
-  std::uint64_t samples = 0;     ///< that decided
-  std::uint64_t mismatches = 0;  ///< of these, drawn otherwise
-  double farthest = 0;           ///< pixels by which an edge has to move to mend the worst of these
+  std::uint64_t samples = 0;     ///< decisive samples
+  std::uint64_t mismatches = 0;  ///< of these, drawn unlike predicted
+  double farthest = 0;  ///< distance that an edge must move to explain the worst mismatch, pixels
 };
 
-/// Drawings that tell grids apart.
+/// Makes drawings that distinguish grids.
 std::vector<FineDrawing> draw_grid_cases(Subject& subject);
-/// The grid that agrees best.
+/// Returns the grid that agrees best.
 GridFit fit_grid(const std::vector<FineDrawing>& drawings);
 
-/// "8 bits, nearest_even", "none".
+/// Returns text such as "8 bits, nearest_even" or "none".
 std::string to_string(const MeasuredGrid& grid);
 
 }  // namespace rastercheck::properties

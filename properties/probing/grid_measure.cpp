@@ -1,10 +1,11 @@
-// The grid, whether it is the one asked for, and the position error.
+// Measures the grid, whether it is the one asked for, and the position error.
 //
-// Where the drawings of grid.h agree with a grid but for a few samples, or are of a rounding that
-// contracts have no name for, the contract says how far positions may be off before they are
-// rounded: the least such error under which the judge finds nothing wrong. It is looked for in two
-// sorts of drawings: those of grid.h, and others whose positions a float32 viewport transform has
-// to round, near the middle between two grid points, where a small error is seen as a whole unit.
+// Contracts state a position error if the drawings of grid.h do not agree with a grid for all
+// samples, or if contracts have no name for the measured rounding. The error says how far positions
+// may be off before they are rounded; the measured error is the least under which the judge finds
+// nothing wrong. It is measured from two sorts of drawings: those of grid.h, and others whose
+// positions a float32 viewport transform has to round. The latter lie near the middle between two
+// grid points, where a small error shows as a whole unit.
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ bool is_nearest(GridRounding rounding) {
   return rounding != GridRounding::down && rounding != GridRounding::up;
 }
 
-/// As a contract has it; `unspecified` where no rounding with a name comes near.
+/// Returns the grid in a contract's terms, with `unspecified` if no named rounding comes near.
 Snapping named(const MeasuredGrid& grid) {
   if (grid.is_none()) return {cases::kMaxSubpixelBits, Rounding::unspecified, 0};
   Snapping snapping{grid.bits, Rounding::unspecified, 0};
@@ -45,9 +46,9 @@ std::string declared_of(const cases::Coverage& coverage) {
   return text;
 }
 
-/// Triangles with an edge whose one end lies within a few floats of the middle between grid points
-/// of `bits`, in viewports of odd sizes, with several weights; or exactly there, where dividing by
-/// w has something to round.
+/// Draws triangles with an edge that has one end within a few floats of the middle between grid
+/// points of `bits`. Viewports have odd sizes, and vertices several values of w. In some cases the
+/// end lies exactly in the middle, and only the division by w has something to round.
 std::vector<DrawnCase> draw_inexact(Subject& subject, int bits, float size) {
   constexpr int kCases = 6;
   constexpr int kTriangles = 48;
@@ -60,7 +61,8 @@ std::vector<DrawnCase> draw_inexact(Subject& subject, int bits, float size) {
     const auto beside = [&] { return is_exact ? 0.0F : static_cast<float>(draw.between(-3, 3)); };
     c.viewport.width = size + 0.25F * beside();
     c.viewport.height = size + 0.25F * beside();
-    // The far corner: where coordinates are greatest, and what is drawn small.
+    // The framebuffer shows the far corner of a large viewport: coordinates are greatest there, and
+    // the drawing stays small.
     c.viewport.x = size > 64 ? std::floor(64 - c.viewport.width) : 0.0F;
     c.viewport.y = size > 64 ? std::floor(64 - c.viewport.height) : 0.0F;
     for (int k = 0; k < kTriangles; ++k) {
@@ -87,7 +89,7 @@ std::vector<DrawnCase> draw_inexact(Subject& subject, int bits, float size) {
   return all;
 }
 
-/// Errors beyond a rounding, each wider than the one before.
+/// Returns `from`, then ever wider combinations of rounding and position error.
 std::vector<Snapping> ladder_from(const Snapping& from) {
   std::vector<Snapping> ladder{from};
   const auto add = [&ladder, &from](Rounding rounding, float error) {
@@ -101,11 +103,11 @@ std::vector<Snapping> ladder_from(const Snapping& from) {
   return ladder;
 }
 
-/// The least of the ladder with which drawings hold; nothing where none does.
+/// Returns the first step of the ladder with which the drawings hold; empty if none does.
 std::optional<Snapping> least_holding(const Subject& subject, const std::vector<DrawnCase>& drawn,
                                       const Snapping& from) {
   cases::ContractTerms terms = subject.result.terms;
-  terms.tie_rule = cases::TieRule::unspecified;  // of which nothing is known yet
+  terms.tie_rule = cases::TieRule::unspecified;  // not measured yet
   terms.is_on_grid = from.rounding != Rounding::unspecified;
   const std::vector<Snapping> ladder = ladder_from(from);
   const auto holds = [&](const Snapping& snapping) {
@@ -129,7 +131,7 @@ std::string snapping_text(const std::optional<Snapping>& snapping) {
   return fmt::format("{:.3g} grid units", snapping->position_error);
 }
 
-/// The wider of two, which have the same bits.
+/// Returns the wider of two snappings with the same bits.
 Snapping wider_of(const Snapping& a, const Snapping& b) {
   const auto size = [](const Snapping& s) {
     return double{s.position_error} + (s.rounding == Rounding::unspecified ? 0.5 : 0);
@@ -137,7 +139,7 @@ Snapping wider_of(const Snapping& a, const Snapping& b) {
   return size(a) >= size(b) ? a : b;
 }
 
-/// The position error, in a window and far from the origin of a large viewport.
+/// Measures the position error, both in a small window and far from the origin of a large viewport.
 void measure_position_error(Subject& subject, const Sight& sight) {
   const Snapping grid = named(sight.fit.grid);
   std::vector<DrawnCase> exact;
@@ -177,8 +179,10 @@ void measure_position_error(Subject& subject, const Sight& sight) {
   terms.is_on_grid = widest.rounding != Rounding::unspecified || !sight.fit.grid.is_none();
 }
 
-/// Of one that rounds to a grid asked for: to which, and whether as the case says. The term is that
-/// it does, in its own way or in the case's; where it does not always, its own promise stands.
+/// For a backend that rounds to the grid asked for: measures which grids it follows, and whether it
+/// follows the rounding asked for. If it follows all grids, the coverage term says so, with the
+/// case's rounding if that is followed, else with the measured one. If not, the term stays empty,
+/// so that the backend's own promise holds.
 void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   const AskedDrawing as_before = asked;
   const cases::Coverage measured = subject.contract(subject.base()).coverage;

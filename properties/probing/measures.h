@@ -1,7 +1,7 @@
 #pragma once
 
-// The measures of a probe, in the order in which each builds on those before it. What one finds it
-// adds to the subject's rows and terms.
+// The measures of a probe; each builds on the ones before it and adds its results to the subject's
+// rows and terms.
 
 #include <vector>
 
@@ -10,35 +10,36 @@
 
 namespace rastercheck::properties {
 
-/// What later measures ask of earlier ones.
+/// Results that later measures need.
 struct Sight {
   GridFit fit;
-  std::vector<FineDrawing> drawings;  ///< that the grid was read from
-  /// Whether it rounds as a case asks for: what depends on a grid is then measured on one of
-  /// kAskedBits.
+  std::vector<FineDrawing> drawings;  ///< from which the grid was measured
+  /// True if the backend rounds to the grid that a case asks for. Grid-dependent measures then use
+  /// a grid of kAskedBits.
   bool follows_coverage = false;
 };
 
-/// The grid asked for to see whether it is followed, and on which all else is measured then.
+/// Bits of the grid that the probe asks for in its measures, if the backend rounds to the grid that
+/// a case asks for. To find out whether it does, the probe asks for one bit less.
 inline constexpr int kAskedBits = 8;
 
-/// Subpixel grid, rounding, and what is left of position errors.
+/// Measures the subpixel grid, its rounding, and remaining position errors.
 void measure_grid(Subject& subject, Sight& sight);
-/// Who owns samples on edges.
+/// Measures who owns samples on edges.
 void measure_ties(Subject& subject, const Sight& sight);
-/// From which positions attributes, depth and facing come.
+/// Measures from which positions (snapped or not) attributes, depth and facing are computed.
 void measure_basis(Subject& subject, const Sight& sight);
-/// By which arithmetic values are evaluated.
+/// Measures the arithmetic by which values are evaluated.
 void measure_evaluation(Subject& subject);
-/// What becomes of triangles cut by the near and far planes and by w = 0.
+/// Measures how triangles are cut by the near and far planes and by w = 0.
 void measure_clipping(Subject& subject);
-/// How far out vertices may lie.
+/// Measures how far out vertices may lie.
 void measure_reach(Subject& subject);
-/// Least and greatest numbers, subnormal ones and overflow.
+/// Measures the least and greatest usable numbers, including subnormal numbers and overflow.
 void measure_numbers(Subject& subject);
-/// Whether the same case is the same picture, and which values come back to the bit.
+/// Measures whether the same case gives the same picture, and which values are returned exactly.
 void measure_repetition(Subject& subject);
-/// How far values are off, by generator; and whether coverage keeps to what was measured.
+/// Measures errors of values, by generator, and whether coverage agrees with the earlier measures.
 void measure_precision(Subject& subject, const Progress& progress);
 
 }  // namespace rastercheck::properties

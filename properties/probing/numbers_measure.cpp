@@ -1,9 +1,11 @@
-// Which magnitudes of numbers draw right: subnormal ones, and those next to overflow.
+// Measures the magnitudes of numbers that draw correctly: subnormal ones, and those next to
+// overflow.
 //
-// The same triangles with all clip positions times 2^e are the same picture (RULES §1), and the
-// values of attributes times 2^e are 2^e times the values. Numbers of few digits, so that both stay
-// exact among subnormals. e goes up and down from 0 in steps until the picture is another, and back
-// by one. What infinities and NaN draw is not asked: cases have finite numbers only.
+// Multiplying all clip positions by 2^e leaves the picture the same (RULES §1), and multiplying
+// attribute values by 2^e multiplies the drawn values by 2^e. The numbers have few digits, so both
+// products stay exact even if they are subnormal. e goes up and down from 0 in steps until the
+// picture changes; then the last step is repeated in single steps. Infinities and NaN are not
+// tried: cases have finite numbers only.
 
 #include <fmt/format.h>
 
@@ -21,10 +23,10 @@ namespace {
 /// Exponents of the greatest and least scale: positions are at most 4, in steps of 1/8 or more.
 constexpr int kGreatest = 125;
 constexpr int kLeast = -146;
-/// Of the least normal float.
+/// Exponent of the least normal float.
 constexpr int kNormal = -126;
 
-/// Triangles of short numbers, with an attribute from 1 to 8.
+/// Returns a case of triangles with short numbers and an attribute from 1 to 8.
 cases::Case short_numbers(const Subject& subject) {
   constexpr int kTriangles = 12;
   MeasureDraw draw(subject, "numbers");
@@ -46,7 +48,7 @@ cases::Case short_numbers(const Subject& subject) {
 }
 
 struct ExponentRange {
-  int least = 1;  ///< exponents; above `greatest` where not even 2^0 draws right
+  int least = 1;  ///< exponents; greater than `greatest` if even 2^0 draws wrong
   int greatest = 0;
 };
 
@@ -76,15 +78,15 @@ cases::Case with_scaled_positions(cases::Case c, int exponent) {
 }
 
 cases::Case with_scaled_values(cases::Case c, int exponent) {
-  // The greatest is 8.
+  // The greatest value is 8.
   for (float& value : c.attribute_values) value = std::ldexp(value, exponent - 3);
   return c;
 }
 
-/// The greatest error of smooth values, in scale ULP; a value that is no number is infinitely off.
+/// Returns the greatest error of smooth values, in scale ULP; infinite if a value is no number.
 double worst_smooth(const Subject& subject, const DrawnCase& drawn) {
   cases::ContractTerms lax = subject.result.terms;
-  lax.smooth = cases::ValueBound{0x1.fffffep23F};  // from 2^24 on nothing is judged
+  lax.smooth = cases::ValueBound{0x1.fffffep23F};  // a bound of 2^24 or more turns judging off
   records::Judgement judged = subject.judgement(drawn, lax);
   const records::ErrorStatistics& errors = judged.errors[records::AttributeKind::smooth];
   double worst = 0;
@@ -125,7 +127,7 @@ void measure_numbers(Subject& subject) {
     const auto drawn = subject.drawn(with_scaled_positions(c, e));
     return drawn && subject.holds({*drawn}, terms);
   });
-  // What is off by twice as much and more is lost.
+  // Values off by more than twice the usual error count as lost.
   const double usual = 2 * std::max(worst_smooth(subject, *plain), 0.5);
   const ExponentRange values = range_of([&](int e) {
     const auto drawn = subject.drawn(with_scaled_values(c, e));

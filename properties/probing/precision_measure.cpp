@@ -1,12 +1,13 @@
-// How far values are off, by generator; and whether coverage keeps to what was measured, on random
-// cases of all generators.
+// Measures errors of values by generator, and whether coverage agrees with the earlier measures, on
+// random cases of all generators.
 //
-// Errors are those against the triangle that the basis names (records::ErrorStatistics::ideal). The
-// bounds are what the contract needs: what a value is beyond what coverage and basis leave open. A
-// bound is constant where the hardest cases are not much worse than the ordinary ones; else a part
-// is per condition, or per horizon (cases::ValueBound), the least power of two with which all that
-// was drawn is within it. Twice what was seen is written, as a sample does not show the worst; what
-// is rounded correctly, to 1/2 and next to nothing, is not doubled.
+// Errors are those against the triangle that the basis names (records::ErrorStatistics::ideal).
+// Bounds are those that a contract needs: for errors beyond what coverage and basis leave open. A
+// bound is twice the largest error seen, because the drawn cases need not show the worst error.
+// Errors of correct rounding (1/2 and almost nothing more) are not doubled. A bound is constant
+// unless the hardest cases are much worse than ordinary ones. Then part of the bound is per
+// condition or per horizon (cases::ValueBound): twice the least power of four, from 2^-8 to 2^8,
+// that covers everything drawn.
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ constexpr std::array kKinds{AttributeKind::smooth, AttributeKind::noperspective,
 constexpr std::array<std::string_view, 6> kShown{"ordinary", "slivers", "through-eye",
                                                  "clipping", "huge",    "tiny"};
 
-/// The most with which values are judged at all; errors beyond it are measured as well.
+/// The largest bound under which values are still judged, so that larger errors are measured, too.
 constexpr float kUnbounded = 0x1.fffffep23F;
 
 double largest_error(const records::ErrorSizes& sizes) {
@@ -44,7 +45,7 @@ double largest_error(const records::ErrorSizes& sizes) {
   return worst;
 }
 
-/// Of one kind of value.
+/// The worst errors of one kind of value.
 struct WorstUlp {
   double ideal = 0;
   double excess = 0;
@@ -69,7 +70,7 @@ std::optional<cases::ValueBound>& bound_of(cases::ContractTerms& terms, Attribut
   return kind == AttributeKind::smooth ? terms.smooth : terms.noperspective;
 }
 
-/// The random cases that the contract says something of, drawn.
+/// The drawn random cases for which the contract promises something.
 using DrawnByGenerator = std::map<std::string, std::vector<DrawnCase>>;
 
 DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
@@ -85,7 +86,7 @@ DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
       subject.ask_of(c);
       if (!cases::promises_all_of(subject.contract(c), c)) continue;
       std::optional<DrawnCase> drawn = subject.drawn(c);
-      // By rules that it does not draw, it may draw by others.
+      // The backend may support the case only with other rules.
       const cases::Rules rules = subject.base().rules;
       if (!drawn && std::exchange(c.rules, rules) != rules) drawn = subject.drawn(std::move(c));
       if (drawn) all[name].push_back(*std::move(drawn));
@@ -109,9 +110,9 @@ WorstByKind worst_by_kind(const Subject& subject, const std::vector<DrawnCase>& 
   return worst;
 }
 
-/// A bound for what was seen at most: twice that, in numbers that people read.
+/// Returns a bound for the largest error seen: twice the error, rounded for readers.
 float bound_for(double seen) {
-  constexpr double kRounded = 0.51;  // of what is rounded correctly but for next to nothing
+  constexpr double kRounded = 0.51;  // values that are almost correctly rounded
   if (seen <= kRounded) return 0.51F;
   if (!(4 * seen < double{std::numeric_limits<float>::max()})) {
     return std::numeric_limits<float>::max();
@@ -123,7 +124,7 @@ float bound_for(double seen) {
   return static_cast<float>(2 * power);
 }
 
-/// Whether all values of a kind are within the bounds of the terms.
+/// True if all values of a kind are within the bounds of the terms.
 bool is_within(const Subject& subject, const DrawnByGenerator& drawn, AttributeKind kind,
                const cases::ContractTerms& terms) {
   for (const auto& [name, some] : drawn) {
@@ -138,8 +139,8 @@ bool is_within(const Subject& subject, const DrawnByGenerator& drawn, AttributeK
   return true;
 }
 
-/// The least bound with parts per condition, or per horizon, that all are within; nothing where
-/// there is none.
+/// Returns a bound with a part per condition or, if that does not suffice, per horizon: twice the
+/// least power of four tried that covers all values. Empty if none does.
 std::optional<cases::ValueBound> varying_bound(const Subject& subject,
                                                const DrawnByGenerator& drawn, AttributeKind kind,
                                                float constant) {
@@ -174,7 +175,7 @@ std::string bound_text(const WorstUlp& worst) {
 void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKind kind,
                    const WorstUlp& ordinary, const WorstUlp& all,
                    const cases::ValueBound& declared) {
-  // Hard cases that are less than so many times worse are no kind of their own.
+  // Hard cases get a varying bound only if they are worse by more than this factor.
   constexpr double kMuchWorse = 16;
   cases::ValueBound bound{bound_for(all.excess)};
   const bool is_much_worse = all.excess > kMuchWorse * std::max(ordinary.excess, 0.5);
@@ -215,7 +216,8 @@ void measure_precision(Subject& subject, const Progress& progress) {
   WorstByKind all;
   WorstByKind ordinary;
   std::map<std::string, WorstByKind> shown;
-  // Of cut triangles there is nothing to hold single values against.
+  // Triangles that may be cut have no reference for single values, so single generators are judged
+  // as if nothing were cut.
   cases::ContractTerms uncut = lax;
   uncut.guard_band = std::numeric_limits<float>::max();
   for (const auto& [name, some] : drawn) {

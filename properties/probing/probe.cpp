@@ -9,7 +9,7 @@
 namespace rastercheck::properties {
 namespace {
 
-/// What no measure finds is not promised either.
+/// Withdraws the promises that no measure establishes.
 void withdraw_unmeasured(cases::ContractTerms& terms) {
   terms.derivative_bound = std::optional<float>();
   terms.quad_share = std::optional<float>();

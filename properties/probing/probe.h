@@ -1,8 +1,8 @@
 #pragma once
 
-// What a backend does, measured instead of believed: cases are drawn whose pictures tell one way of
-// drawing from another, and nothing else is asked of it. docs/probing.md is for those who read the
-// results; each measure's file says which picture tells what.
+// Measures how a backend draws, using only drawings: cases whose pictures distinguish one way of
+// drawing from another. docs/probing.md explains the results; each measure's file explains its
+// pictures.
 
 #include <cstdint>
 #include <optional>
@@ -16,8 +16,8 @@
 
 namespace rastercheck::properties {
 
-/// What all cases of a probe ask for. Of what nothing is said it is found out whether the backend
-/// follows what a case asks.
+/// Settings that all cases of a probe ask for. For each setting left empty, the probe finds out
+/// whether the backend honours the case's request.
 struct AskedDrawing {
   std::optional<cases::Coverage> coverage;
   std::optional<cases::Basis> basis;
@@ -26,12 +26,12 @@ struct AskedDrawing {
 
 struct ProbeOptions {
   std::uint64_t seed = 1;
-  int cases = 20;  ///< random ones of each generator, from 1
+  int cases = 20;  ///< random cases of each generator, at least 1
   AskedDrawing asked;
 };
 
-/// Measures the backend; `name` is its specification. Fails where it draws nothing at all, or is
-/// lost on the way (Backend::is_lost).
+/// Measures the backend; `name` is its specification. Fails if the backend draws nothing at all or
+/// is lost on the way (Backend::is_lost).
 Result<records::Probe> probe(const std::string& name, backends::Backend& backend,
                              const ProbeOptions& options, const Progress& progress);
 

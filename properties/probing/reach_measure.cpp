@@ -1,11 +1,11 @@
-// How far out vertices may lie: the guard band, and the greatest window coordinate that draws
-// right.
+// Measures how far out vertices may lie: the guard band, and the greatest window coordinate that
+// draws correctly.
 //
-// Triangles with w = 1 whose vertices lie D pixels from the window's origin, two of them on
-// opposite sides, so that long edges cross the window. With no clip tolerance at all they keep to
-// the contract as far as the guard band goes: beyond it a clipper makes new vertices. With the
-// tolerance that was measured they do as far as they are drawn right. D is doubled until it fails,
-// and the last step then halved.
+// Draws triangles with w = 1 whose vertices lie D pixels from the window's origin, two of them on
+// opposite sides, so that long edges cross the window. With no clip tolerance the triangles obey
+// the contract up to the guard band, beyond which a clipper makes new vertices. With the measured
+// tolerance they obey the contract as far out as they are drawn correctly. D is doubled until the
+// contract is violated, and the last step is then bisected.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ constexpr int kFarthest = 96;
 /// Halvings of the last step.
 constexpr int kHalvings = 3;
 
-/// The point on the ray from `from` whose greater coordinate is `distance` from the origin.
+/// Returns the point on the ray from `from` whose greater coordinate is `distance` from the origin.
 WindowPoint far_point(const WindowPoint& from, double along_u, double along_v, double distance) {
   const auto steps = [distance](double start, double along) {
     if (along == 0) return std::numeric_limits<double>::infinity();
@@ -36,7 +36,7 @@ WindowPoint far_point(const WindowPoint& from, double along_u, double along_v, d
   return {from.u + t * along_u, from.v + t * along_v};
 }
 
-/// A triangle with a long edge anywhere across the window.
+/// Adds a triangle with a long edge anywhere across the window.
 void add_random_far(Draw& draw, cases::Case& c, double distance) {
   const double x = draw.between(16, 47) + double{draw.unit()};
   const double y = draw.between(16, 47) + double{draw.unit()};
@@ -51,9 +51,9 @@ void add_random_far(Draw& draw, cases::Case& c, double distance) {
   add_triangle(c, first, second, far(-side * along_v, side * along_u));
 }
 
-/// A triangle with a long edge exactly through samples, of a slope that no grid holds: wherever it
-/// is cut the new corner has to be rounded, and the samples are no longer on the edge. Exact in
-/// float32 up to kMostExact pixels.
+/// Adds a triangle with a long edge exactly through samples. No grid holds the edge's slope:
+/// wherever the triangle is cut, the new corner has to be rounded, and then the samples are no
+/// longer on the edge. Exact in float32 up to kMostExact pixels.
 void add_far_through_samples(Draw& draw, cases::Case& c, double distance) {
   const double x = draw.between(16, 47) + 0.5;
   const double y = draw.between(16, 47) + 0.5;
@@ -84,7 +84,7 @@ class Reach {
  public:
   explicit Reach(Subject& subject) : subject_(&subject) {}
 
-  /// The greatest distance, of those tried, up to which all hold; 0 where none does.
+  /// Returns the greatest distance tried up to which all drawings hold; 0 if none does.
   double greatest(const cases::ContractTerms& terms) {
     is_refused_ = false;
     double good = 0;
@@ -105,7 +105,7 @@ class Reach {
     return good;
   }
 
-  /// Whether what lies farther was not drawn, rather than drawn wrongly.
+  /// True if the backend refused to draw farther out, instead of drawing wrongly.
   bool is_refused() const { return is_refused_; }
 
  private:
@@ -135,8 +135,8 @@ void measure_reach(Subject& subject) {
   const cases::Contract declared = subject.declared();
   Reach reach(subject);
   cases::ContractTerms& terms = subject.result.terms;
-  // Positions far out lie midway between grid points often, and it is not their rounding that is
-  // looked at.
+  // Positions far out often lie midway between grid points. How these are rounded is not measured
+  // here, so a small position error is allowed.
   cases::ContractTerms placed = terms;
   const cases::Coverage known = subject.contract(subject.base()).coverage;
   if (known) {

@@ -1,5 +1,5 @@
-// Whether the same case is the same picture, and which values come back to the bit: laws ask that
-// (properties/laws/), of a backend that is held to the promise.
+// Measures whether the same case gives the same picture and which values are returned exactly.
+// Checks the laws on this (properties/laws/) with the backend held to these promises.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,8 @@
 namespace rastercheck::properties {
 namespace {
 
-/// Cases of a law for each one of a generator: a promise to the bit is kept but for few.
+/// Cases of a law for each case of a generator: a promise of equal bits may fail in only a few
+/// cases.
 constexpr int kCasesEach = 5;
 
 struct RepetitionCounts {

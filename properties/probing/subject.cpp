@@ -9,7 +9,7 @@
 namespace rastercheck::properties {
 namespace {
 
-/// Pixels of a side.
+/// Width and height of a base case, in pixels.
 constexpr int kSubjectSide = 64;
 
 cases::ContractTerms of_all_numbers() {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The backend that is probed, the cases it is asked to draw, and what is known of it so far.
+// The probed backend, the cases it is asked to draw, and the results so far.
 
 #include <cstdint>
 #include <optional>
@@ -19,13 +19,13 @@
 
 namespace rastercheck::properties {
 
-/// A case and what came of it.
+/// A case and its drawing.
 struct DrawnCase {
   cases::Case source;
   cases::Fragments fragments;
 };
 
-/// How drawings came out under a contract.
+/// Coverage of drawings counted under a contract.
 struct CoverageTally {
   std::uint64_t required = 0;
   std::uint64_t missing = 0;
@@ -36,46 +36,46 @@ struct CoverageTally {
 
 class Subject {
  public:
-  /// Holds the backend to promise something of every case, for as long as it lives:
-  /// properties::draw() asks no other.
+  /// Makes the backend promise something for every case during the Subject's lifetime, as
+  /// properties::draw() requires.
   Subject(std::string name, backends::Backend& backend, const ProbeOptions& options);
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
   ~Subject();
 
-  /// Whether it draws anything; chooses the rules its cases have. Fails as probe() does.
+  /// Chooses the rules for all cases. Fails as probe() does if the backend draws nothing.
   Result<void> choose_rules();
 
-  /// The backend, which is asked of all numbers, whatever it promises of them.
+  /// The backend, set to accept all numbers, whatever it promises.
   backends::Backend& backend() { return *backend_; }
-  /// What it promises of a triangle in the middle of a base() case.
+  /// The backend's contract for a triangle in the middle of a base() case.
   cases::Contract declared() const;
   const ProbeOptions& options() const { return options_; }
 
-  /// A case of 64×64 pixels without vertices that asks for what asked() says.
+  /// A case of 64×64 pixels without vertices, with the settings of asked().
   cases::Case base() const;
-  /// What cases ask for from now on.
+  /// The settings that all cases ask for.
   const AskedDrawing& asked() const { return asked_; }
   void ask(const AskedDrawing& asked) { asked_ = asked; }
-  /// The same of a case that somebody else made: only what was said is changed.
+  /// Sets in another case those of these settings that are not empty.
   void ask_of(cases::Case& c) const;
 
-  /// What it draws; nothing where it does not.
+  /// Returns the backend's drawing; empty if it does not draw the case.
   std::optional<cases::Fragments> draw(const cases::Case& c);
   std::optional<DrawnCase> drawn(cases::Case c);
 
-  /// The contract that is known so far, for a case.
+  /// Returns the contract measured so far, for a case.
   cases::Contract contract(const cases::Case& c) const;
-  /// The same with terms that take the place of the known ones.
+  /// Counts drawings' coverage under the contract with these terms in place of the measured ones.
   CoverageTally tally(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const;
-  /// Whether nothing is missing, and nothing too much.
+  /// True if no sample is missing or extra.
   bool holds(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const;
-  /// All that a judge says, by the kind of value.
+  /// Returns the judge's full result, by kind of value.
   records::Judgement judgement(const DrawnCase& drawn, const cases::ContractTerms& terms) const;
 
   void add(std::string what, std::string declared, std::string measured, std::string detail = "");
 
-  records::Probe result;  ///< its rows and terms are what is known so far
+  records::Probe result;  ///< rows and terms measured so far
 
  private:
   backends::Backend* backend_;
@@ -85,14 +85,14 @@ class Subject {
   cases::Rules rules_ = cases::Rules::vulkan;
 };
 
-/// A stream of choices for one measure.
+/// A stream of random choices for one measure.
 class MeasureDraw : public Draw {
  public:
   MeasureDraw(const Subject& subject, const std::string& measure, std::uint64_t index = 0)
       : Draw(subject.options().seed, "probe: " + measure, index) {}
 };
 
-/// "-" for contracts that say nothing of something.
+/// Stands for a declared value that contracts do not cover.
 inline constexpr const char* kNotDeclared = "–";
 
 }  // namespace rastercheck::properties

@@ -1,9 +1,9 @@
-// Who owns samples on edges.
+// Measures who owns samples on edges.
 //
-// Of the triangles that the grid was read from, rounded to it, many have an edge exactly through a
-// sample; whether such a sample was drawn is noted by where the edge's inward normal points, in the
-// eight directions that the rules tell apart: to the axes, and between them. A rule of the APIs is
-// one that all eight keep. Samples on two edges are left out.
+// Many of the triangles from the grid measure, once rounded to the grid, have an edge exactly
+// through a sample. Whether such a sample was drawn is counted under the direction of the edge's
+// inward normal. The rules distinguish eight directions: along the axes and between them. An API's
+// rule fits if all eight directions agree with it. Samples on two edges are left out.
 
 #include <fmt/format.h>
 
@@ -18,13 +18,13 @@ namespace {
 
 using cases::TieRule;
 
-/// How ties of one direction went.
+/// Counts ties of one direction.
 struct Owned {
   int drawn = 0;
   int seen = 0;
 };
 
-/// [sign of the normal's x + 1][sign of its y + 1]
+/// [1 + sign of the normal's x][1 + sign of the normal's y]
 using Directions = std::array<std::array<Owned, 3>, 3>;
 
 std::size_t index_of(std::int64_t number) {
@@ -51,7 +51,7 @@ Directions directions_of(const MeasuredGrid& grid, const std::vector<FineDrawing
   return directions;
 }
 
-/// Whether a rule owns samples on an edge whose inward normal points there (RULES §2).
+/// True if a rule owns samples on an edge whose inward normal points in this direction (RULES §2).
 bool owns(TieRule rule, bool is_y_up, std::size_t x, std::size_t y) {
   const bool is_down_right = (rule == TieRule::top_left) != is_y_up;
   const std::size_t right = 2;

@@ -11,14 +11,14 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Before a record's numbers: this, columns and rows.
+/// The head of a record. The record's columns, rows and numbers follow.
 struct RecordHead {
   std::uint32_t triangle = 0;
   Bins::Kind kind = Bins::Kind::whole;
 };
 constexpr std::size_t kRecordHead = 3;
 
-/// Tiles that a box of pixels touches.
+/// The tiles that a box of pixels touches.
 PixelBox tiles_of(const PixelBox& box) {
   return {{box.columns.begin / kTileSize, tiles_across(box.columns.end)},
           {box.rows.begin / kTileSize, tiles_across(box.rows.end)}};
@@ -34,7 +34,7 @@ void for_each_tile(const PixelBox& pixels, std::size_t tile_columns, const Visit
   }
 }
 
-/// From how many each tile has to where its first is, and how many there are in all.
+/// Replaces each tile's count by the index of its first item; returns the total.
 std::size_t begins_from_counts(std::vector<std::uint32_t>& ends) {
   std::size_t begin = 0;
   for (std::uint32_t& end : ends) {
@@ -42,7 +42,7 @@ std::size_t begins_from_counts(std::vector<std::uint32_t>& ends) {
     end = static_cast<std::uint32_t>(begin);
     begin += of_tile;
   }
-  // Such a chunk needs 16 GiB.
+  // A chunk with more items than this needs 16 GiB.
   if (begin > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("bins");
   return begin;
 }
@@ -101,7 +101,7 @@ Binning::Binning(const DrawSetting& setting, const KernelSetting* kernel, const 
   output_ = std::make_unique<GroupOutput>();
 }
 
-void Binning::sort(std::size_t first, std::size_t last, TileDrawing& drawing, Bins& bins) {
+void Binning::sort(std::size_t first, std::size_t last, FallbackDrawing& fallback, Bins& bins) {
   bins.first = static_cast<std::uint32_t>(first);
   bins.counts = {};
   bins.records.clear();
@@ -109,18 +109,19 @@ void Binning::sort(std::size_t first, std::size_t last, TileDrawing& drawing, Bi
   fragments_.size = 0;
   if (kernel_ != nullptr) {
     for (std::size_t t = first; t < last; t += kGroup) {
-      take_group(static_cast<std::uint32_t>(t), std::min(kGroup, last - t), drawing, bins);
+      take_group(static_cast<std::uint32_t>(t), std::min(kGroup, last - t), fallback, bins);
     }
   } else {
     for (std::size_t t = first; t < last; ++t) {
-      take_whole(static_cast<std::uint32_t>(t), drawing, bins);
+      take_whole(static_cast<std::uint32_t>(t), fallback, bins);
     }
   }
   sort_fragments(bins);
   sort_triangles(bins);
 }
 
-void Binning::take_group(std::uint32_t first, std::size_t count, TileDrawing& drawing, Bins& bins) {
+void Binning::take_group(std::uint32_t first, std::size_t count, FallbackDrawing& fallback,
+                         Bins& bins) {
   fill_group(first, count);
   set_up_group(*kernel_, *input_, count, first - bins.first, *output_, fragments_);
   const std::size_t count_of_numbers = TriangleNumbers::count(kernel_->attributes);
@@ -157,7 +158,7 @@ void Binning::take_group(std::uint32_t first, std::size_t count, TileDrawing& dr
         break;
       }
       case LaneFate::left:
-        take_whole(triangle, drawing, bins);
+        take_whole(triangle, fallback, bins);
         break;
     }
   }
@@ -165,7 +166,7 @@ void Binning::take_group(std::uint32_t first, std::size_t count, TileDrawing& dr
 
 void Binning::fill_group(std::size_t first, std::size_t count) {
   const std::size_t attributes = kernel_->attributes;
-  // Vertices lie anywhere: those of groups to come are asked for early.
+  // Vertices are scattered in memory, so the vertices of later groups are prefetched.
   constexpr std::size_t kAhead = 2 * kGroup;
   const std::size_t ahead = std::min(first + kAhead, mesh_.triangles.size());
   for (std::size_t t = ahead; t < std::min(ahead + kGroup, mesh_.triangles.size()); ++t) {
@@ -182,7 +183,7 @@ void Binning::fill_group(std::size_t first, std::size_t count) {
       input_->positions[i][lane] = mesh_.positions[vertex];
       const float* const values = mesh_.attributes.data() + vertex * attributes;
       float* const out = input_->attributes[i].data() + lane * attributes;
-      if (attributes == 2) {  // a number that is known here spares a call
+      if (attributes == 2) {  // a constant number avoids a call
         std::copy_n(values, 2, out);
       } else {
         std::copy_n(values, attributes, out);
@@ -191,9 +192,9 @@ void Binning::fill_group(std::size_t first, std::size_t count) {
   }
 }
 
-void Binning::take_whole(std::uint32_t triangle, TileDrawing& drawing, Bins& bins) const {
+void Binning::take_whole(std::uint32_t triangle, FallbackDrawing& fallback, Bins& bins) const {
   PixelBox box;
-  const Fate fate = drawing.locate(triangle, box);
+  const Fate fate = fallback.locate(triangle, box);
   count(fate, bins.counts);
   if (fate == Fate::drawn) bins.add(triangle, box, Bins::Kind::whole, 0);
 }
@@ -209,8 +210,8 @@ void Binning::sort_fragments(Bins& bins) const {
   put_fragments_in_order<0>(bins);
 }
 
-/// `kAttributes` of them, or as many as the state says where it is 0. Ends start at their tiles'
-/// beginnings and move past what is put there.
+/// `kAttributes` is the number of attributes, or 0 to use the state's number. Each tile's end
+/// starts at the tile's beginning and moves past each fragment that is written.
 template <std::size_t kAttributes>
 void Binning::put_fragments_in_order(Bins& bins) const {
   const std::size_t attributes = kAttributes == 0 ? setting_.state.attributes.size() : kAttributes;

@@ -1,13 +1,14 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/block_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/block_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/evaluation-inl.h"
 #include "rasterizer/internal/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,7 +29,7 @@ BlockCoverage EvaluateEdges(const EdgeRow& row, int first, int count, BlockWeigh
     auto possible = hn::FirstN(d, static_cast<std::size_t>(count - j));
     auto sure = possible;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto e = hn::Add(hn::Mul(hn::Set(d, row.a[i]), u), hn::Set(d, row.row[i]));
+      const auto e = OnPlane(row.a[i], u, row.row[i]);
       hn::Store(e, d, weights.e[i].data() + j);
       const auto band = hn::Set(d, row.band[i]);
       possible = hn::And(possible, hn::Ge(e, hn::Neg(band)));
@@ -42,9 +43,7 @@ BlockCoverage EvaluateEdges(const EdgeRow& row, int first, int count, BlockWeigh
 
 /// The plane's values for the samples from j.
 HWY_INLINE Vector Along(const PlaneRow& plane, const BlockWeights& weights, int j) {
-  const Doubles d;
-  const auto u = hn::Load(d, weights.u.data() + j);
-  return hn::Add(hn::Mul(hn::Set(d, plane.a), u), hn::Set(d, plane.row));
+  return OnPlane(plane.a, hn::Load(Doubles(), weights.u.data() + j), plane.row);
 }
 
 std::uint64_t SumWeights(const PlaneRow& plane, double least, int count, BlockWeights& weights) {
@@ -53,7 +52,7 @@ std::uint64_t SumWeights(const PlaneRow& plane, double least, int count, BlockWe
   std::uint64_t above = 0;
   for (int j = 0; j < count; j += lanes) {
     const auto sum = Along(plane, weights, j);
-    hn::Store(hn::Div(hn::Set(d, 1.0), sum), d, weights.reciprocal.data() + j);
+    hn::Store(Reciprocal(sum), d, weights.reciprocal.data() + j);
     above |= BitsOf(d, hn::Gt(sum, hn::Set(d, least))) << j;
   }
   return above;
@@ -87,8 +86,7 @@ HWY_INLINE void Depth(const PlaneRow& plane, double least, double greatest, int 
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int j = 0; j < count; j += lanes) {
-    const auto depth = hn::Max(Along(plane, weights, j), hn::Set(d, least));
-    StoreValue(hn::Min(depth, hn::Set(d, greatest)), out + j);
+    StoreValue(Clamped(Along(plane, weights, j), least, greatest), out + j);
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
-// Where blocks go once their samples have values: into a list of fragments, or into a tile.
+// Route: fragments.
+//
+// An evaluated block, and an output that appends it to a list of fragments.
 
 #include <algorithm>
 #include <array>
@@ -12,12 +14,11 @@
 #include "rasterizer/internal/coverage.h"
 #include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/masks.h"
-#include "rasterizer/internal/tile.h"
 #include "rasterizer/rasterizer.h"
 
 namespace rastercheck::rasterizer {
 
-/// What a block holds of one sample of its pixels.
+/// A block's values at one sample index of its pixels.
 struct SampleBlock {
   CoveredBlock coverage;
   std::array<float, kBlockSize> depth;
@@ -34,18 +35,18 @@ struct SampleBlock {
   }
 };
 
-/// A block whose samples have their values.
+/// A block with the values of all its samples.
 struct EvaluatedBlock {
   std::uint32_t triangle = 0;
   int y = 0;
   int first = 0;     ///< pixel of bit 0
-  Mask touched = 0;  ///< pixels of which some sample is covered
+  Mask touched = 0;  ///< pixels with at least one covered sample
   std::span<const SampleBlock> samples;
-  /// [sample][column][attribute]; none without State::derivatives.
+  /// [sample][column][attribute]; empty without State::derivatives.
   std::span<const Slopes> derivatives;
 };
 
-/// Appends what was drawn to fragments.
+/// Appends the covered samples to fragments.
 class FragmentOutput {
  public:
   FragmentOutput(Fragments& fragments, std::size_t attributes)
@@ -95,35 +96,6 @@ class FragmentOutput {
 
   Fragments& fragments_;
   std::size_t attributes_;
-};
-
-/// Keeps what was drawn in a tile, by the depth test.
-class TileOutput {
- public:
-  TileOutput(DepthTest test, std::size_t attributes) : test_(test), attributes_(attributes) {}
-
-  void begin(Tile& tile) { tile_ = &tile; }
-
-  void take(const EvaluatedBlock& block) {
-    for (std::size_t s = 0; s < block.samples.size(); ++s) {
-      const SampleBlock& sample = block.samples[s];
-      const int from = block.first - tile_->columns().begin;
-      for_each_bit(sample.coverage.covered, [&](int j) {
-        float& depth = tile_->depth(s, block.y)[from + j];
-        const auto column = static_cast<std::size_t>(j);
-        if (test_ == DepthTest::less && !(sample.depth[column] < depth)) return;
-        depth = sample.depth[column];
-        for (std::size_t a = 0; a < attributes_; ++a) {
-          tile_->attribute(a, s, block.y)[from + j] = sample.attributes[a][column];
-        }
-      });
-    }
-  }
-
- private:
-  DepthTest test_;
-  std::size_t attributes_;
-  Tile* tile_ = nullptr;
 };
 
 }  // namespace rastercheck::rasterizer

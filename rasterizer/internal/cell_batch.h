@@ -1,7 +1,9 @@
 #pragma once
 
-// The memory of a batch of cells (shading.h): each thread has one, which it fills with cells of one
-// triangle after the other, has shaded when it is full, and merges into its tile.
+// Route: shaded frames.
+//
+// The memory of a batch of cells (shading.h). Each thread has one batch. The thread fills the batch
+// with the cells of successive triangles, has the full batch shaded, and merges it into its tile.
 
 #include <array>
 #include <cstddef>
@@ -35,7 +37,7 @@ class CellBatch {
   bool has_derivatives() const { return !along_u.empty(); }
   bool is_full() const { return count == kCells; }
 
-  std::size_t count = 0;  ///< of cells
+  std::size_t count = 0;  ///< number of cells
   std::array<FragmentBatch::Cell, kCells> cells{};
   std::array<std::uint16_t, kCells> discarded{};
   float* depth = nullptr;  ///< [lane]

@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/cell_kernels.h"
 
@@ -9,17 +9,18 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/cell_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/cells-inl.h"
+#include "rasterizer/internal/evaluation-inl.h"
 #include "rasterizer/internal/tile_spans-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// Columns begin … end − 1, both within a tile.
+/// The mask of columns begin … end − 1, which must lie within a tile.
 inline Mask ColumnsFrom(std::int32_t begin, std::int32_t end) {
   if (begin >= end) return 0;
   return ~Mask{0} >> (kTileSize - (end - begin)) << begin;
@@ -52,8 +53,8 @@ Mask FindCells(const KernelSetting& setting, const double* numbers, DepthTest te
   return (first_left_out | first_left_out << 1) & of_part;
 }
 
-/// Evaluates cells of a triangle, with `kAttributes` attributes, all of them smooth, or as many and
-/// as the setting says where it is 0.
+/// Evaluates cells of a triangle with `kAttributes` attributes, all of them smooth. If
+/// `kAttributes` is 0, the setting gives the attributes' number and kinds.
 template <std::size_t kAttributes, bool kDerives>
 class Evaluator {
  public:
@@ -65,18 +66,19 @@ class Evaluator {
         depths_(area.depth),
         depth_(PlaneAt(planes, TrianglePlanes::kDepth)),
         sum_(PlaneAt(planes, TrianglePlanes::kSum)) {
-    for (std::size_t a = 0; a < kAttributes; ++a) planes_[a] = PlaneOfAttribute(a);
+    for (std::size_t a = 0; a < kAttributes; ++a) {
+      planes_[a] = PlaneAt(planes, TrianglePlanes::kValues + 3 * a);
+    }
   }
 
   /// The depths of a cell's lanes from `lane` on.
   HWY_INLINE hn::Vec<Halves> DepthAt(const TileCell& cell, std::size_t lane) const {
-    const Doubles d;
-    const auto value = hn::Min(hn::Max(At(depth_, cell, lane), hn::Set(d, setting_.depth_least)),
-                               hn::Set(d, setting_.depth_greatest));
+    const auto value =
+        Clamped(At(depth_, cell, lane), setting_.depth_least, setting_.depth_greatest);
     return hn::DemoteTo(Halves(), value);
   }
 
-  /// The depths of a cell's lanes; returns those that may pass the test.
+  /// Stores the depths of a cell's lanes; returns the lanes that may pass the test.
   HWY_INLINE std::uint16_t PutDepths(DepthTest test, const TileCell& cell, float* depths) const {
     const Halves floats;
     const bool tests = lets_fall(test) || lets_rise(test);
@@ -93,46 +95,59 @@ class Evaluator {
     return tests ? static_cast<std::uint16_t>(passing) : std::uint16_t{0xffff};
   }
 
-  /// The values, and their derivatives, of a cell whose lanes are those from `first` on.
+  /// Stores the values and derivatives of a cell in the batch's lanes from `first` on.
   HWY_INLINE void PutValues(const TileCell& cell, std::size_t first, const CellBatch& batch) const {
-    const Doubles d;
-    const std::size_t attributes = kAttributes == 0 ? setting_.attributes : kAttributes;
-    for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(d)) {
-      auto reciprocal = hn::Zero(d);
-      if (kAttributes > 0 || setting_.has_smooth) {
-        reciprocal = hn::Div(hn::Set(d, 1.0), At(sum_, cell, lane));
-      }
-      for (std::size_t a = 0; a < attributes; ++a) {
-        PutValue(a, cell, lane, first + lane, reciprocal, batch);
-      }
+    for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(Doubles())) {
+      EvaluateAttributes(PlanesOfCell{*this, cell, lane},
+                         [&](std::size_t a, Vector value, Vector reciprocal)
+                             HWY_ATTR { PutValue(a, value, reciprocal, first + lane, batch); });
     }
   }
 
  private:
+  /// A triangle's planes at the lanes of a cell from `lane` on.
+  struct PlanesOfCell {
+    const Evaluator& of;
+    const TileCell& cell;
+    std::size_t lane;
+
+    HWY_INLINE std::size_t Count() const {
+      return kAttributes == 0 ? of.setting_.attributes : kAttributes;
+    }
+    HWY_INLINE bool HasSmooth() const { return kAttributes > 0 || of.setting_.has_smooth; }
+    HWY_INLINE Interpolation InterpolationOf(std::size_t a) const { return of.InterpolationOf(a); }
+    HWY_INLINE Vector Sum() const { return of.At(of.sum_, cell, lane); }
+    HWY_INLINE Vector Value(std::size_t a) const {
+      return of.At(of.PlaneOfAttribute(a), cell, lane);
+    }
+    HWY_INLINE Vector Flat(std::size_t a) const {
+      return hn::Set(Doubles(), of.PlaneOfAttribute(a).c);
+    }
+  };
+
+  HWY_INLINE Interpolation InterpolationOf(std::size_t a) const {
+    return kAttributes > 0 ? Interpolation::smooth : setting_.interpolation[a];
+  }
   HWY_INLINE Plane PlaneOfAttribute(std::size_t a) const {
+    if (kAttributes > 0) return planes_[a];
     return PlaneAt(planes_of_, TrianglePlanes::kValues + 3 * a);
   }
 
   HWY_INLINE Vector At(const Plane& plane, const TileCell& cell, std::size_t lane) const {
-    const Doubles d;
-    const auto u = hn::LoadU(d, u_ + cell.column + lane % kWidth);
+    const auto u = hn::LoadU(Doubles(), u_ + cell.column + lane % kWidth);
     const double v = v_[cell.row + static_cast<int>(lane / kWidth)];
-    const double row = plane.b * v + plane.c;
-    return hn::Add(hn::Mul(hn::Set(d, plane.a), u), hn::Set(d, row));
+    return OnPlane(plane.a, u, plane.b * v + plane.c);
   }
 
-  HWY_INLINE void PutValue(std::size_t a, const TileCell& cell, std::size_t lane, std::size_t at,
-                           Vector reciprocal, const CellBatch& batch) const {
+  HWY_INLINE void PutValue(std::size_t a, Vector value, Vector reciprocal, std::size_t at,
+                           const CellBatch& batch) const {
     const Doubles d;
-    const auto interpolation = kAttributes > 0 ? Interpolation::smooth : setting_.interpolation[a];
-    const Plane plane = kAttributes > 0 ? planes_[a] : PlaneOfAttribute(a);
-    const bool is_flat = interpolation == Interpolation::flat;
-    auto value = is_flat ? hn::Set(d, plane.c) : At(plane, cell, lane);
-    if (interpolation == Interpolation::smooth) value = hn::Mul(value, reciprocal);
     hn::Store(value, d, batch.values[a] + at);
     if (!kDerives) return;
+    const Interpolation interpolation = InterpolationOf(a);
+    const Plane plane = PlaneOfAttribute(a);
     const auto along = [&](double numerator, double denominator, double step) HWY_ATTR {
-      if (is_flat) return hn::Zero(d);
+      if (interpolation == Interpolation::flat) return hn::Zero(d);
       const auto slope = hn::Set(d, numerator * step);
       if (interpolation == Interpolation::noperspective) return slope;
       // (N / D)' = (N' − r D') / D
@@ -145,12 +160,12 @@ class Evaluator {
 
   const KernelSetting& setting_;
   const double* const planes_of_;
-  const double* const u_;  ///< of columns
-  const double* const v_;  ///< of rows
+  const double* const u_;  ///< [column]
+  const double* const v_;  ///< [row]
   const float* const depths_;
   const Plane depth_;
   const Plane sum_;
-  Plane planes_[std::max<std::size_t>(kAttributes, 1)];  ///< of attributes
+  Plane planes_[std::max<std::size_t>(kAttributes, 1)];  ///< [attribute]
 };
 
 HWY_INLINE FragmentBatch::Cell PlaceIn(const CellSource& source, std::uint32_t triangle,
@@ -194,7 +209,7 @@ std::size_t EvaluateMarkedBy(const KernelSetting& setting,
   return done;
 }
 
-/// work(attributes, derives), constants as Evaluator has them.
+/// Calls work(attributes, derives) with Evaluator's template arguments as constants.
 template <class Work>
 HWY_INLINE std::size_t ByKind(const KernelSetting& setting, const CellBatch& batch,
                               const Work& work) {
@@ -251,7 +266,7 @@ bool MarkCells(const KernelSetting& setting, const double* planes, const Merging
   return !hn::AllFalse(floats, any);
 }
 
-/// The marks of a cell's columns in one row.
+/// The columns of a cell's row that have this mark.
 HWY_INLINE std::uint64_t BitsOfMark(const std::uint32_t* marks, std::uint32_t mark) {
   const HalfWords d;
   std::uint64_t bits = 0;
@@ -261,7 +276,7 @@ HWY_INLINE std::uint64_t BitsOfMark(const std::uint32_t* marks, std::uint32_t ma
   return bits;
 }
 
-/// Columns of a row with a mark.
+/// The columns of a row that have any mark.
 HWY_INLINE Mask ColumnsMarked(const std::uint32_t* marks) {
   Mask unmarked = 0;
   for (std::size_t i = 0; i < kTileSize; i += kWidth) unmarked |= BitsOfMark(marks + i, 0) << i;
@@ -310,7 +325,7 @@ void TileCells::add_rows(int row, Mask of_first, Mask of_second) {
   for (Mask rest = of_first | of_second; rest != 0;) {
     const int begin = std::countr_zero(rest) & ~1;
     const int column = std::min(begin, kTileSize - kCellWidth);
-    // What is before `begin` belongs to the cell before.
+    // Columns before `begin` belong to the previous cell.
     const Mask here = (Mask{0xff} << column) & (~Mask{0} << begin);
     const auto first = static_cast<unsigned>((of_first & here) >> column);
     const auto second = static_cast<unsigned>((of_second & here) >> column);

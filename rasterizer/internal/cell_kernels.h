@@ -1,8 +1,10 @@
 #pragma once
 
-// Shading by cells on the widest vectors that the processor has: which cells of a tile a triangle
-// touches, in which of them it is seen, their depths and values. All targets compute the same bits,
-// and depths and values are those of tile_kernels.h before they are rounded.
+// Route: shaded frames.
+//
+// Shades by cells on the processor's widest vectors. Finds the cells of a tile that a triangle
+// touches and those in which the triangle is visible, and computes their depths and values. All
+// targets compute the same bits. Depths and values equal those of tile_kernels.h before rounding.
 
 #include <array>
 #include <cstddef>
@@ -18,7 +20,8 @@
 
 namespace rastercheck::rasterizer {
 
-/// A cell of a tile; `covered` as FragmentBatch::Cell has it. No pixel is covered in two.
+/// A cell of a tile. `covered` is as in FragmentBatch::Cell. Cells may overlap, but no pixel is
+/// covered in two cells.
 struct TileCell {
   int column = 0;  ///< even, at most kTileSize − 8
   int row = 0;     ///< even
@@ -34,49 +37,52 @@ struct TileCells {
   void add(const TileCell& cell) {
     if (cell.covered != 0) cells[count++] = cell;
   }
-  /// The cells of two rows, the first of which is even, with these columns covered.
+  /// Adds the cells of rows `row`, which must be even, and row + 1. `of_first` and `of_second` are
+  /// the covered columns of the two rows.
   void add_rows(int row, Mask of_first, Mask of_second);
   std::span<const TileCell> all() const { return {cells.data(), count}; }
 };
 
-/// Finds the cells of what of a triangle with these numbers (TriangleNumbers) lies in that part of
-/// a tile. Returns the rows, both of a cell or neither, for which double is not enough, or where a
-/// sample is at a vertex; their cells are left out. `area.greatest` has to be that of the tile
-/// where the test lets_fall.
+/// Finds the cells of the part of a triangle (given by TriangleNumbers) that lies inside `part`.
+/// Returns the rows that the caller must draw another way, because double does not suffice in them
+/// or a sample lies at a vertex. If a row is returned, so is the other row of its cells, and those
+/// cells are left out of `cells`. If lets_fall(test), `area.greatest` must be set.
 Mask find_cells(const KernelSetting& setting, const double* numbers, DepthTest test,
                 const TileArea& area, const TilePart& part, TileCells& cells);
 
-/// Where a batch's cells come from.
+/// The triangle, sample index and tile that the cells of a batch come from.
 struct CellSource {
   std::uint32_t triangle = 0;
   std::uint16_t sample = 0;
-  int left = 0;  ///< of the tile, in pixels
+  int left = 0;  ///< left column of the tile, in pixels
   int top = 0;
 };
 
-/// Adds cells to a batch until it is full, with values, and depths where merging needs_depths;
-/// those of which no fragment can pass the depth test any more are passed over. Returns how many
-/// are done.
+/// Adds cells to a batch, with values, until the batch is full. Also adds depths if
+/// needs_depths(merging). Skips cells whose fragments can no longer pass the depth test. Returns
+/// the number of cells processed, including those skipped.
 std::size_t evaluate_cells(const KernelSetting& setting, const double* planes,
                            const Merging& merging, const TileArea& area, const CellSource& source,
                            std::span<const TileCell> cells, CellBatch& batch);
 
-// Where colours neither depend on what is there nor are thrown away, only the triangle that is seen
-// at a sample in the end has to be shaded there: triangles first leave their depths and marks.
+// If a fragment's colour does not depend on the stored colour and no fragment is discarded, only
+// the finally visible triangle of each sample needs shading. Each triangle then first leaves only
+// its depths and marks.
 
-/// A triangle that leaves marks i + 1, where it is number i of a tile's.
+/// A triangle that leaves the mark i + 1, where i is its index among the tile's marked triangles.
 struct MarkedTriangle {
   const double* planes = nullptr;
   std::uint32_t triangle = 0;
 };
 
-/// Puts depths, if they are written, and `mark` into a tile where fragments of these cells pass the
-/// depth test; `marks` as TileArea::depth. Returns whether any does.
+/// For the fragments of these cells that pass the depth test, writes `mark` to `marks` and, if
+/// merging.writes_depth, their depths to the tile. `marks` is laid out like TileArea::depth.
+/// Returns true if any fragment passed.
 bool mark_cells(const KernelSetting& setting, const double* planes, const Merging& merging,
                 const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
                 std::uint32_t* marks);
 
-/// Cells of two rows, each of one mark.
+/// The cells of two rows. Each cell holds the samples of one mark.
 struct MarkedCells {
   struct Cell {
     TileCell cell;
@@ -89,12 +95,12 @@ struct MarkedCells {
   std::span<const Cell> all() const { return {cells.data(), count}; }
 };
 
-/// The cells of the rows `row`, which is even, and row + 1 whose marks are not 0, which they are
-/// afterwards.
+/// Collects the cells with nonzero marks of the rows `row`, which must be even, and row + 1. Resets
+/// those marks to 0.
 void take_marked(int row, std::uint32_t* marks, MarkedCells& cells);
 
-/// Adds marked cells to a batch until it is full, with values; `source.triangle` has no say.
-/// Returns how many are done.
+/// Adds marked cells, with values, to a batch until the batch is full. Ignores `source.triangle`.
+/// Returns the number of cells processed.
 std::size_t evaluate_marked(const KernelSetting& setting, std::span<const MarkedTriangle> triangles,
                             const TileArea& area, const CellSource& source,
                             std::span<const MarkedCells::Cell> cells, CellBatch& batch);

@@ -10,8 +10,7 @@ namespace {
 /// The sample of a cell's lane (shading.h).
 LanePlace place_of(const FragmentBatch::Cell& cell, std::size_t lane) {
   return {cell.sample, cell.x + static_cast<int>(lane % FragmentBatch::kCellWidth),
-          cell.y + static_cast<int>(lane / FragmentBatch::kCellWidth),
-          (cell.covered >> lane & 1) != 0, false};
+          cell.y + static_cast<int>(lane / FragmentBatch::kCellWidth)};
 }
 
 }  // namespace
@@ -32,10 +31,11 @@ PaintSetting paint_setting(const ShaderView& shader, const State& state, const M
   return paint;
 }
 
-CellPainter::CellPainter(const DrawSetting& setting, const PaintSetting& paint, const Mesh& mesh)
+CellPainter::CellPainter(const DrawSetting& setting, const PaintSetting& paint,
+                         FallbackDrawing& fallback)
     : setting_(setting),
       paint_(paint),
-      lanes_(make_lane_drawing(setting, mesh, paint.shader.uses_derivatives)),
+      fallback_(fallback),
       cells_(std::make_unique<TileCells>()),
       batch_(setting.state.attributes.size(), paint.shader.outputs, paint.shader.uses_derivatives),
       marks_all_(paint.merging.blend == Blend::off && !paint.shader.discards) {
@@ -128,7 +128,7 @@ CellSource CellPainter::source_of(std::uint32_t triangle, std::size_t sample) co
           tile_->rows().begin};
 }
 
-/// Their depths have passed the test, and are in the tile.
+/// Marked fragments have passed the depth test, and their depths are in the tile already.
 Merging CellPainter::merging_of_marked() const {
   return {DepthTest::always, false, Blend::off, paint_.merging.has_words};
 }
@@ -143,46 +143,35 @@ void CellPainter::draw_rows(std::uint32_t triangle, std::size_t sample, Mask row
   }
 }
 
-/// The wanted ones of two rows, the first of which is even.
+/// Draws `row`, which must be even, and the row after it. Skips rows that are not in `rows`.
 void CellPainter::draw_two_rows(std::uint32_t triangle, std::size_t sample, int row, Mask rows) {
-  if (!lanes_->begin(triangle)) return;
-  if (marks_all_) {  // what came before goes first
+  if (!fallback_.begin(triangle)) return;
+  if (marks_all_) {  // earlier triangles must be drawn first
     if (!marked_.empty()) draw_marked(sample, row);
     flush(merging_of_marked());
-    lanes_->begin(triangle);  // a shader may have asked for another
+    fallback_.begin(triangle);  // the shader may have begun another triangle
   }
   const auto cover = [&](int of_tile) {
     const int y = tile_->rows().begin + of_tile;
     const bool is_wanted = (rows >> of_tile & 1) != 0 && y < tile_->rows().end;
-    if (!is_wanted || !lanes_->touches(y)) return CoveredBlock();
-    return lanes_->cover(sample, y, tile_->columns());
+    return is_wanted ? fallback_.cover(sample, y, tile_->columns().begin) : Mask{0};
   };
-  const CoveredBlock first = cover(row);
-  const CoveredBlock second = cover(row + 1);
   cells_->count = 0;
-  cells_->add_rows(row, first.covered, second.covered);
-  for (const TileCell& cell : cells_->all()) {
-    const auto bits = [&cell](Mask mask) { return (mask >> cell.column) & 0xff; };
-    const Mask at_vertex = bits(first.at_vertex) | bits(second.at_vertex)
-                                                       << FragmentBatch::kCellWidth;
-    add_lanes(triangle, sample, cell, static_cast<std::uint16_t>(at_vertex));
-  }
+  cells_->add_rows(row, cover(row), cover(row + 1));
+  for (const TileCell& cell : cells_->all()) add_lanes(triangle, sample, cell);
   if (marks_all_) flush(paint_.merging);
 }
 
-void CellPainter::add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell,
-                            std::uint16_t at_vertex) {
+void CellPainter::add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell) {
   const std::size_t first = batch_.count * FragmentBatch::kCellLanes;
   FragmentBatch::Cell& added = batch_.cells[batch_.count++];
   added = {triangle, cell.covered, static_cast<std::uint16_t>(tile_->columns().begin + cell.column),
            static_cast<std::uint16_t>(tile_->rows().begin + cell.row),
            static_cast<std::uint16_t>(sample)};
-  lanes_->begin(triangle);  // a shader may have asked for another
+  fallback_.begin(triangle);  // the shader may have begun another triangle
   for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; ++lane) {
-    LanePlace place = place_of(added, lane);
-    place.is_at_vertex = (at_vertex >> lane & 1) != 0;
-    lanes_->evaluate(place,
-                     {batch_.depth, batch_.values, batch_.along_u, batch_.along_v, first + lane});
+    fallback_.evaluate(place_of(added, lane),
+                       {batch_.depth, batch_.values, batch_.along_u, batch_.along_v, first + lane});
   }
   if (batch_.is_full()) flush(paint_.merging);
 }
@@ -207,9 +196,9 @@ void CellPainter::flush(const Merging& merging) {
 
 double CellPainter::floor(std::size_t attribute, std::size_t lane, double scale, double period) {
   const FragmentBatch::Cell& cell = batch_.cells[lane / FragmentBatch::kCellLanes];
-  if (!lanes_->begin(cell.triangle)) return 0;  // it is drawn, or it would have no lane
+  if (!fallback_.begin(cell.triangle)) return 0;  // never: only drawn triangles have lanes
   const LanePlace place = place_of(cell, lane % FragmentBatch::kCellLanes);
-  return lanes_->floor(place, attribute, scale, period);
+  return fallback_.floor(place, attribute, scale, period);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -1,9 +1,11 @@
 #pragma once
 
-// Draws triangles into a tile by a shader: finds the cells that they touch, fills a batch with them
-// and, whenever it is full, has it shaded and merges it into the tile. Where only what is seen in
-// the end has to be shaded, triangles leave marks first, and the cells are those of marks. Each
-// thread has one.
+// Route: shaded frames.
+//
+// Draws triangles into a tile through a shader. Finds the cells that the triangles touch, fills a
+// batch with those cells, shades each full batch and merges it into the tile. If only finally
+// visible fragments need shading, triangles first leave marks, and the cells are made from the
+// marks. Each thread has its own painter.
 
 #include <array>
 #include <cstddef>
@@ -16,67 +18,68 @@
 #include "rasterizer/internal/cell_batch.h"
 #include "rasterizer/internal/cell_kernels.h"
 #include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/fallback_drawing.h"
 #include "rasterizer/internal/kernel_setting.h"
-#include "rasterizer/internal/lane_drawing.h"
 #include "rasterizer/internal/merge_kernels.h"
 #include "rasterizer/internal/tile.h"
 #include "rasterizer/shading.h"
 
 namespace rastercheck::rasterizer {
 
-/// What all painters of a draw have in common.
+/// Data shared by all painters of a draw.
 struct PaintSetting {
   ShaderView shader;
   Merging merging;
   std::vector<double> errors;  ///< FragmentBatch::errors
 };
 
-/// For checked arguments.
+/// Makes the setting. The arguments must have been checked.
 PaintSetting paint_setting(const ShaderView& shader, const State& state, const Mesh& mesh,
                            const Picture& framebuffer);
 
 class CellPainter : public ExactAttributes {
  public:
-  CellPainter(const DrawSetting& setting, const PaintSetting& paint, const Mesh& mesh);
+  /// The arguments must outlive the painter. `fallback` must compute derivatives if the shader uses
+  /// them.
+  CellPainter(const DrawSetting& setting, const PaintSetting& paint, FallbackDrawing& fallback);
 
-  /// From here on into this tile; `areas` are its samples'.
+  /// Starts drawing into this tile. `areas` holds the tile's area for each sample index.
   void begin(Tile& tile, std::span<const TileArea> areas);
-  /// A triangle with numbers, in that part of the tile.
+  /// Draws the part of a triangle (given by its numbers) that lies inside `part`.
   void draw(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
             const TilePart& part);
-  /// A small triangle of which is known what it covers; all of it that lies in the tile.
+  /// Draws the part of a small triangle that lies in the tile, from the triangle's covered samples.
   void draw_covered(const KernelSetting& kernel, const BinnedTriangle& binned);
-  /// A triangle in these rows of the tile, whatever it is.
+  /// Draws any triangle in these rows of the tile, lane by lane, with the fallback drawing.
   void draw_lanes(std::uint32_t triangle, Mask rows);
-  /// Finishes what was drawn.
+  /// Shades and merges everything that is still pending.
   void end();
 
   double floor(std::size_t attribute, std::size_t lane, double scale, double period) override;
 
  private:
-  /// The cells at hand.
+  /// Draws the cells in `cells_` or, if `marks_all_`, marks their samples.
   void draw_cells(const KernelSetting& kernel, const double* planes, std::uint32_t triangle,
                   std::size_t sample);
   void mark(const KernelSetting& kernel, const double* planes, std::uint32_t triangle,
             std::size_t sample);
-  /// Draws what is marked in two rows, the first of which is even.
+  /// Draws the marked samples of `row`, which must be even, and row + 1.
   void draw_marked(std::size_t sample, int row);
   std::uint32_t* marks_of(std::size_t sample);
   Merging merging_of_marked() const;
   CellSource source_of(std::uint32_t triangle, std::size_t sample) const;
   void draw_rows(std::uint32_t triangle, std::size_t sample, Mask rows);
   void draw_two_rows(std::uint32_t triangle, std::size_t sample, int row, Mask rows);
-  void add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell,
-                 std::uint16_t at_vertex);
+  void add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell);
   void flush(const Merging& merging);
 
   const DrawSetting& setting_;
   const PaintSetting& paint_;
-  std::unique_ptr<LaneDrawing> lanes_;
+  FallbackDrawing& fallback_;
   std::unique_ptr<TileCells> cells_;
   CellBatch batch_;
-  bool marks_all_;                         ///< that have numbers
-  const KernelSetting* kernel_ = nullptr;  ///< of those that are marked
+  bool marks_all_;                         ///< true if all triangles with numbers leave marks
+  const KernelSetting* kernel_ = nullptr;  ///< kernel of the marked triangles
   std::vector<MarkedTriangle> marked_;
   std::vector<std::uint32_t> marks_;  ///< [sample][row][column]
   MarkedCells marked_cells_;

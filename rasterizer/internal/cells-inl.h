@@ -1,4 +1,6 @@
-// Lanes of cells, and depth tests of them. Included once for each SIMD target, as Highway has it.
+// Route: shaded frames.
+//
+// Lanes of cells, and their depth tests. Included once per SIMD target, as Highway requires.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +24,7 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kWidth = FragmentBatch::kCellWidth;
 
-/// Whether a fragment of a depth is kept where another is.
+/// Lanes whose fragment of depth `depth` passes the test against `old`.
 template <class D>
 HWY_INLINE hn::Mask<D> Passes(D d, DepthTest test, hn::Vec<D> depth, hn::Vec<D> old) {
   switch (test) {
@@ -46,13 +48,13 @@ HWY_INLINE hn::Mask<D> Passes(D d, DepthTest test, hn::Vec<D> depth, hn::Vec<D> 
   return hn::FirstN(d, hn::Lanes(d));
 }
 
-/// Lanes of a cell from `lane` on, as its bits have them.
+/// The lanes of a cell, from `lane` on, whose bits are set.
 template <class D>
 HWY_INLINE hn::Mask<D> LanesOf(D d, std::uint16_t bits, std::size_t lane) {
   return MaskOf(d, std::uint64_t{bits} >> lane);
 }
 
-/// Where a cell's lanes from `lane` on are in a tile's arrays.
+/// The index of a cell's lane in a tile's arrays.
 HWY_INLINE std::size_t PlaceOf(std::size_t column, std::size_t row, std::size_t lane) {
   return (row + lane / kWidth) * kTileSize + column + lane % kWidth;
 }

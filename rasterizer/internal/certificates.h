@@ -1,38 +1,42 @@
 #pragma once
 
-// Whether double precision is enough for the values of a triangle. What an evaluation in double is
-// off by comes from the E_i, each off by at most its band, and from a few roundings, u = 2^-53; a
-// *certificate* shows that it is little:
+// Route: all.
 //
-//   smooth   |δr| <= (max|r_i| + |r|) (Σ plane_band_i / D) + 4u |r| (plane.h), so that
-//            D >= 2^32 (1 + 2^-8) Σ plane_band_i leaves less than 2^-31 max(|r_i|, |r|); an ulp of
-//            that is at least 2^-24 of it, hence at most 2^-7 scale ULP. D is the computed one, so
-//            nothing is left out as of second order; the 2^-8 pays for 4u. For one sample, from its
-//            E_i: band_i for plane_band_i, besides roundings of 8u Σ|E_i|.
-//   affine   |δr| <= max|r_i| Σ |w_i| plane_band_i / (|det| T), certified below 2^-33, and 2^-33
-//            for the determinant: together 2^-32.
-//   depth    |δz| <= Σ |z_i| (9u S_i and what U and V are off by) / (|det| T), below
-//            9/8 2^-32, as Σ |z_i| plane_band_i is certified below 2^-32; 2^-34 |z| for the
-//            determinant, whose 4u are half of what is certified (weights.h); 3u for the offset.
-//            n, f and f − n are at most max(|n|, |f|); where vertices are snapped and z leaves
-//            [0, 1], |(f − n) z| <= 2 max(|n|, |f|, |depth|). Together below 2^-31 of that.
+// Decides whether double precision suffices for the values of a triangle. In double, a value's
+// error comes from the E_i, each within its band, and from a few roundings of u = 2^-53 each. A
+// *certificate* proves that this error is small:
 //
-// So with half an ULP for the rounding to float32 no value is off by more than kValueBound
-// (rasterizer.h). A value that rounding takes to the next power of two is nearer to it than half
-// the ulp below.
+//   smooth   |δr| <= (max|r_i| + |r|) (Σ plane_band_i / D) + 4u |r| (plane.h). If
+//            D >= 2^32 (1 + 2^-8) Σ plane_band_i, this is less than 2^-31 max(|r_i|, |r|). An ulp
+//            of that maximum is at least 2^-24 of it, so the error is at most 2^-7 scale ULP. D is
+//            the computed value, so no second-order term is neglected; the 2^-8 covers 4u. A
+//            certificate for one sample uses the sample's E_i: band_i replaces plane_band_i, and
+//            8u Σ|E_i| is added for their roundings.
+//   affine   |δr| <= max|r_i| Σ |w_i| plane_band_i / (|det| T), certified below 2^-33. The
+//            determinant adds 2^-33: together 2^-32.
+//   depth    |δz| <= Σ |z_i| (9u S_i and the errors of U and V) / (|det| T). This is below
+//            9/8 2^-32, because Σ |z_i| plane_band_i is certified below 2^-32. The determinant adds
+//            2^-34 |z|: its real error (4u) is half of the tested one (8u, weights.h). The offset
+//            adds 3u. n, f and f − n are at most max(|n|, |f|); if vertices are snapped and z
+//            leaves [0, 1], |(f − n) z| <= 2 max(|n|, |f|, |depth|). Together below 2^-31 of that
+//            maximum.
 //
-// Helper lanes (shading.h). The S_i that bands are made of are those of the draw's pixels, of which
-// a covered lane's neighbour lies one beyond at most. U (V likewise) is affine: with p and q its
-// values at the two sides of these pixels, q − p at least a pixel d, it is at most max(|p|, |q|) +
-// d there, and max(|p|, |q|) >= d/2. So S_i, and what U and V are off by, are at most three times
-// what they are within. The planes of smooth values are off by as much more, and are taken although
-// D' at the helper may be less than D, which the certificate is for: with g = max(1, D / D') <=
-// 2^16
+// With half an ULP for the rounding to float32, no value has an error above kValueBound
+// (rasterizer.h). If rounding reaches the next power of two, the rounding error is at most half of
+// the smaller ulp below that power.
+//
+// Helper lanes (shading.h). Bands are computed from the S_i over the draw's pixels. A helper is a
+// neighbour of a covered lane, so it lies at most one pixel beyond these pixels. U (V likewise) is
+// affine. Let p and q be U at the two sides of the pixels, and d the size of its change per pixel,
+// so |q − p| >= d. At the helper |U| <= max(|p|, |q|) + d, and max(|p|, |q|) >= d/2. So S_i, and
+// the errors of U and V, are at most three times their values inside. The errors of smooth planes
+// grow by the same factor. The planes are used although D' at the helper may be less than the D
+// that the certificate holds for. With g = max(1, D / D') <= 2^16,
 //
 //   |δr'| <= 2 M' 3 Σ plane_band_i / D' (1 + 2^-13) <= 6 g 2^-32 M' < 2^-29 g M',
 //
-// M' = max(max|r_i|, |r'|). Beyond that 1/w is about 0 or below, and helpers have some number.
-// Affine ones have 3 2^-33 max|r_i| + 2^-33 |r'|, which is less.
+// where M' = max(max|r_i|, |r'|). For greater g, 1/w is about 0 or below, and helpers get arbitrary
+// numbers. Affine helpers have smaller errors: 3 2^-33 max|r_i| + 2^-33 |r'|.
 
 #include <array>
 
@@ -40,26 +44,27 @@
 
 namespace rastercheck::rasterizer {
 
-/// How many times the error of D it is to be at least.
+/// The least ratio of D to its error at which smooth values are certain.
 inline constexpr double kSmoothCertainty = 0x1.01p32;
-/// How many times their errors |det| T is to be at least.
+/// The least ratio of |det| T to the values' errors at which affine values, or depth, are certain.
 inline constexpr double kAffineCertainty = 0x1p33;
 inline constexpr double kDepthCertainty = 0x1p32;
 
 struct Certificates {
   double band_sum = 0;             ///< Σ band_i
-  double least_sum = 0;            ///< smooth values are certain where D is above this
-  bool affine_is_certain = false;  ///< affine values of covered samples are
+  double least_sum = 0;            ///< smooth values are certain if D is above this
+  bool affine_is_certain = false;  ///< true if affine values of covered samples are certain
   bool depth_is_certain = false;
   double affine_error = 0;  ///< Σ |w_i| plane_band_i
 
-  /// Of a smooth value, at weights of either sign.
+  /// True if a smooth value is certain at these weights, which may have either sign.
   bool is_smooth_certain(const std::array<double, 3>& e) const;
-  /// Of an affine value, at weights of either sign; `det_t` is that of the weights.
+  /// True if an affine value is certain at these weights; `det_t` is their Σ w_i E_i. False if
+  /// Σ |E_i| and Σ E_i differ, because a weight is then negative.
   bool is_affine_certain(const std::array<double, 3>& e, double det_t) const;
 };
 
-/// `w` and `z` of the corners that the weights belong to.
+/// Makes the certificates; `w` and `z` belong to the corners that the weights belong to.
 Certificates certify(const Weights& weights, const std::array<double, 3>& w,
                      const std::array<double, 3>& z);
 

@@ -18,13 +18,13 @@ bool is_viewport(const Viewport& viewport) {
          is_depth(viewport.min_depth) && is_depth(viewport.max_depth);
 }
 
-/// How many floats of attributes and of derivatives there are.
+/// How many floats the attributes and the derivatives have.
 struct FloatCounts {
   std::size_t attributes = 0;
   std::size_t derivatives = 0;
 };
 
-/// Cuts the fragments back to `size`.
+/// Truncates the fragments to `size`, and their floats to `floats`.
 void cut_back(Fragments& fragments, std::size_t size, const FloatCounts& floats) {
   fragments.triangle.resize(size);
   fragments.x.resize(size);

@@ -13,7 +13,7 @@ std::size_t sample_count(const TargetSize& size) {
          static_cast<std::size_t>(size.samples);
 }
 
-/// How many numbers a framebuffer of a format holds.
+/// The lengths of a framebuffer's arrays in its format.
 struct Sizes {
   std::size_t depth = 0;
   std::size_t attributes = 0;
@@ -26,7 +26,7 @@ Sizes sizes_of(const TargetSize& size, std::size_t attribute_count, ColorFormat 
           has_bytes ? samples * attribute_count : 0};
 }
 
-/// New memory, or none where the old is enough.
+/// Allocates an array, or returns an empty one if the old one is large enough.
 template <typename Array>
 Array room_for(std::size_t size, const Array& old) {
   Array array;
@@ -34,24 +34,24 @@ Array room_for(std::size_t size, const Array& old) {
   return array;
 }
 
-/// That size, in the new memory if there is some.
+/// Resizes the array. Uses the memory of `room` if `room` has any.
 template <typename Array>
 void move_into(Array& array, Array& room, std::size_t size) {
   if (room.capacity() > 0) array.swap(room);
   array.resize(size);
 }
 
-/// How many channels a draw fills in.
+/// The number of channels that a draw writes.
 std::size_t channel_count(const ShaderView* shader, const State& state) {
   return shader == nullptr ? state.attributes.size() : shader->outputs;
 }
 
-/// What is wrong where their number is.
+/// The error for a wrong channel count.
 Error wrong_count(const ShaderView* shader) {
   return shader == nullptr ? Error::attribute_count : Error::output_count;
 }
 
-/// Whether so many channels can be held, and blended as the state has it.
+/// Checks that the format can hold the channels, and that the state's blending can blend them.
 std::optional<Error> check_channels(const ShaderView* shader, const State& state,
                                     ColorFormat format) {
   const std::size_t channels = channel_count(shader, state);
@@ -96,7 +96,7 @@ std::optional<Error> resize(Picture& framebuffer, const TargetSize& size,
   if (framebuffer.format == ColorFormat::rgba8 && attribute_count != 4) return Error::color_format;
   const Sizes sizes = sizes_of(size, attribute_count, framebuffer.format);
   return try_allocating([&] {
-    // All of the new memory before any of the old is lost.
+    // Allocates all new memory before releasing any of the old.
     auto depth = room_for(sizes.depth, framebuffer.depth);
     auto attributes = room_for(sizes.attributes, framebuffer.attributes);
     auto bytes = room_for(sizes.bytes, framebuffer.bytes);

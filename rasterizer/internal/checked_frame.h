@@ -1,7 +1,9 @@
 #pragma once
 
-// What every draw into a framebuffer has in common: its arguments are checked first, and memory
-// that runs out is an error value.
+// Route: frames.
+//
+// Wraps every draw into a framebuffer: checks the arguments first, and turns exhausted memory into
+// an error value.
 
 #include <cstddef>
 #include <optional>
@@ -11,18 +13,18 @@
 
 namespace rastercheck::rasterizer {
 
-/// Whether its arrays have its own size.
+/// Checks that the framebuffer's arrays match its size.
 std::optional<Error> check_framebuffer(const Picture& framebuffer);
 
-/// Gives it memory of that size and of its own format, if that can hold so many channels; what it
-/// holds is any. It keeps what it had where memory runs out.
+/// Gives the framebuffer memory for `size` in the framebuffer's format, if the format can hold the
+/// channel count. Contents are unspecified. If memory runs out, the framebuffer is left unchanged.
 std::optional<Error> resize(Picture& framebuffer, const TargetSize& size,
                             std::size_t attribute_count);
 
-/// Draws what a shader makes of the attributes, or, where that is nullptr, these.
+/// Draws a shader's outputs or, if `shader` is nullptr, the attributes.
 DrawResult draw_checked_frame(const ShaderView* shader, const State& state, const Mesh& mesh,
                               Picture& framebuffer, unsigned threads);
-/// The same with all samples cleared to that depth before.
+/// Does the same after clearing all samples to `depth`.
 DrawResult clear_and_draw_checked_frame(const ShaderView* shader, const State& state,
                                         const Mesh& mesh, const TargetSize& size, float depth,
                                         Picture& framebuffer, unsigned threads);

@@ -11,7 +11,7 @@ Coefficient sum_of(float a, float b) {
   return {sum.sum, sum.error};
 }
 
-/// Adds factor · (value + tail) to the sum, `factor` an expansion.
+/// Adds factor · (g.value + g.tail) to the sum. `factor` is an expansion.
 void add_product(ExactSum& sum, const ExactSum& factor, const Coefficient& g) {
   for (const double component : factor.components()) {
     sum.add_product(component, g.value);
@@ -19,7 +19,7 @@ void add_product(ExactSum& sum, const ExactSum& factor, const Coefficient& g) {
   }
 }
 
-/// The sign of g_0 c_0 + g_1 c_1 + g_2 c_2, one of the three coefficients of each edge.
+/// The sign of g_0 c_0 + g_1 c_1 + g_2 c_2, where c_i is the given coefficient of each edge.
 int exact_sign(const ClipFunctional& functional, const EdgeFunctions& edges,
                Coefficient EdgeFunction::*coefficient) {
   ExactSum sum;
@@ -51,8 +51,8 @@ void clip_functionals(const State& state, const std::array<glm::vec4, 3>& corner
       return std::all_of(g.begin(), g.end(),
                          [holds](const Coefficient& c) { return holds(c.value); });
     };
-    // The E_i of a covered sample are not negative, and not all zero: signs of the g_i alone decide
-    // most planes. G = 0 throughout keeps everything.
+    // At a covered sample no E_i is negative and at least one is positive, so the signs of the g_i
+    // alone decide most planes. If all g_i are 0, the plane keeps everything.
     if (all([](double d) { return d > 0; }) || all([](double d) { return d == 0; })) return;
     if (is_closed && all([](double d) { return d >= 0; })) return;
     out.hides_all = out.hides_all || all([](double d) { return d < 0; });
@@ -79,8 +79,8 @@ void clip_functionals(const State& state, const std::array<glm::vec4, 3>& corner
 bool is_kept(const ClipFunctional& functional, const EdgeFunctions& edges,
              const std::array<double, 3>& e, const SampleFrame& frame, double u, double v,
              int tie_sign) {
-  // Terms g_i E_i: E_i is off by its band, g_i and the product have a rounding each, and there are
-  // two sums: 4 u |g_i E_i| to first order, for which 8 u is more than all.
+  // A term g_i E_i has the error of E_i, which is within the band, and four roundings: of g_i, of
+  // the product and of two sums. They are 4 u |g_i E_i| to first order; 8 u covers everything.
   double value = 0;
   double error = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,11 +1,13 @@
 #pragma once
 
-// Clipping without a clipper (RULES §1): a clip plane whose distances at the vertices are g_i is
-// one more affine functional of the window,
+// Route: all.
+//
+// Clipping without a clipper (RULES §1). A clip plane with the distances g_i at the vertices is one
+// more affine functional of the window,
 //
 //   G = g_0 E_0 + g_1 E_1 + g_2 E_2,
 //
-// and keeps the samples with G >= 0. Nothing is cut, so no new vertex is rounded.
+// and keeps the samples with G >= 0. No edge is cut, so no new vertex has to be rounded.
 
 #include <array>
 #include <vector>
@@ -16,23 +18,23 @@ namespace rastercheck::rasterizer {
 
 struct ClipFunctional {
   std::array<Coefficient, 3> g;
-  /// G = 0 is inside; otherwise its normal decides, as an edge's does.
+  /// True if samples with G = 0 are inside; if false, the normal of G decides, as with edges.
   bool is_closed = true;
 };
 
-/// The clip planes that may cut what the edges leave of a triangle.
+/// The clip planes that may cut a triangle.
 struct ClipFunctionals {
   std::vector<ClipFunctional> all;
-  bool hides_all = false;  ///< some plane has all vertices beyond it
+  bool hides_all = false;  ///< true if all vertices are beyond the same plane
 };
 
-/// Depth planes unless the state clamps depth, then the user distances: distances[i] are vertex
-/// i's.
+/// Collects the depth planes, unless the state clamps depth, and then the user clip planes.
+/// distances[i] holds the distances of vertex i.
 void clip_functionals(const State& state, const std::array<glm::vec4, 3>& corners,
                       const std::array<std::span<const float>, 3>& distances, ClipFunctionals& out);
 
-/// Whether G keeps the sample at (u, v), whose edges evaluate to `e`: decided in double where that
-/// is certain, else exactly.
+/// True if G keeps the sample at (u, v); `e` holds the edges' values there. Decided in double if
+/// double is certain, else exactly.
 bool is_kept(const ClipFunctional& functional, const EdgeFunctions& edges,
              const std::array<double, 3>& e, const SampleFrame& frame, double u, double v,
              int tie_sign);

@@ -1,11 +1,11 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/color_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/color_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
@@ -19,7 +19,7 @@ using Integers = hn::RebindToSigned<Floats>;
 using Texels = hn::RebindToUnsigned<Floats>;
 using Color = hn::Vec<Floats>;
 
-/// Which lanes from `lane` on are in a mask.
+/// The lanes from `lane` on that are in a mask.
 HWY_INLINE hn::Mask<Integers> LanesOf(const LaneMask& lanes, std::size_t lane) {
   return MaskOf(Integers(), lanes[lane / 64] >> lane % 64);
 }
@@ -33,7 +33,7 @@ HWY_INLINE Color ChannelOf(hn::Vec<Texels> texels) {
   return hn::ConvertTo(Floats(), hn::BitCast(Integers(), bytes));
 }
 
-/// A 255th (fetch_texels).
+/// value / 255 (fetch_texels).
 HWY_INLINE Color Scaled(Color value) {
   const Floats d;
   const auto q = hn::Mul(value, hn::Set(d, 0x1.01p-8F));
@@ -49,8 +49,8 @@ HWY_INLINE void StoreChannel(hn::Vec<Texels> texels, std::size_t lane, ColorArra
   hn::Store(Scaled(ChannelOf<kChannel>(texels)), Floats(), color[kChannel] + lane);
 }
 
-/// Texels are far away: begins to fetch those that will be wanted first of all. One for each two
-/// lanes of a row, as those of its neighbour are mostly in the same cache line.
+/// Prefetches all texels before the first is used, because memory is slow. Prefetches only one
+/// texel per two lanes: neighbouring lanes' texels are mostly in the same cache line.
 HWY_INLINE void FetchAhead(const std::uint32_t* texels, const LaneArray<std::int32_t>& at,
                            std::size_t lanes) {
   for (std::size_t i = 0; i < lanes; i += 2) hwy::Prefetch(texels + at[i]);
@@ -76,7 +76,7 @@ void FetchTexels(const TexelLevels& texture, const std::int32_t* columns, const 
   }
 }
 
-/// The texels on either side of where lanes are.
+/// The texels on either side of the lanes' coordinates.
 struct Sides {
   hn::Vec<Integers> low;
   hn::Vec<Integers> high;
@@ -96,14 +96,14 @@ HWY_INLINE Sides SidesAt(const Neighbors& neighbors, std::size_t lane, hn::Vec<I
           hn::IfThenElse(hn::Gt(high, last), after, high)};
 }
 
-/// Texels next to each other, of vectors of them.
+/// Pairs of adjacent texels, as vectors.
 struct TexelPairs {
   hn::Vec<Texels> left;
   hn::Vec<Texels> right;
 };
 
 #if HWY_TARGET <= HWY_AVX2
-/// Texels at `at` and at + 1, fetched together.
+/// The texels at `at` and `at` + 1, fetched together.
 HWY_INLINE TexelPairs AdjacentPairs(const std::uint32_t* texels, hn::Vec<Integers> at) {
   const Texels tag;
   const hn::Repartition<std::int64_t, Integers> offsets;
@@ -118,7 +118,7 @@ HWY_INLINE TexelPairs AdjacentPairs(const std::uint32_t* texels, hn::Vec<Integer
 }
 #endif
 
-/// The four texels of vectors of squares, and where between them.
+/// A vector of squares: the four texels of each, and the sample's position between the texels.
 struct SquareTexels {
   TexelPairs low;
   TexelPairs high;
@@ -126,15 +126,15 @@ struct SquareTexels {
   Color along_column;
 };
 
-/// Levels of a vector of lanes: sizes, and where they begin.
+/// The mip levels of a vector of lanes: sizes, and the indices of the first texels.
 struct LevelLanes {
   hn::Vec<Integers> width;
   hn::Vec<Integers> height;
   hn::Vec<Integers> first;
 };
 
-/// Where the texels of squares are: the left ones of both rows, and how far from them the right
-/// ones.
+/// Indices of the squares' texels: the left texel of either row, and the step from the left texels
+/// to the right ones.
 struct SquarePlaces {
   alignas(64) LaneArray<std::int32_t> low;
   alignas(64) LaneArray<std::int32_t> high;
@@ -155,7 +155,7 @@ HWY_INLINE void PutPlaces(const TexelLevels& texture, const LevelLanes& level,
   };
   put(hn::Add(low, columns.low), places.low);
   put(hn::Add(high, columns.low), places.high);
-  // The first texel has one beside it, unless there is no other.
+  // Unwanted lanes read the first texel and, if the texture has another texel, the texel after it.
   const auto of_unwanted = hn::Set(d, texture.width > 1 || texture.height > 1 ? 1 : 0);
   const auto step = hn::Sub(columns.high, columns.low);
   hn::Store(hn::IfThenElse(is_wanted, step, of_unwanted), d, places.step.data() + lane);
@@ -179,7 +179,7 @@ HWY_INLINE SquareTexels SquareAt(const std::uint32_t* texels, const SquarePlaces
   square.along_row = hn::Load(floats, squares.columns.fraction.data() + lane);
   square.along_column = hn::Load(floats, squares.rows.fraction.data() + lane);
 #if HWY_TARGET <= HWY_AVX2
-  // Half as many fetches, unless a square is on an edge.
+  // Halves the number of fetches, unless a square is on an edge.
   if (hn::AllTrue(integers, hn::Eq(step, hn::Set(integers, 1)))) {
     square.low = AdjacentPairs(texels, low);
     square.high = AdjacentPairs(texels, high);

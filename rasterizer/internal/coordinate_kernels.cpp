@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/coordinate_kernels.h"
 
@@ -7,7 +7,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/coordinate_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/vectors-inl.h"
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// In [0, 1], whatever s is.
+/// Wraps any s to [0, 1].
 template <Wrap kWrap>
 HWY_INLINE Vector Wrapped(Vector s) {
   const Doubles d;
@@ -32,7 +32,7 @@ HWY_INLINE Vector Wrapped(Vector s) {
   return kWrap == Wrap::clamp ? hn::Min(c, one) : c;
 }
 
-/// What c · size may be off by (find_texels).
+/// The error bound of c · size (find_texels).
 HWY_INLINE Vector MarginOf(Vector s, double error, double size) {
   const Doubles d;
   const auto own = hn::Mul(hn::Abs(s), hn::Set(d, FragmentBatch::kErrorShare));
@@ -47,7 +47,7 @@ HWY_INLINE LaneMask FindTexelsAlong(const TextureAxis& axis, double error, std::
   const Ints integers;
   const double texels = axis.size;
   const double infinity = std::numeric_limits<double>::infinity();
-  const double most = error < infinity ? error : infinity;  // it may be no number
+  const double most = error < infinity ? error : infinity;  // `error` may be NaN
   const auto quarter = hn::Set(d, 0.25);
   const auto one = hn::Set(d, 1.0);
   const auto size = hn::Set(d, texels);
@@ -57,7 +57,7 @@ HWY_INLINE LaneMask FindTexelsAlong(const TextureAxis& axis, double error, std::
   for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
     const auto s = hn::Load(d, axis.values + i);
     const auto p = hn::Mul(Wrapped<kWrap>(s), size);
-    // Towards 0, which is down.
+    // Rounds towards 0, which is down because p >= 0.
     hn::Store(hn::Min(hn::DemoteTo(integers, p), last), integers, at + i);
     if (axis.size == 1) continue;
     const auto margin = MarginOf(s, most, texels);
@@ -67,7 +67,7 @@ HWY_INLINE LaneMask FindTexelsAlong(const TextureAxis& axis, double error, std::
       const auto is_edge = hn::Or(hn::Lt(nearest, one), hn::Gt(nearest, before_last));
       is_certain = hn::Or(is_certain, is_edge);
     }
-    // What is no number is not certain.
+    // If the margin is NaN, the texel is not certain.
     is_certain = hn::And(is_certain, hn::Lt(margin, quarter));
     if (!hn::AllTrue(d, is_certain)) open[i / 64] |= BitsOf(d, hn::Not(is_certain)) << i % 64;
   }
@@ -86,7 +86,7 @@ LaneMask FindTexels(const TextureAxis& axis, double error, std::size_t lanes, st
   return FindTexelsAlong<Wrap::mirror>(axis, error, lanes, at);
 }
 
-/// Sizes of levels: the same for all lanes, or each its own.
+/// Sizes of levels: the same for all lanes (SameSize), or one per lane (OwnSizes).
 class SameSize {
  public:
   HWY_INLINE explicit SameSize(double size) : size_(size) {}
@@ -146,13 +146,13 @@ void FindNeighborsOfLevels(const TextureAxis& axis, std::size_t lanes, double fa
   FindNeighborsIn(axis, lanes, OwnSizes(axis.size * factor, shrink), out);
 }
 
-/// log2 of x >= 1, finite (find_levels).
+/// log2 of a finite x >= 1 (find_levels).
 HWY_INLINE Vector Log2(Vector x) {
   const Doubles d;
   const Words bits;
   const auto one = hn::Set(d, 1.0);
   const auto pattern = hn::BitCast(bits, x);
-  // The exponent, 1023 more, as the last bits of a double from 2^52 on.
+  // The exponent plus 1023 becomes the last bits of a double that is at least 2^52.
   const auto shift = hn::BitCast(bits, hn::Set(d, 0x1p52));
   const auto exponent = hn::BitCast(d, hn::Or(hn::ShiftRight<52>(pattern), shift));
   const auto fraction = hn::And(pattern, hn::Set(bits, (std::uint64_t{1} << 52) - 1));
@@ -163,7 +163,7 @@ HWY_INLINE Vector Log2(Vector x) {
   e = hn::IfThenElse(is_high, hn::Add(e, one), e);
   const auto z = hn::Div(hn::Sub(m, one), hn::Add(m, one));
   const auto square = hn::Mul(z, z);
-  // 2 / ln 2 divided by 11, 9, … 1.
+  // The coefficients are 2 / ln 2 divided by 11, 9, … 1.
   const double factor = 0x1.71547652b82fep1;
   auto sum = hn::Set(d, factor / 11);
   for (int n = 9; n > 0; n -= 2) {
@@ -172,7 +172,7 @@ HWY_INLINE Vector Log2(Vector x) {
   return hn::Add(e, hn::Mul(sum, z));
 }
 
-/// The square of a length; 1 where it is less or no number.
+/// s² + t²; 1 if that is less than 1 or NaN.
 HWY_INLINE Vector SquareFromOne(Vector s, Vector t) {
   const auto one = hn::Set(Doubles(), 1.0);
   const auto square = hn::Add(hn::Mul(s, s), hn::Mul(t, t));

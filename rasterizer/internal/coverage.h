@@ -1,22 +1,24 @@
 #pragma once
 
-// What drawing.cpp and lane_drawing.cpp, templates of it, ask of a mode of coverage: ExactCoverage
-// (exact_coverage.h) or GridCoverage (grid_coverage.h).
+// Route: all.
 //
-//   locate(triangle)            what becomes of a triangle, and if it is drawn where: sets box()
-//   set_up(triangle, parts)     the same, and prepares it for what follows, with the parts that it
-//                               is drawn in, whose values are not set up
-//   box()                       the pixels that it may touch
-//   span(sample, y)             those of a row that it may touch
+// The interface of a coverage mode, ExactCoverage (exact_coverage.h) or GridCoverage
+// (grid_coverage.h), as the templates in fragment_drawing.cpp and fallback_drawing.cpp use it.
+//
+//   locate(triangle)            returns the triangle's fate; if it is drawn, sets box()
+//   set_up(triangle, parts)     like locate(); also prepares the calls below and sets up the parts
+//                               that the triangle is drawn in, without their values
+//   box()                       returns the pixels that the triangle may touch
+//   span(sample, y)             returns the pixels of a row that the triangle may touch
 //   cover(sample, y, first, count, weights)
-//                               what it covers of `count` pixels of a row
-//   kLeavesWeights              whether that leaves the weights of the one part there is behind
-//   part_mask(block, part)      which samples of the last block belong to a part
-//   part_at(u, v)               the part that a window position belongs to
-//   polygon()                   the polygon of grid points that is drawn; nullptr where none is
-//   corners_at(u, v)            the three of its corners that a window position lies between
+//                               returns the covered ones of `count` pixels of a row
+//   kLeavesWeights              true if cover() leaves the weights of the only part in `weights`
+//   part_mask(block, part)      returns the samples of the last block that belong to a part
+//   part_at(u, v)               returns the part that a window position belongs to
+//   polygon()                   returns the drawn polygon of grid points, or nullptr
+//   corners_at(u, v)            returns the polygon's three corners around a window position
 //
-// Triangles are InputTriangles; the last one set up is meant.
+// Triangles are InputTriangles. All calls refer to the triangle that was set up last.
 
 #include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/exact_values.h"
@@ -25,14 +27,14 @@
 
 namespace rastercheck::rasterizer {
 
-/// What of a block is covered.
+/// The covered samples of a block.
 struct CoveredBlock {
   Mask covered = 0;
-  Mask in_doubt = 0;  ///< of these, the samples that double alone did not decide
-  /// Of these, the samples that may lie exactly at a vertex, whose value is then to come back as it
-  /// is: two edges are within their bands, or 0.
+  Mask in_doubt = 0;  ///< covered samples that double alone could not decide
+  /// Covered samples that may lie exactly at a vertex: two E_i are 0, or within their bands. The
+  /// value of a sample at a vertex must be the vertex's, unchanged.
   Mask at_vertex = 0;
-  bool is_whole_numbers = false;  ///< decided on the grid
+  bool is_whole_numbers = false;  ///< true if coverage was decided in integers, on the grid
 
   void keep(Mask wanted) {
     covered &= wanted;
@@ -41,12 +43,12 @@ struct CoveredBlock {
   }
 };
 
-/// One part of what is drawn of a triangle, with weights of its own.
+/// A part of the drawn triangle, with its own weights.
 struct DrawnPart {
   Weights weights;
   ValueSource source;
   TriangleValues values;
-  TriangleDerivatives derivatives;  ///< set up where State::derivatives
+  TriangleDerivatives derivatives;  ///< set up only with State::derivatives
 };
 
 }  // namespace rastercheck::rasterizer

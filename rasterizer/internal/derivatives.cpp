@@ -9,7 +9,7 @@ namespace {
 
 enum class Axis { u, v };
 
-/// m 2^e: products and quotients that a double's exponent has no room for.
+/// A number m 2^e, for products and quotients that exceed the range of double.
 class Scaled {
  public:
   explicit Scaled(double value) { *this *= value; }
@@ -19,7 +19,7 @@ class Scaled {
     exponent_ += exponent;
     return *this;
   }
-  /// The divisor is not 0.
+  /// The divisor must not be 0.
   Scaled& operator/=(double divisor) {
     int exponent = 0;
     mantissa_ /= std::frexp(divisor, &exponent);
@@ -44,7 +44,8 @@ const Coefficient& coefficient(const EdgeFunction& edge, Axis axis) {
   return axis == Axis::u ? edge.a : edge.b;
 }
 
-/// The a or b of placed weights' line opposite corner i: a whole number below 2^33.
+/// Coefficient a or b of the line opposite corner i, for placed weights. The coefficient is a whole
+/// number below 2^33.
 double line_coefficient(const ValueSource& source, int turn, std::size_t i, Axis axis) {
   const GridPoint& from = source.corners[(i + 1) % 3]->at;
   const GridPoint& to = source.corners[(i + 2) % 3]->at;
@@ -64,7 +65,8 @@ std::array<double, 2> product(double a, double b) {
   return {high, std::fma(a, b, -high)};
 }
 
-/// Σ n_i a_i, a_i the coefficients of exact_at's multiple of the E_i, to a relative 2^-52.
+/// Σ n_i a_i, to a relative 2^-52. The a_i are the coefficients of the weights that
+/// Weights::exact_at() returns, which may be a multiple of the E_i.
 double exact_slope(const TriangleDerivatives& triangle, const Weights& weights,
                    const std::array<double, 3>& n, Axis axis) {
   ExactSum sum;
@@ -91,8 +93,8 @@ void add_coordinate(ExactSum& sum, double factor, const ExactCoordinate& at) {
   }
 }
 
-/// Σ (r_i − r_j) (w_k V − y_k T), or, along v, Σ (r_i − r_j) (x_k T − w_k U), to a relative 2^-52;
-/// placed: of the corners (x_k, y_k, 1) w_k.
+/// Σ (r_i − r_j) (w_k V − y_k T) or, along v, Σ (r_i − r_j) (x_k T − w_k U), to a relative 2^-52.
+/// For placed weights the corners are (x_k, y_k, 1) w_k.
 double exact_minors(const ValueSource& source, const SampleFrame& frame,
                     const std::array<double, 3>& r, Axis axis, const DerivativeSite& site) {
   ExactSum sum;

@@ -1,10 +1,10 @@
-// A 3x3 determinant of float32, its sign exactly.
+// The exact sign of a 3x3 determinant of float32 numbers.
 //
 //   det = x_a (y_b w_c − y_c w_b) + x_b (y_c w_a − y_a w_c) + x_c (y_a w_b − y_b w_a)
 //
-// First in double, with an error bound; where the bound leaves the sign open, exactly: the six
-// triple products are added up without rounding (exact_sum.h). A product of three floats is
-// a multiple of 2^-447 below 2^384, so no double over- or underflows on the way; flush-to-zero must
+// The determinant is computed in double first, with an error bound. If the bound leaves the sign
+// open, the six triple products are added up without rounding (exact_sum.h). A product of three
+// floats is a multiple of 2^-447 below 2^384, so no double over- or underflows. Flush-to-zero must
 // be off.
 
 #include "rasterizer/internal/determinant.h"

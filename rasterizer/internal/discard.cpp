@@ -6,7 +6,7 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Whether a vertex's position and clip distances are numbers.
+/// True if a vertex's position and clip distances are finite.
 bool is_finite(const State& state, const Mesh& mesh, std::uint32_t vertex) {
   const glm::vec4& p = mesh.positions[vertex];
   const auto distances =

@@ -1,6 +1,8 @@
 #pragma once
 
-// Which triangles are not drawn at all, whatever the method.
+// Route: all.
+//
+// Decides which triangles are not drawn, in every mode of coverage.
 
 #include <cstddef>
 #include <optional>
@@ -10,14 +12,16 @@
 
 namespace rastercheck::rasterizer {
 
-/// A triangle of the mesh; nothing where a position or clip distance of it is not finite.
+/// Returns a triangle of the mesh; empty if a position or clip distance of the triangle is not
+/// finite.
 std::optional<InputTriangle> input_triangle(const State& state, const Mesh& mesh,
                                             std::size_t index);
 
-/// Counts a triangle that is left out and has to be told of.
+/// Counts a triangle in `counts` if its fate is one that DrawCounts reports.
 void count(Fate fate, DrawCounts& counts);
 
-/// Whether a triangle that turns that way from window u to v, 1 or −1, is culled.
+/// True if a triangle with this orientation is culled: 1 if the triangle turns from window u to v,
+/// else −1.
 bool is_culled(const State& state, int orientation);
 
 }  // namespace rastercheck::rasterizer

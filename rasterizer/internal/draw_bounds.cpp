@@ -12,15 +12,15 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// `value`, a whole number, infinite or not a number (then the range's begin), held to the range.
+/// Clamps `value` to the range. `value` must be whole, infinite or NaN; NaN gives range.begin.
 int held_to(const PixelRange& range, double value) {
   if (!(value > range.begin)) return range.begin;
   if (value >= range.end) return range.end;
   return static_cast<int>(value);
 }
 
-/// Where `origin + size` is no double, the next one above: every double is on the same side of
-/// both.
+/// `origin + size`, rounded up to a double. Every double is on the same side of the result as of
+/// the exact sum.
 double far_side(double origin, double size) {
   const TwoSum sum(origin, size);
   return sum.error > 0 ? std::nextafter(sum.sum, std::numeric_limits<double>::infinity()) : sum.sum;

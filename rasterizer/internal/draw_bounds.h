@@ -1,6 +1,8 @@
 #pragma once
 
-// Which samples a draw may touch at all: those within target, scissor and viewport.
+// Route: all.
+//
+// The samples that a draw may touch: those inside the target, the scissor and the viewport.
 
 #include <array>
 
@@ -19,12 +21,12 @@ struct PixelRange {
 
 PixelRange intersection(const PixelRange& a, const PixelRange& b);
 
-/// The pixels i of `range` with low <= i + offset < high, both ends in pixels. Exact where
-/// range.begin >= 0 and 0 <= offset < 1 is a multiple of 1/16: low − offset is then either exact or
-/// within (−1, 0), where its rounding changes no pixel. Empty where an end is not a number.
+/// Returns the pixels i of `range` with low <= i + offset < high; `low` and `high` are in pixels.
+/// Exact if range.begin >= 0 and 0 <= offset < 1 is a multiple of 1/16: low − offset is then either
+/// exact or within (−1, 0), where its rounding changes no pixel. Empty if `low` or `high` is NaN.
 PixelRange pixels_from_to(const PixelRange& range, double offset, double low, double high);
 
-/// The same with low <= i + offset <= high.
+/// Does the same for low <= i + offset <= high.
 PixelRange pixels_from_through(const PixelRange& range, double offset, double low, double high);
 
 struct PixelBox {
@@ -40,10 +42,10 @@ struct DrawBounds {
   std::array<PixelRange, kMaxSamples> sample_rows;
 };
 
-/// The viewport counts per sample, [origin, origin + size) after sorting its ends; target and
-/// scissor per pixel.
+/// Returns the bounds of a draw. The viewport limits samples, to [origin, origin + size) after
+/// sorting its ends; target and scissor limit pixels.
 DrawBounds draw_bounds(const State& state, const TargetSize& size);
-/// The same without a scissor.
+/// Returns the bounds that the draw would have without its scissor.
 DrawBounds draw_bounds_of_window(const State& state, const TargetSize& size);
 
 }  // namespace rastercheck::rasterizer

@@ -1,6 +1,8 @@
 #pragma once
 
-// What the stages of a draw share: its state, and one triangle of it.
+// Route: all.
+//
+// Data shared by the stages of a draw: the draw's setting, and one triangle.
 
 #include <array>
 #include <cstdint>
@@ -25,17 +27,18 @@ struct DrawSetting {
     tie_sign = (state.fill_rule == FillRule::top_left) == v_points_down ? 1 : -1;
   }
 
-  /// Whether the viewport has no area; then the frame means nothing.
+  /// True if the viewport has no area; the frame is then meaningless.
   bool is_empty() const { return state.viewport.size.x == 0 || state.viewport.size.y == 0; }
 
   const State& state;
   std::span<const SampleOffset> pattern;
   DrawBounds bounds;
-  /// Bounds without the scissor: what errors are bounded over, so that no value depends on it.
+  /// Bounds without the scissor. Error bounds are computed over this window, so that no value
+  /// depends on the scissor.
   DrawBounds window;
   SampleFrame frame;
-  /// Where the normal of an edge has no part along u, a sample on the edge is inside iff
-  /// tie_sign · (its part along v) > 0 (RULES §2).
+  /// For an edge whose normal has no u component: a sample on the edge is inside iff
+  /// tie_sign · (the normal's v component) > 0 (RULES §2).
   int tie_sign = 1;
 };
 
@@ -47,7 +50,7 @@ struct InputTriangle {
   std::array<std::span<const float>, 3> attributes;
 };
 
-/// What became of a triangle before its samples were looked at.
+/// A triangle's fate before its samples are examined.
 enum class Fate { drawn, hidden, degenerate, not_finite };
 
 }  // namespace rastercheck::rasterizer

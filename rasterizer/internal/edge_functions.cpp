@@ -14,21 +14,21 @@ Coefficient minor_of(int s, float p, float q, float r, float t) {
   return {difference.sum, difference.error};
 }
 
-/// Whether evaluating the edge in double rounds nothing anywhere in the draw.
+/// True if evaluating the edge in double is exact everywhere in the draw.
 bool is_exact(const EdgeFunction& edge, const SampleFrame& frame) {
   if (!frame.u.is_exact || !frame.v.is_exact) return false;
   if (edge.a.tail != 0 || edge.b.tail != 0 || edge.c.tail != 0) return false;
   const int grain =
       std::min({lowest_bit(edge.a.value) + frame.u.grain, lowest_bit(edge.b.value) + frame.v.grain,
                 lowest_bit(edge.c.value) + lowest_bit(frame.t)});
-  // S was rounded, and a helper lane, a pixel beyond the draw, has terms up to 3 S
-  // (certificates.h).
+  // The factor 4 covers the rounding of S and the terms up to 3 S of helper lanes, which lie up to
+  // a pixel beyond the draw (certificates.h).
   return 4 * edge.greatest < std::ldexp(1.0, std::min(grain + 53, 1000));
 }
 
 void add_products(ExactSum& sum, const Coefficient& coefficient, const ExactCoordinate& at) {
   for (std::size_t i = 0; i < at.size; ++i) {
-    // scale · part is a sum of two doubles.
+    // scale · part is exactly high + low.
     const double high = at.scale * at.parts[i];
     const double low = std::fma(at.scale, at.parts[i], -high);
     for (const double factor : {high, low}) {

@@ -1,6 +1,7 @@
 #include "rasterizer/internal/exact_coverage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rasterizer/internal/determinant.h"
 #include "rasterizer/internal/discard.h"
@@ -22,8 +23,8 @@ EdgeRow edge_row(const EdgeFunctions& edges, const SampleFrame& frame, double v,
 
 namespace {
 
-/// Whether all corners are beyond one side of the viewport, or behind the eye: then so is whatever
-/// weights E_i >= 0 make of them. Sums of floats have the right sign in double.
+/// True if all corners are beyond one side of the viewport, or all are behind the eye. No point
+/// with weights E_i >= 0 is then in sight. Sums of two floats have the right sign in double.
 bool is_out_of_sight(const std::array<glm::vec4, 3>& p) {
   const auto all = [&p](auto holds) { return std::all_of(p.begin(), p.end(), holds); };
   return all([](const glm::vec4& q) { return q.w <= 0; }) ||
@@ -60,21 +61,23 @@ Fate ExactCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>
   return Fate::drawn;
 }
 
-/// The pixels that the triangle's bounding box touches, and one more on each side: far more than
-/// what its rounding is off by. With some w <= 0 it may reach anywhere, and where the viewport's
-/// own numbers are rounded all pixels are looked at.
+/// Finds the pixels with samples in the triangle's bounding box, and at most one more on each side.
+/// Takes all pixels if some w <= 0, because the triangle may then reach anywhere.
 void ExactCoverage::find_box(const InputTriangle& triangle) {
   const auto& p = triangle.positions;
   const SampleFrame& frame = setting_.frame;
   box_ = {setting_.bounds.columns, setting_.bounds.rows};
-  const bool all_in_front = p[0].w > 0 && p[1].w > 0 && p[2].w > 0;
-  if (!all_in_front || !frame.u.is_exact || !frame.v.is_exact) return;
+  if (p[0].w <= 0 || p[1].w <= 0 || p[2].w <= 0) return;
   const auto range = [](const AxisFrame& axis, double turn, double a, double b, double c,
                         const PixelRange& within) {
     const double half = turn * axis.size / 2;
     const double middle = axis.shift / 2;
     const auto [low, high] = std::minmax({a * half, b * half, c * half});
-    return pixels_from_through(within, 0, middle + low - 1, middle + high + 1);
+    // Relative errors: 2^-52 of an end for the quotient and the product together, 2^-53 for the
+    // shift and for each of the two sums. In total this is less than `error`. The extra pixel is
+    // cheap.
+    const double error = 0x1p-50 * (std::max(std::abs(low), std::abs(high)) + std::abs(middle));
+    return pixels_from_through(within, 0, middle + low - (1 + error), middle + high + (1 + error));
   };
   const auto ndc = [&p](std::size_t i, auto member) {
     return double{p[i].*member} / double{p[i].w};
@@ -86,10 +89,10 @@ void ExactCoverage::find_box(const InputTriangle& triangle) {
                     ndc(2, &glm::vec4::y), box_.rows);
 }
 
-/// The pixels of a row of samples that no edge surely excludes, and at most a pixel more on each
-/// side. In real numbers a U + row < −2 band implies that the evaluated edge is below −band, as
-/// evaluating is off by less than a band; the crossing itself is off by a few 2^-53 of numbers
-/// below 2^20 wherever it lies near the target.
+/// Returns the pixels of a row whose sample no edge surely excludes, and at most one more pixel on
+/// each side. In real numbers a U + row < −2 band implies that the evaluated edge is below −band,
+/// because an evaluation's error is less than a band. Near the target the crossing itself is off by
+/// a few 2^-53 times numbers below 2^20.
 PixelRange ExactCoverage::span(std::size_t sample, int y) const {
   const SampleFrame& frame = setting_.frame;
   const SampleOffset& offset = setting_.pattern[sample];

@@ -1,12 +1,14 @@
 #pragma once
 
-// Coverage of the mathematical triangle of the float32 clip positions, sample by sample: no
-// snapping, no clip vertices, w <= 0 is ordinary (seed 000, clipless homogeneous scan conversion;
-// RULES §6).
+// Route: all.
 //
-// A block of samples is evaluated in double (block_kernels.h). Where an edge or a clip functional
-// is within its band of doubt, a sum without rounding decides, and of a zero the fill rule. So
-// coverage is that of exact arithmetic for every finite input.
+// Coverage of the mathematical triangle that the float32 clip positions define, sample by sample,
+// without snapping or clip vertices; w <= 0 is allowed (Appendix 5, clipless homogeneous scan
+// conversion; RULES §6).
+//
+// A block of samples is evaluated in double (block_kernels.h). If an edge or a clip functional is
+// within its error band, a sum without rounding decides; if that sum is zero, the fill rule
+// decides. So coverage equals the result of exact arithmetic for every finite input.
 
 #include <vector>
 
@@ -18,7 +20,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// In one part always.
+/// A coverage mode (coverage.h) that always draws a triangle as one part.
 class ExactCoverage {
  public:
   static constexpr bool kLeavesWeights = true;
@@ -48,7 +50,7 @@ class ExactCoverage {
   PixelBox box_;
 };
 
-/// A row of an edge function's samples, as the kernels take it.
+/// An edge function on a row of samples, in the kernels' form.
 EdgeRow edge_row(const EdgeFunctions& edges, const SampleFrame& frame, double v, double offset);
 
 }  // namespace rastercheck::rasterizer

@@ -1,13 +1,15 @@
 #pragma once
 
-// Sums of doubles without rounding, for what double precision leaves in doubt (J. R. Shewchuk,
+// Route: all.
+//
+// Sums of doubles without rounding, for cases that double precision cannot decide (J. R. Shewchuk,
 // Adaptive Precision Floating-Point Arithmetic, 1997).
 //
-// A sum is kept as an expansion: doubles that do not overlap, in ascending order, whose exact sum
-// is its value. Nothing here over- or underflows as long as all products of two arguments, and the
-// lowest bits of these, are within 2^-1022 … 2^1023; the callers say why theirs are. All must be
-// finite: an infinity or a NaN would leave more components than there is room for. Flush-to-zero
-// must be off.
+// A sum is kept as an expansion: doubles that do not overlap, in ascending order of magnitude,
+// whose exact sum is the value. No over- or underflow occurs if all products of two arguments, and
+// the products' lowest bits, are within 2^-1022 … 2^1023; callers must ensure this. All arguments
+// must be finite: an infinity or a NaN would leave more components than there is room for.
+// Flush-to-zero must be off.
 
 #include <array>
 #include <cmath>
@@ -47,13 +49,13 @@ class ExactSum {
     add(high);
   }
 
-  /// −1, 0 or 1.
+  /// Returns the sign: −1, 0 or 1.
   int sign() const {
     if (size_ == 0) return 0;
     return components_[size_ - 1] > 0 ? 1 : -1;
   }
 
-  /// The value with a relative error below 2^-52.
+  /// Returns the value with a relative error below 2^-52.
   double nearest() {
     compress();
     return size_ == 0 ? 0 : components_[size_ - 1];
@@ -62,9 +64,9 @@ class ExactSum {
   std::span<const double> components() const { return {components_.data(), size_}; }
 
  private:
-  /// Shewchuk's COMPRESS: as few components as there can be; the last is the value but for less
-  /// than its unit in the last place. At most 41 are left, as no two have a bit in common among the
-  /// 2,098 places of a double and each but the last is full.
+  /// Shewchuk's COMPRESS: minimizes the number of components. The last component then differs from
+  /// the value by less than a unit in its last place. At most 41 components are left, because no
+  /// two share a bit among the 2,098 places of a double and each except the last is full.
   void compress() {
     if (size_ < 2) return;
     std::array<double, kCapacity> from_the_top{};

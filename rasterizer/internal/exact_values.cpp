@@ -18,7 +18,7 @@ bool has_equal_depth(const Positions& p) {
   return is_equal(p[0], p[1]) && is_equal(p[1], p[2]) && is_equal(p[2], p[0]);
 }
 
-/// The vertex with the largest |w|: z/w there is that of the whole plane.
+/// The depth of a plane of constant depth: z/w at the vertex with the largest |w|.
 double plane_depth(const Positions& p) {
   const glm::vec4& at = *std::max_element(p.begin(), p.end(), [](const auto& a, const auto& b) {
     return std::abs(a.w) < std::abs(b.w);
@@ -50,7 +50,7 @@ bool has_new_corner(const ValueSource& source) {
                      [](const GridCorner* corner) { return corner != nullptr && corner->is_new; });
 }
 
-/// A power of two with scale · E_i < 1 at all samples.
+/// A power of two `scale` for which scale · E_i < 1 at all samples.
 double float_scale(const Weights& weights) {
   double greatest = 0;
   for (const EdgeFunction& edge : weights.edges) greatest = std::max(greatest, edge.greatest);
@@ -69,7 +69,7 @@ ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& 
 }  // namespace
 
 DepthRange depth_range(const State& state) {
-  // 0 for −0, which the greater of two zeros may or may not be.
+  // Turns −0 into 0, because the greater of two zeros may or may not be −0.
   const double near = state.viewport.min_depth + 0.0;
   const double far = state.viewport.max_depth + 0.0;
   const bool is_halved = state.convention == Convention::opengl;
@@ -78,8 +78,9 @@ DepthRange depth_range(const State& state) {
   range.low = is_halved ? (near + far) / 2 : near;
   range.least = std::min(near, far);
   range.greatest = std::max(near, far);
-  // Clipping keeps depths within the range, but a snapped triangle reaches beyond the plane of the
-  // clip positions' triangle that depths come from, and with them the depths.
+  // Clipping keeps depths within the range. But depths come from the plane of the clip positions'
+  // triangle. A snapped triangle can reach beyond that triangle, and its depths can then leave
+  // the range.
   const bool is_clamped = state.depth_clamp || state.convention == Convention::d3d;
   if (state.snapping && !is_clamped) {
     range.least = -std::numeric_limits<double>::infinity();
@@ -136,13 +137,13 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
       line.kind = ValueLine::Kind::copied;
       continue;
     }
-    // New corners are rounded, and would take a value off what all vertices share: too far for the
-    // texel that it names, which may end there.
+    // A value that all vertices share is copied. New corners are rounded and would change the value
+    // slightly, which could select the wrong texel, because a texel may end at the shared value.
     if (has_new && r[0] == r[1] && r[1] == r[2] && r[0] != 0) {
       line.kind = ValueLine::Kind::copied;
       continue;
     }
-    // Infinities and NaNs have no place in sums; those of finite attributes are below 2^130.
+    // Infinities and NaNs must not enter sums. The sum of three finite attributes is below 2^130.
     const double together = double{r[0]} + double{r[1]} + double{r[2]};
     if (!std::isfinite(together)) {
       line.kind = ValueLine::Kind::copied;
@@ -184,14 +185,14 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
   const auto of_copy = [&] { return std::fmod(std::floor(line.copy * scale), period); };
   if (line.kind == ValueLine::Kind::copied) return of_copy();
   const std::array<ExactSum, 3> e = weights.exact_at(u, v);
-  // The denominator Σ E_i, or, of an affine value, Σ w_i E_i, the same everywhere.
+  // The denominator is Σ E_i or, for an affine value, Σ w_i E_i, which is constant.
   const bool is_affine = line.kind == ValueLine::Kind::affine;
   ExactSum denominator = combine(e, is_affine ? triangle.w : std::array<double, 3>{1, 1, 1});
   if (denominator.sign() <= 0) return of_copy();
   const ExactSum numerator = combine(e, line.numerators);
   ExactSum rest;
   for (const double component : numerator.components()) rest.add_product(component, scale);
-  // Whole quotients, each of what the one before left, until that is less than one.
+  // Each step adds the whole quotient of the last remainder, until the quotient is below 1.
   double floor = 0;
   for (;;) {
     const double quotient = std::floor(rest.nearest() / denominator.nearest());
@@ -203,7 +204,7 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
     if (left.sign() < 0 && std::abs(quotient) <= 1) return floor + quotient - 1;
     floor = std::fmod(floor + std::fmod(quotient, period), period);
     if (quotient == 0) {
-      // Of two equal sums nearest() may make two doubles: all of a denominator may be left.
+      // nearest() may round equal sums differently, so a whole denominator may still be left.
       for (const double component : denominator.components()) left.add(-component);
       return left.sign() < 0 ? floor : floor + 1;
     }

@@ -1,27 +1,29 @@
 #pragma once
 
+// Route: all.
+//
 // Depth and attributes of a triangle, rounded once (RULES §6).
 //
 //   smooth         r = Σ r_i E_i / Σ E_i
 //   noperspective  r = Σ r_i w_i E_i / (|det| T)          r_i w_i is exact in double
 //   depth          z = Σ z_i E_i / (|det| T), then n + (f − n) z, halved for OpenGL
 //
-// All in double, numerators and denominator each collected into one plane (plane.h), where a
-// certificate (certificates.h) shows that that is enough. Where it fails (slivers, the horizon, w
-// of both signs) sums are formed without rounding (exact_sum.h) and divided once: 2^-50 of the
-// value itself.
+// All are computed in double if a certificate (certificates.h) shows that double suffices;
+// numerators and denominator are each collected into one plane (plane.h). Otherwise (slivers, the
+// horizon, w of both signs) the sums are formed without rounding (exact_sum.h) and divided once,
+// which gives the value a relative error of 2^-50.
 //
-// Constants: with r_i = c the computed value is within 2^-31 of c and rounds to c. The same zero at
-// all vertices is copied, sign included. Of attributes that are not finite every sample has the
-// sum, infinite or no number. A plane of equal depth, z_i w_j = z_j w_i exactly, has one depth for
-// all its samples. Where all w are the same, smooth and noperspective are one, and nothing is
-// divided at a sample (seed 000; seed 002 §3.3).
+// Constants: with r_i = c the computed value is within 2^-31 of c and rounds to c. If all vertices
+// have the same zero, it is copied, sign included. If an attribute is not finite, every sample gets
+// the sum of the vertices' values, infinite or NaN. A plane of equal depth (z_i w_j = z_j w_i
+// exactly) has one depth for all its samples. If all w are equal, smooth and noperspective
+// coincide, and no sample needs a division (Appendix 5; Heckbert & Moreton 1991, §3.3).
 //
-// A corner that clipping made, with shares s_v of the vertices, has r = Σ s_v r_v and for affine
-// values Σ s_v r_v w_v: shares are within 2^-50 of themselves and none is negative, so that this is
-// within 2^-49 of max|r_i|. In float32 (float_kernels.h) go the attributes of triangles whose
-// corners are their own, where no difference overflows; the rest, and what is not certain, as
-// above.
+// A corner that clipping made, with shares s_v of the vertices, has r = Σ s_v r_v, and
+// Σ s_v r_v w_v for affine values. Shares have a relative error of 2^-50 and none is negative, so r
+// has an error of at most 2^-49 max|r_i|. Float32 (float_kernels.h) is used for attributes of
+// triangles whose corners are their own vertices, if no difference overflows. All other values, and
+// those that are not certain, are computed as above.
 
 #include <array>
 #include <glm/vec4.hpp>
@@ -37,20 +39,21 @@ namespace rastercheck::rasterizer {
 
 /// One triangle's value, ready to be evaluated.
 struct ValueLine {
-  /// From the weights not at all, or as evaluate_smooth() or evaluate_affine() has it.
+  /// copied: independent of the weights. The others are evaluated by evaluate_smooth() or
+  /// evaluate_affine().
   enum class Kind { copied, smooth, affine };
   Kind kind = Kind::copied;
-  /// What the E_i are multiplied with: r_i of a smooth, r_i w_i of an affine value.
+  /// The factors of the E_i: r_i for a smooth value, r_i w_i for an affine one.
   std::array<double, 3> numerators{};
-  /// Of a smooth value the numerator Σ r_i E_i, of an affine one the value.
+  /// Plane of the numerator Σ r_i E_i of a smooth value, or of the affine value itself.
   Plane plane;
-  float copy = 0;  ///< of a copied one
-  /// Whether it is to be computed in float32 (float_kernels.h) from these r_i.
+  float copy = 0;  ///< for Kind::copied
+  /// If true, the value is computed in float32 (float_kernels.h) from `r`.
   bool is_float = false;
   std::array<float, 3> r{};
 };
 
-/// Where depths come from z of the clip volume: low + span · z, held to [least, greatest].
+/// Maps z of clip space to depth: low + span · z, clamped to [least, greatest].
 struct DepthRange {
   double low = 0;
   double span = 0;
@@ -59,24 +62,24 @@ struct DepthRange {
 };
 DepthRange depth_range(const State& state);
 
-/// The corner whose values flat attributes have.
+/// Returns the index of the vertex whose values flat attributes take.
 std::size_t provoking_vertex(const State& state);
 
 /// Depth, z = Σ k_i E_i / (|det| T).
 struct DepthLine : DepthRange {
   std::array<double, 3> k{};
-  /// The same evaluated; of a plane of equal depth just that.
+  /// The plane of the depth; constant if the triangle is a plane of equal depth.
   Plane plane;
 };
 
 struct TriangleValues {
-  std::array<double, 3> w{};  ///< of the corners
+  std::array<double, 3> w{};  ///< w of the corners
   Plane sum;                  ///< D = Σ E_i
   std::vector<ValueLine> attributes;
   bool has_smooth = false;  ///< some attribute is of kind smooth
   bool has_smooth_float = false;
   bool has_affine_float = false;
-  /// float_smooth_weights': a power of two.
+  /// The `scale` of float_smooth_weights(): a power of two.
   double float_scale = 1;
   DepthLine depth;
   bool has_constant_depth = false;
@@ -86,35 +89,37 @@ struct TriangleValues {
 /// The corners of a piece (grid_piece.h), or nullptr.
 using PieceCorners = std::array<const GridCorner*, 3>;
 
-/// What values are made of: a triangle's clip positions and attributes, and, where the weights
-/// belong to snapped corners, these.
+/// The inputs of values: a triangle's clip positions and attributes. If the weights belong to
+/// snapped corners, `corners` holds those corners.
 struct ValueSource {
   std::array<glm::vec4, 3> positions;
   std::array<std::span<const float>, 3> attributes;
   PieceCorners corners{};
 };
 
-/// Prepares the values.
+/// Prepares the values for evaluation.
 void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
                    TriangleValues& out);
 
-/// The value at (u, v) before it is rounded to float32: in double where certain, else from exact
-/// sums. Where the rules leave it undefined (a smooth value with 1/w <= 0) some number.
+/// Returns the value at (u, v) before rounding to float32: in double if double is certain, else
+/// from exact sums. The value is arbitrary where the rules leave it undefined (a smooth value with
+/// 1/w <= 0).
 double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                 double u, double v);
 
-/// Whether double is enough for it, where the weights are these. It is not copied.
+/// True if double suffices for the value at weights `e`. The value must not be a copied one.
 bool is_certain(const ValueLine& line, const TriangleValues& triangle, double det_t,
                 const std::array<double, 3>& e);
 
-/// value_at() without asking whether double is enough: within 2^-50 of itself.
+/// Returns value_at(), always from exact sums: relative error at most 2^-50.
 double exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);
-/// ⌊scale · r⌋ of the same r as std::fmod by `period` leaves it, or an equal number modulo that,
-/// less than 2 · period from 0; without rounding if `period` is a whole number below 2^51. With an
-/// infinite one that is ⌊scale · r⌋, beyond 2^53 a double next to it.
+/// Returns ⌊scale · r⌋ of the exact value r, reduced by `period` as std::fmod does, or a number of
+/// magnitude below 2 · period that is equal to ⌊scale · r⌋ modulo `period`. Exact if `period` is a
+/// whole number below 2^51. If `period` is infinite, returns ⌊scale · r⌋ itself or, beyond 2^53, a
+/// neighbouring double.
 double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                       double u, double v, double scale, double period);
-/// Held to its range.
+/// Returns the depth, clamped to its range, from exact sums.
 double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v);
 
 }  // namespace rastercheck::rasterizer

@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/float_kernels.h"
 
@@ -7,7 +7,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/float_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/vectors-inl.h"
@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// factor · E_i of the samples from j in float32, 0 where it is not positive. What lies beyond
-/// `count` is not read by more than a vector of doubles: nobody has filled it.
+/// factor · E_i of the samples from j in float32, 0 unless positive. Reads at most a vector of
+/// doubles beyond `count`, because the rest is not filled in.
 template <class D>
 auto Share(D floats, const double* e, double factor, int j, [[maybe_unused]] int count) {
 #if HWY_TARGET == HWY_SCALAR
@@ -39,7 +39,7 @@ auto Share(D floats, const double* e, double factor, int j, [[maybe_unused]] int
   return hn::IfThenElseZero(hn::Gt(share, hn::Zero(floats)), share);
 }
 
-/// Shares factors_i · E_i, divided by their sum where `kIsSmooth`.
+/// Computes the shares factors_i · E_i, divided by their sum if `kIsSmooth`.
 template <bool kIsSmooth>
 void SetUpWeights(const BlockWeights& weights, const std::array<double, 3>& factors, int count,
                   FloatWeights& out) {
@@ -58,7 +58,7 @@ void SetUpWeights(const BlockWeights& weights, const std::array<double, 3>& fact
     const auto is_1_index = hn::IfThenElseZero(is_1, hn::Set(d, 1.0F));
     hn::Store(hn::IfThenElse(is_2, hn::Set(d, 2.0F), is_1_index), d, out.pivot.data() + j);
 
-    // The shares of the vertices one and two after it.
+    // The shares of the two vertices after the pivot.
     auto next = hn::IfThenElse(is_2, f0, hn::IfThenElse(is_1, f2, f1));
     auto last = hn::IfThenElse(is_2, f1, hn::IfThenElse(is_1, f0, f2));
     if constexpr (kIsSmooth) {
@@ -68,7 +68,7 @@ void SetUpWeights(const BlockWeights& weights, const std::array<double, 3>& fact
       last = hn::Div(last, sum);
     }
 
-    // The difference of the edge that ends at the pivot is taken backwards.
+    // The edge that ends at the pivot is followed backwards, so its step is negative.
     const auto back = hn::Neg(last);
     const auto step0 = hn::IfThenElse(is_2, zero, hn::IfThenElse(is_1, back, next));
     const auto step1 = hn::IfThenElse(is_2, back, hn::IfThenElseZero(is_1, next));

@@ -7,7 +7,8 @@
 
 #include "rasterizer/internal/binning.h"
 #include "rasterizer/internal/cell_painter.h"
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/exact_values.h"
+#include "rasterizer/internal/fallback_drawing.h"
 #include "rasterizer/internal/parallel.h"
 #include "rasterizer/internal/tile.h"
 #include "rasterizer/internal/tile_kernels.h"
@@ -15,13 +16,13 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Chunks are at least so large; and so large beside the number of tiles that a chunk's list of
-/// tiles is no larger than itself.
+/// Minimum number of triangles per chunk. A chunk also has at least as many triangles as there are
+/// tiles, so that its list of tiles is no larger than the chunk itself.
 constexpr std::size_t kLeastChunk = 2048;
-/// Samples of triangles that are sorted before their memory is looked at.
+/// Number of triangles, times samples per pixel, to sort between two checks of memory use.
 constexpr std::size_t kWave = 65536;
 
-/// A tile of one thread, and what the kernels want of it.
+/// A thread's tile, with the data that the kernels need.
 class DrawnTile {
  public:
   DrawnTile(const Picture& framebuffer, bool has_words)
@@ -37,7 +38,7 @@ class DrawnTile {
 
   Tile& tile() { return tile_; }
 
-  /// Sets the areas of samples up for the tile as it is placed now.
+  /// Sets up the samples' areas for the tile's current place.
   void place(const KernelSetting& setting) {
     drawn_ = 0;
     for (std::size_t s = 0; s < of_samples_.size(); ++s) {
@@ -55,7 +56,8 @@ class DrawnTile {
             of_sample.greatest.data()};
   }
   std::span<const TileArea> areas() const { return areas_; }
-  /// Once a triangle was drawn. Looking at all depths takes as long as drawing one that is small.
+  /// Must be called after each triangle. Updates the greatest depths only now and then, because
+  /// scanning all depths takes as long as drawing a small triangle.
   void count_triangle() {
     constexpr int kLooksAfter = 32;
     if (++drawn_ % kLooksAfter != 0) return;
@@ -71,10 +73,28 @@ class DrawnTile {
     std::vector<float*> values;  ///< [attribute]
     std::array<float, kBands> greatest{};
   };
-  int drawn_ = 0;  ///< triangles
+  int drawn_ = 0;  ///< number of triangles
   Tile tile_;
   std::vector<OfSample> of_samples_;
   std::vector<TileArea> areas_;  ///< [sample]
+};
+
+/// A sample's depth, and its attributes before rounding to float32.
+struct SampleValues {
+  SampleValues() {
+    for (std::size_t a = 0; a < attributes.size(); ++a) of_attribute[a] = &attributes[a];
+  }
+  SampleValues(const SampleValues&) = delete;  // it points into itself
+  SampleValues& operator=(const SampleValues&) = delete;
+
+  LaneOutput output() { return {&depth, of_attribute, {}, {}, 0}; }
+
+  float depth = 0;
+  std::array<double, kMaxAttributes> attributes{};
+  std::array<double*, kMaxAttributes> of_attribute{};
+  /// The vertex values of flat attributes; nullptr for others. These are copied, because
+  /// conversions to double and back would change the bits of some NaNs.
+  std::array<const float*, kMaxAttributes> flat{};
 };
 
 class FrameDrawing {
@@ -119,29 +139,31 @@ class FrameDrawing {
       for_each_index(tiles_, workers_.size(), [&](std::size_t tile, std::size_t worker) {
         draw_tile(tile, std::span(bins_).first(used), *workers_[worker]);
       });
-      clear_depth_.reset();  // it is no longer what it was cleared to
+      clear_depth_.reset();  // later passes must not clear tiles
     } while (done < chunks_);
     return counts;
   }
 
   struct Worker {
     explicit Worker(const FrameDrawing& frame)
-        : drawing(make_tile_drawing(frame.setting_, frame.mesh_)),
+        : fallback(make_fallback_drawing(frame.setting_, frame.mesh_,
+                                         frame.paint_ && frame.paint_->shader.uses_derivatives)),
           binning(frame.setting_, frame.kernel_ ? &*frame.kernel_ : nullptr, frame.mesh_,
                   frame.framebuffer_.size),
           tile(frame.framebuffer_, frame.paint_ && frame.paint_->merging.has_words) {
       if (!frame.paint_) return;
-      painter = std::make_unique<CellPainter>(frame.setting_, *frame.paint_, frame.mesh_);
+      painter = std::make_unique<CellPainter>(frame.setting_, *frame.paint_, *fallback);
     }
-    std::unique_ptr<TileDrawing> drawing;
-    std::unique_ptr<CellPainter> painter;  ///< with a shader
+    std::unique_ptr<FallbackDrawing> fallback;
+    std::unique_ptr<CellPainter> painter;  ///< set if a shader is used
     Binning binning;
     DrawnTile tile;
-    std::vector<std::span<const double>> records;  ///< of the tile
+    std::vector<std::span<const double>> records;  ///< of the current tile
     std::size_t next_record = 0;
   };
 
-  /// Sorts chunks from this one on, until they are all, or enough. Returns how many.
+  /// Sorts chunks from `begin` on, until all are sorted or memory is full. Returns how many chunks
+  /// were sorted.
   std::size_t sort_from(std::size_t begin) {
     std::size_t used = 0;
     std::size_t memory = 0;
@@ -152,7 +174,7 @@ class FrameDrawing {
         const std::size_t first = (begin + used + i) * chunk_;
         Worker& at_work = *workers_[worker];
         at_work.binning.sort(first, std::min(first + chunk_, mesh_.triangles.size()),
-                             *at_work.drawing, bins_[used + i]);
+                             *at_work.fallback, bins_[used + i]);
       });
       for (std::size_t i = 0; i < wave; ++i) memory += bins_[used + i].memory();
       used += wave;
@@ -185,8 +207,8 @@ class FrameDrawing {
     drawn.store(framebuffer_);
   }
 
-  /// Where the records of a tile's triangles are, one after the other: anywhere, so that they are
-  /// asked for before their turn.
+  /// Lists the records of a tile's triangles, in order. The list allows prefetching the records,
+  /// which are scattered in memory.
   static void list_records(std::size_t tile, std::span<const Bins> all_bins, Worker& worker) {
     worker.records.clear();
     worker.next_record = 0;
@@ -206,7 +228,7 @@ class FrameDrawing {
     for (std::size_t i = 0; i < record.size(); i += kLine) __builtin_prefetch(&record[i]);
   }
 
-  /// What of a chunk is in a tile: fragments and triangles, in the order of their triangles.
+  /// Draws a chunk's fragments and triangles in a tile, in submission order.
   void draw_bins(std::size_t tile, const Bins& bins, Worker& worker) {
     const std::size_t size = 2 + setting_.state.attributes.size();
     auto [fragment, last_fragment] = bins.fragments.range(tile);
@@ -238,7 +260,7 @@ class FrameDrawing {
     }
     if (binned.numbers == nullptr) {
       if (worker.painter) return worker.painter->draw_lanes(binned.triangle, ~Mask{0});
-      return worker.drawing->draw(binned.triangle, tile, ~Mask{0});
+      return draw_samples(binned.triangle, ~Mask{0}, worker);
     }
     const PixelRange columns = intersection(binned.box.columns, tile.columns());
     const PixelRange rows = intersection(binned.box.rows, tile.rows());
@@ -256,10 +278,10 @@ class FrameDrawing {
     }
     worker.tile.count_triangle();
     // Samples that were drawn are drawn once more, and come out the same.
-    if (undrawn != 0) worker.drawing->draw(binned.triangle, tile, undrawn);
+    if (undrawn != 0) draw_samples(binned.triangle, undrawn, worker);
   }
 
-  /// Draws one sample of the pixels of a part; returns the rows that it left out.
+  /// Draws one sample of each pixel of a part. Returns the rows that were left out.
   Mask draw_sample(const BinnedTriangle& binned, const TilePart& part, const TileArea& area) const {
     const Undrawn undrawn = draw_part(*kernel_, binned.numbers, area, part);
     for (std::size_t i = 0; i < undrawn.vertex_count; ++i) {
@@ -273,19 +295,56 @@ class FrameDrawing {
     return undrawn.rows;
   }
 
+  /// Draws a triangle sample by sample, in these rows of the tile.
+  void draw_samples(std::uint32_t triangle, Mask rows, Worker& worker) const {
+    FallbackDrawing& fallback = *worker.fallback;
+    if (!fallback.begin(triangle)) return;
+    Tile& tile = worker.tile.tile();
+    const int left = tile.columns().begin;
+    const int top = tile.rows().begin;
+    SampleValues values;
+    const std::size_t count = setting_.state.attributes.size();
+    const glm::uvec3& corners = mesh_.triangles[triangle];
+    const std::size_t vertex =
+        corners[static_cast<glm::length_t>(provoking_vertex(setting_.state))];
+    for (std::size_t a = 0; a < count; ++a) {
+      const bool is_flat = setting_.state.attributes[a].interpolation == Interpolation::flat;
+      if (is_flat) values.flat[a] = &mesh_.attributes[vertex * count + a];
+    }
+    for_each_bit(rows & columns_mask(tile.rows(), top), [&](int row) {
+      for (std::size_t s = 0; s < setting_.pattern.size(); ++s) {
+        for_each_bit(fallback.cover(s, top + row, left), [&](int column) {
+          fallback.evaluate({s, left + column, top + row}, values.output());
+          put(values, worker.tile.areas()[s], row * kTileSize + column);
+        });
+      }
+    });
+  }
+
+  /// Writes a sample's values to an element of a tile's arrays, if it passes the depth test.
+  void put(const SampleValues& values, const TileArea& area, int at) const {
+    const State& state = setting_.state;
+    if (state.depth_test == DepthTest::less && !(values.depth < area.depth[at])) return;
+    area.depth[at] = values.depth;
+    for (std::size_t a = 0; a < state.attributes.size(); ++a) {
+      area.attributes[a][at] =
+          values.flat[a] != nullptr ? *values.flat[a] : static_cast<float>(values.attributes[a]);
+    }
+  }
+
   const DrawSetting setting_;
   const Mesh& mesh_;
   Picture& framebuffer_;
   std::optional<float> clear_depth_;
-  std::size_t columns_;  ///< of tiles
+  std::size_t columns_;  ///< number of tile columns
   std::size_t tiles_;
   std::optional<KernelSetting> kernel_;
-  std::optional<PaintSetting> paint_;  ///< with a shader
-  std::size_t chunk_ = 0;              ///< triangles of a chunk
+  std::optional<PaintSetting> paint_;  ///< set if a shader is used
+  std::size_t chunk_ = 0;              ///< triangles per chunk
   std::size_t chunks_ = 0;
-  std::size_t wave_ = 1;  ///< chunks of a wave
+  std::size_t wave_ = 1;  ///< chunks per wave
   std::vector<std::unique_ptr<Worker>> workers_;
-  std::vector<Bins> bins_;  ///< of the chunks at hand
+  std::vector<Bins> bins_;  ///< of the current chunks
 };
 
 }  // namespace
@@ -294,8 +353,8 @@ DrawCounts draw_frame(const State& state, const Mesh& mesh, Picture& framebuffer
                       std::size_t workers, std::optional<float> clear_depth,
                       const ShaderView* shader) {
   State drawn = state;
-  drawn.derivatives = false;  // a framebuffer holds none
-  // Double is what the kernels are made for; float32 would be slower, and less exact.
+  drawn.derivatives = false;  // a framebuffer holds no derivatives
+  // The kernels are made for double; float32 would be slower and less exact.
   drawn.precision = Precision::float64;
   const bool is_plain =
       (drawn.depth_test == DepthTest::less || drawn.depth_test == DepthTest::always) &&

@@ -1,13 +1,15 @@
 #pragma once
 
-// A draw into a framebuffer, on several threads: chunks of triangles are sorted into the tiles that
-// they touch (binning.h), then each tile is drawn by one thread, its triangles in submission order
-// (sort-middle). What a sample becomes depends on its tile's triangles alone, so the picture is the
-// same to the bit for any number of threads.
+// Route: frames.
 //
-// Where what was sorted takes more memory than kBinMemory the tiles are drawn, and sorting goes on
-// from there: a draw's memory is that, what one more wave of chunks makes of it, and for each
-// thread a tile and the fragments of a chunk.
+// Draws into a framebuffer on several threads. Chunks of triangles are sorted into the tiles that
+// they touch (binning.h); then one thread draws each tile, its triangles in submission order
+// (sort-middle). A sample depends only on the triangles of its tile, so the picture is identical to
+// the bit for any number of threads.
+//
+// When the sorted data exceeds kBinMemory, the tiles are drawn before sorting goes on. So a draw
+// needs at most kBinMemory, one more wave of chunks and, for each thread, a tile and the fragments
+// of a chunk.
 
 #include <cstddef>
 #include <optional>
@@ -17,12 +19,12 @@
 
 namespace rastercheck::rasterizer {
 
-/// Bytes.
+/// Size of the sorted data at which the tiles are drawn, in bytes.
 inline constexpr std::size_t kBinMemory = std::size_t{64} << 20;
 
-/// Draws into the framebuffer, attributes as they are or what a shader makes of them;
-/// `clear_depth`: as if it had been cleared to that before. The arguments were checked. Throws
-/// where memory runs out; then tiles hold some of what was to be drawn, or are what they were.
+/// Draws the attributes, or a shader's outputs, into the framebuffer. With `clear_depth`, draws as
+/// if the framebuffer had been cleared to that depth. The arguments must have been checked. Throws
+/// if memory runs out; each tile is then drawn in part or unchanged.
 DrawCounts draw_frame(const State& state, const Mesh& mesh, Picture& framebuffer,
                       std::size_t workers, std::optional<float> clear_depth,
                       const ShaderView* shader = nullptr);

@@ -33,7 +33,7 @@ Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>&
   const Fate fate = locate(triangle);
   if (fate != Fate::drawn) return fate;
   const auto& p = triangle.positions;
-  // The drawn ones first, in their order.
+  // Moves the drawn pieces to the front, in their order.
   drawn_pieces_ = 0;
   for (GridPiece& piece : pieces_) {
     if (piece.turn == whole_turn_) std::swap(piece, pieces_[drawn_pieces_++]);
@@ -47,7 +47,7 @@ Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>&
   parts.resize(1);
   parts[0].weights.set_ideal(p, edge_functions(p, turn_, setting_.frame, setting_.tie_sign),
                              setting_.frame);
-  parts[0].weights.widen_bands();  // samples may lie outside
+  parts[0].weights.widen_bands();  // samples may lie outside the triangle
   parts[0].source = {p, triangle.attributes, {}};
   return Fate::drawn;
 }
@@ -86,7 +86,7 @@ CoveredBlock GridCoverage::cover(std::size_t sample, int y, int first, int /*cou
     piece_masks_.push_back(columns_mask(covered, first) & wanted);
     if (piece_masks_.size() <= drawn_pieces_) block.covered |= piece_masks_.back();
   }
-  if (pieces_.size() > drawn_pieces_) {  // some are turned round
+  if (pieces_.size() > drawn_pieces_) {  // some pieces have the opposite orientation
     for_each_bit(block.covered, [&](int j) {
       int count = 0;
       for (std::size_t k = 0; k < pieces_.size(); ++k) {
@@ -96,7 +96,7 @@ CoveredBlock GridCoverage::cover(std::size_t sample, int y, int first, int /*cou
       if (count <= 0) block.covered &= ~(Mask{1} << j);
     });
   }
-  // A sample that several pieces own belongs to the first.
+  // A sample that several pieces own is drawn with the first of them.
   Mask taken = 0;
   for (std::size_t k = 0; k < drawn_pieces_; ++k) {
     piece_masks_[k] &= block.covered & ~taken;
@@ -130,7 +130,8 @@ PieceCorners GridCoverage::corners_of(const GridPiece& piece) const {
   return corners;
 }
 
-/// A centre that no piece owns takes the values of the first, continued.
+/// The piece at a window position. For a pixel centre that no piece contains, this is the first
+/// piece, whose planes are then extrapolated.
 std::size_t GridCoverage::piece_at(double u, double v) const {
   const GridPoint p{static_cast<std::int64_t>(frame_.u.at(u)),
                     static_cast<std::int64_t>(frame_.v.at(v))};

@@ -1,11 +1,14 @@
 #pragma once
 
-// Coverage of the triangle of the snapped vertices, in whole numbers (grid_polygon.h,
+// Route: all.
+//
+// Coverage of the triangle with snapped vertices, computed in whole numbers (grid_polygon.h,
 // grid_piece.h).
 //
 // Values come from the same pieces (Basis::snapped) or from the triangle of the clip positions
-// (Basis::ideal), in which covered samples may then lie a little outside. A triangle that is a line
-// until its vertices are snapped has no values of its own; the pieces' are taken.
+// (Basis::ideal); in the latter case, covered samples may lie slightly outside the triangle. If the
+// triangle of the clip positions is a line that snapping turns into a triangle, it has no values of
+// its own, and values come from the pieces.
 
 #include <vector>
 
@@ -21,7 +24,7 @@ class GridCoverage {
  public:
   static constexpr bool kLeavesWeights = false;
 
-  /// The setting's state has a snapping.
+  /// The setting's state must have a snapping.
   explicit GridCoverage(const DrawSetting& setting)
       : setting_(setting),
         bits_(unit_bits(*setting.state.snapping)),
@@ -48,15 +51,15 @@ class GridCoverage {
   Grid grid_;
   SampleFrame frame_;
 
-  // Of the triangle at hand.
+  // The current triangle.
   int turn_ = 0;        ///< the orientation of the clip positions
-  int whole_turn_ = 0;  ///< that of the snapped polygon, as displayed
+  int whole_turn_ = 0;  ///< the orientation of the snapped polygon, as displayed
   GridPolygon polygon_;
-  std::vector<GridPiece> pieces_;  ///< first those that turn as the whole does
-  std::size_t drawn_pieces_ = 0;   ///< how many these are
+  std::vector<GridPiece> pieces_;  ///< first those that turn like the whole polygon
+  std::size_t drawn_pieces_ = 0;   ///< number of pieces that turn like the whole polygon
   PixelBox box_;
   bool has_parts_of_pieces_ = false;
-  std::vector<Mask> piece_masks_;  ///< of the last block
+  std::vector<Mask> piece_masks_;  ///< for the last block
 };
 
 }  // namespace rastercheck::rasterizer

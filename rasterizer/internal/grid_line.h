@@ -1,9 +1,11 @@
 #pragma once
 
+// Route: all.
+//
 // Edges between grid points, in whole numbers: a x + b y + c, in squares of grid units.
 //
-// Points within the guard band are below 2^31, so that a and b are below 2^32 + 1, c below 2^64,
-// and the line at a sample of a target (below 2^30) below 2^65.
+// In magnitude, coordinates within the guard band are at most 2^31, so a and b are at most 2^32, c
+// is below 2^64, and the line at a sample of a target (below 2^30) is below 2^65.
 
 #include <cstdint>
 
@@ -21,8 +23,8 @@ struct GridLine {
   Wide at(const GridPoint& p) const { return Wide{a} * p.x + Wide{b} * p.y + c; }
 };
 
-/// The line through two points, positive on the side that lies in the direction from x to y of it
-/// (the other way round where `turn` is −1).
+/// Returns the line through two points. With `turn` 1 it is positive on the side reached by turning
+/// the direction from → to by 90 degrees from +x towards +y; with `turn` −1, on the other side.
 inline GridLine grid_line(const GridPoint& from, const GridPoint& to, int turn) {
   const std::int64_t a = turn * (from.y - to.y);
   const std::int64_t b = turn * (to.x - from.x);
@@ -31,7 +33,7 @@ inline GridLine grid_line(const GridPoint& from, const GridPoint& to, int turn) 
 
 inline int sign(Wide value) { return (value > 0) - (value < 0); }
 
-/// The least whole number that is at least value / divisor; divisor > 0.
+/// Returns the least whole number not less than value / divisor; `divisor` must be positive.
 inline Wide ceiling_quotient(Wide value, std::int64_t divisor) {
   const auto narrow = static_cast<std::int64_t>(value);
   if (narrow == value) {  // several times faster

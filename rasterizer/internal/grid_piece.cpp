@@ -5,7 +5,7 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// `value` held to the range.
+/// `value` clamped to the range.
 int held_to(const PixelRange& range, Wide value) {
   if (value <= range.begin) return range.begin;
   if (value >= range.end) return range.end;

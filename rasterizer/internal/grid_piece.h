@@ -1,15 +1,19 @@
 #pragma once
 
-// Snapped coverage: which samples a polygon of grid points owns, in whole numbers.
+// Route: all.
 //
-// The polygon is a fan of pieces, triangles about its first corner. A sample exactly on an edge is
-// inside as if it lay infinitely little towards +x and, less still, towards the side that the fill
-// rule names: of two pieces or neighbours that share an edge exactly one owns it. Rounding may turn
-// a piece round where corners come closer than a grid unit. So pieces count, +1 or −1 as they turn,
-// and what counts more than 0 in the sense of the whole is drawn: at least one of the polygons that
-// meet at an edge covers every sample along it, whatever rounding did to them.
+// Snapped coverage: decides in whole numbers which samples a polygon of grid points owns.
 //
-// Along a row an edge is one comparison of whole numbers, so its crossing is one division.
+// The polygon is a fan of pieces, which are triangles that share the polygon's first corner. A
+// sample exactly on an edge is treated as if moved infinitesimally towards +x and, by even less,
+// towards the side that the fill rule names. So if two pieces or two neighbouring triangles share
+// an edge, exactly one of them owns the sample. Rounding may flip a piece if corners are closer
+// than a grid unit. Each piece therefore counts +1 or −1 by its turn, and samples are drawn if
+// their count is positive in the polygon's own sense. As a result, every sample along an edge is
+// covered by at least one of the polygons that meet there, however rounding moved them.
+//
+// Along a row, an edge is one comparison of whole numbers, so finding its crossing takes one
+// division.
 
 #include <array>
 #include <span>
@@ -22,29 +26,29 @@
 
 namespace rastercheck::rasterizer {
 
-/// A triangle of grid points that is no line.
+/// A triangle of grid points with nonzero area.
 struct GridPiece {
-  std::array<std::size_t, 3> corners{};  ///< of the polygon
-  int turn = 1;                          ///< 1: from x to y
-  Wide area = 0;                         ///< twice its area, > 0
-  std::array<GridLine, 3> edges;         ///< opposite each corner, not negative inside
+  std::array<std::size_t, 3> corners{};  ///< indices into the polygon's corners
+  int turn = 1;                          ///< 1 if it turns from x to y, else −1
+  Wide area = 0;                         ///< twice the piece's area, > 0
+  std::array<GridLine, 3> edges;         ///< edges[i] is opposite corner i; not negative inside
 };
 
-/// The fan of a polygon.
+/// Computes the pieces of a polygon.
 void grid_pieces(std::span<const GridCorner> corners, std::vector<GridPiece>& out);
 
-/// Twice the area, positive where the polygon turns from x to y.
+/// Returns twice the polygon's area; positive if the polygon turns from x to y.
 Wide signed_area(std::span<const GridPiece> pieces);
 
-/// A sample in grid units.
+/// Returns the position of a sample in grid units.
 GridPoint grid_sample(int x, int y, const SampleOffset& offset, int unit_bits);
 
-/// The pixels of a row whose sample the piece owns. `tie_sign`: where a normal has a = 0, a sample
-/// on the edge is inside iff tie_sign · b > 0.
+/// Returns the pixels of a row whose sample the piece owns. `tie_sign`: a sample on an edge whose
+/// normal has a = 0 is inside iff tie_sign · b > 0.
 PixelRange covered_pixels(const GridPiece& piece, const PixelRange& columns, int y,
                           const SampleOffset& offset, int unit_bits, int tie_sign);
 
-/// The pixels that a polygon may cover samples of.
+/// Returns the pixels of `within` whose samples a polygon may cover.
 PixelBox touched_pixels(std::span<const GridCorner> corners, int unit_bits, const PixelBox& within);
 
 }  // namespace rastercheck::rasterizer

@@ -10,7 +10,7 @@ namespace {
 
 using Distances = std::array<std::span<const float>, 3>;
 
-/// A clip plane: its values at the vertices, exactly.
+/// A clip plane, given by its exact values at the vertices.
 struct ClipPlane {
   std::array<ExactSum, 3> g;
   bool has_vertex_beyond() const {
@@ -18,20 +18,21 @@ struct ClipPlane {
   }
 };
 
-/// Adds a · b.
+/// Adds factor · a · b.
 void add_product(ExactSum& sum, const ExactSum& a, const ExactSum& b, double factor = 1) {
   for (const double x : a.components()) {
     for (const double y : b.components()) sum.add_product(x, factor * y);
   }
 }
 
-/// A line of clip space: edge 0…2, opposite that vertex, or plane 3…
+/// A line of clip space: 0…2 is the edge opposite the vertex with that index; kFirstPlane + p is
+/// clip plane p.
 using LineIndex = std::size_t;
 constexpr LineIndex kFirstPlane = 3;
 
-/// A corner of the polygon and the line along which the polygon goes on from it.
+/// A corner of the polygon, and the line along which the polygon continues from it.
 struct Corner {
-  std::array<ExactSum, 3> weights;  ///< β, none negative
+  std::array<ExactSum, 3> weights;  ///< β; none is negative
   LineIndex next_line = 0;
 };
 
@@ -48,7 +49,7 @@ class Clipping {
     std::vector<Corner> corners(3);
     for (std::size_t i = 0; i < 3; ++i) {
       corners[i].weights[i].add(1);
-      corners[i].next_line = (i + 2) % 3;  // from vertex i to the next: opposite the one after
+      corners[i].next_line = (i + 2) % 3;  // the edge opposite vertex i + 2
     }
     for (std::size_t p = 0; p < planes_.size() && !corners.empty(); ++p) corners = cut(corners, p);
     return corners;
@@ -162,13 +163,14 @@ class Clipping {
     return kept;
   }
 
-  /// Where a line meets a plane, with the line going on from there.
+  /// The corner where a line meets a plane; the polygon continues along the line.
   Corner crossing(LineIndex line, std::size_t plane) const {
     const std::array<ExactSum, 3>& g = planes_[plane].g;
     Corner corner;
     corner.next_line = line;
     if (line < kFirstPlane) {
-      // g is 0 at |g_k| of vertex j and |g_j| of vertex k, as it has both signs along the edge.
+      // g has different signs at vertices j and k, so it is 0 where their weights are |g_k| and
+      // |g_j|.
       const std::size_t j = (line + 1) % 3;
       const std::size_t k = (line + 2) % 3;
       corner.weights[j] = size_of(g[k]);
@@ -183,7 +185,7 @@ class Clipping {
       add_product(corner.weights[i], h[j], g[k]);
       add_product(corner.weights[i], h[k], g[j], -1);
     }
-    // Inside the triangle all three have one sign.
+    // Inside the triangle all three weights have the same sign.
     const bool is_negative = std::any_of(corner.weights.begin(), corner.weights.end(),
                                          [](const ExactSum& weight) { return weight.sign() < 0; });
     if (is_negative) {
@@ -201,7 +203,7 @@ class Clipping {
     return value.sign() < 0 ? negated(value) : value;
   }
 
-  /// The nearest point to twice a window coordinate.
+  /// The grid point nearest to half of `twice_window`.
   std::int64_t nearest_point(double twice_window) const {
     const auto& [bits, rounding] = grid_.snapping;
     const double position = std::ldexp(twice_window, bits - 1);
@@ -218,7 +220,7 @@ class Clipping {
 
   const Grid& grid_;
   const std::array<glm::vec4, 3>& positions_;
-  /// The vertices in an order of their own, whichever triangle they belong to.
+  /// The vertices in a canonical order, independent of the triangle they belong to.
   std::array<std::size_t, 3> order_{0, 1, 2};
   std::vector<ClipPlane> planes_;
 };
@@ -259,7 +261,7 @@ void grid_polygon(const State& state, const Grid& grid, const std::array<glm::ve
                                          [](const ExactSum& w) { return w.sign() != 0; }) == 1;
     GridCorner on_grid = clipping.on_grid(corner, out.window.emplace_back());
     on_grid.is_new = !is_vertex;
-    if (is_vertex && on_grid.w > 0) {  // else the eye itself
+    if (is_vertex && on_grid.w > 0) {  // else the vertex is at the eye
       for (std::size_t i = 0; i < 3; ++i) {
         if (corner.weights[i].sign() == 0) continue;
         on_grid = {snapped(grid, positions[i]), positions[i].w, positions[i].z, {}, false};

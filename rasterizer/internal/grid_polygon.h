@@ -1,22 +1,25 @@
 #pragma once
 
-// What snapped coverage draws of a triangle: a polygon whose corners lie on the grid. It is the
-// triangle of the snapped vertices where no vertex is clipped. Otherwise clip planes cut it, and
-// its new corners are snapped as vertices are.
+// Route: all.
 //
-// Clipping. A plane has the values g_i at the vertices: depth planes, user distances, and the four
-// sides of the guard band, G w ∓ X and G w ∓ Y. Only planes that some vertex lies beyond can cut. A
-// corner is an original vertex, or lies on an edge and a plane, or on two planes; whichever, it is
-// computed from the vertices alone, as weights β (on an edge |g_k| and |g_j|, on two planes the
-// cross product of their values), and never from other new corners. All signs are exact.
+// The polygon, with corners on the grid, that snapped coverage draws for a triangle. If no vertex
+// is clipped, it is the triangle of the snapped vertices. Otherwise clip planes cut the triangle,
+// and new corners are snapped like vertices.
 //
-// Neighbours. Where an edge is cut depends on its two ends, the planes' values there and nothing
-// else, and the arithmetic goes through the ends in an order of their own, so that the triangle on
-// the other side has the very same corners. A new corner is rounded from a quotient of two sums
-// that are exact but for one rounding each: within 1/2 + 2^-18 grid units of where it belongs.
+// Clipping. A plane has the values g_i at the vertices. The planes are the depth planes, the user
+// distances, and the four sides of the guard band, G w ∓ X and G w ∓ Y. Only planes with some
+// vertex beyond them can cut. A corner is an original vertex, or lies on an edge and a plane, or on
+// two planes. In each case the corner is computed from the vertices alone, with weights β (on an
+// edge, |g_k| and |g_j|; on two planes, the cross product of their values), and never from other
+// new corners. All signs are exact.
 //
-// The eye. The guard band's planes leave w > 0: X and Y are within G w of 0 on what is kept, and a
-// corner with w = 0 would make the triangle one that is seen edge-on; such a one is not drawn.
+// Neighbours. The cut of an edge depends only on its two ends and the planes' values there. The
+// arithmetic takes the ends in a canonical order, so the triangle on the other side gets identical
+// corners. A new corner is rounded from a quotient of two sums, each exact but for one rounding, so
+// the corner is within 1/2 + 2^-18 grid units of its true place.
+//
+// The eye. The guard band's planes leave only w > 0: X and Y are within G w of 0 on the kept part,
+// so w >= 0; a corner with w = 0 would mean a triangle seen edge-on, which is not drawn.
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -30,20 +33,20 @@ namespace rastercheck::rasterizer {
 
 struct GridCorner {
   GridPoint at;
-  double w = 0;                   ///< > 0, to a relative 2^-50
-  double z = 0;                   ///< likewise
+  double w = 0;                   ///< > 0, with a relative error of 2^-50
+  double z = 0;                   ///< with a relative error of 2^-50
   std::array<double, 3> share{};  ///< of the triangle's vertices in clip space; sum to 1
-  bool is_new = false;            ///< made by clipping, no vertex, even where a share rounds to 1
+  bool is_new = false;            ///< made by clipping: not a vertex, even if a share rounds to 1
 };
 
 struct GridPolygon {
-  std::vector<GridCorner> corners;  ///< in the order of the triangle's vertices; none: not drawn
+  std::vector<GridCorner> corners;  ///< in the order of the triangle's vertices; empty: not drawn
   bool is_cut = false;
-  /// Of a polygon that is cut where its corners belong, pixels: before they were put on the grid.
+  /// If the polygon is cut, its corners before snapping, in pixels.
   std::vector<glm::dvec2> window;
 };
 
-/// `distances[i]` are vertex i's clip distances. All numbers are finite.
+/// Computes the polygon. `distances[i]` are vertex i's clip distances. All numbers must be finite.
 void grid_polygon(const State& state, const Grid& grid, const std::array<glm::vec4, 3>& positions,
                   const std::array<std::span<const float>, 3>& distances, GridPolygon& out);
 

@@ -6,9 +6,9 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// N in double, and how far that may be off: three products, exact as 24 + 24 <= 53 bits, and two
-/// sums, each within 2^-53 of what is at most the sum of the sizes; twice as much takes in that the
-/// sizes are rounded too.
+/// N in double, with an error bound. The three products are exact, as 24 + 24 <= 53 bits. Each of
+/// the two sums has an error of at most 2^-53 times the sum of the magnitudes. Twice this bound
+/// also covers the rounding of the magnitudes.
 struct Approximate {
   double value = 0;
   double error = 0;
@@ -39,10 +39,10 @@ bool is_within(const GridAxis& axis, float coordinate, float w) {
   return compare(axis, coordinate, w, kTwice) <= 0 && compare(axis, coordinate, w, -kTwice) >= 0;
 }
 
-/// In units of 2^-b pixels.
+/// The nearest grid point, in units of 2^-b pixels.
 std::int64_t nearest_point(const GridAxis& axis, const Snapping& snapping, float coordinate,
                            float w) {
-  // Half grid units for a unit of N / w.
+  // Grid units per unit of N / w, which is twice the position in pixels.
   const double half_units = std::ldexp(1.0, snapping.subpixel_bits - 1);
   Approximate n = approximate_numerator(axis, coordinate, w);
   if (n.error * half_units > 0.125 * double{w}) {  // the terms cancel
@@ -97,7 +97,7 @@ Grid grid_of(const State& state) {
 
 void add_window_numerator(ExactSum& sum, const GridAxis& axis, float coordinate, float w,
                           double factor) {
-  // A product of two floats is a double, but times another factor it need not be.
+  // A product of two floats is exact in double; a product with a third factor need not be.
   const auto add = [&sum, factor](double a, double b) {
     const double product = a * b;
     sum.add_product(product, factor);

@@ -1,17 +1,19 @@
 #pragma once
 
-// Window positions on the subpixel grid (RULES §3, `snapped`): exactly rounded.
+// Route: all.
+//
+// Window positions on the subpixel grid (RULES §3, `snapped`), exactly rounded.
 //
 // Twice a vertex's window position times its w is a sum of three products of two floats,
 //
 //   N_x = x W + w 2x0 + w W      N_y = ±y H + w 2y0 + w H      (− for D3D),
 //
-// so that it lies on the grid point k where N 2^(b−1) / w rounds to k. In double that is off by a
-// few 2^-53 of its terms; where it comes too close to the middle between two points, the sign of
-// N 2^b − (2k + 1) w, a sum without rounding, decides.
+// so the vertex is snapped to the grid point k to which N 2^(b−1) / w rounds. In double, the
+// quotient has an error of a few 2^-53 of its terms. If it is too close to the middle between two
+// points, the sign of N 2^b − (2k + 1) w, a sum without rounding, decides.
 //
-// Points are counted in units of 2^-u pixels, u the larger of b and 4: samples, whose offsets are
-// sixteenths of a pixel, are such points, too.
+// Points are counted in units of 2^-u pixels, where u is the larger of b and 4. Samples, whose
+// offsets are sixteenths of a pixel, are then grid points too.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -21,14 +23,14 @@
 
 namespace rastercheck::rasterizer {
 
-/// A point in units of 2^-u pixels. Within the guard band both are at most 2^31 in size.
+/// A point in units of 2^-u pixels. Within the guard band |x| and |y| are at most 2^31.
 struct GridPoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
   bool operator==(const GridPoint&) const = default;
 };
 
-/// The viewport of a draw along one axis, as N needs it.
+/// The viewport of a draw along one axis, as used in N.
 struct GridAxis {
   double slope = 0;   ///< ±W (±H)
   double origin = 0;  ///< 2x0 (2y0)
@@ -42,11 +44,11 @@ struct Grid {
   int unit_bits = 0;  ///< u
 };
 
-/// u of a snapping.
+/// Returns u for a snapping.
 int unit_bits(const Snapping& snapping);
 
-/// The point, of the two that a position lies in the middle between, that it goes to. All are
-/// counted in units of 2^-b pixels.
+/// Returns the point that a position halfway between two points rounds to; `below` is the lower of
+/// the two. All are in units of 2^-b pixels.
 std::int64_t tie_point(Rounding rounding, std::int64_t below);
 
 Grid grid_of(const State& state);
@@ -55,10 +57,10 @@ Grid grid_of(const State& state);
 void add_window_numerator(ExactSum& sum, const GridAxis& axis, float coordinate, float w,
                           double factor);
 
-/// Whether the vertex has w > 0 and lies within the guard band.
+/// True if the vertex has w > 0 and lies within the guard band.
 bool is_within_guard_band(const Grid& grid, const glm::vec4& position);
 
-/// The grid point of a vertex within the guard band.
+/// Returns the grid point of a vertex within the guard band.
 GridPoint snapped(const Grid& grid, const glm::vec4& position);
 
 }  // namespace rastercheck::rasterizer

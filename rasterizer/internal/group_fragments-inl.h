@@ -1,4 +1,6 @@
-// What small triangles of a group cover, and their fragments. Included once for each SIMD target.
+// Route: frames.
+//
+// Coverage and fragments of a group's small triangles. Included once for each SIMD target.
 
 #include <array>
 #include <bit>
@@ -12,6 +14,7 @@
 #define RASTERCHECK_GROUP_FRAGMENTS_INL_H_
 #endif
 
+#include "rasterizer/internal/evaluation-inl.h"
 #include "rasterizer/internal/group_lanes-inl.h"
 #include "rasterizer/internal/masks.h"
 #include "rasterizer/internal/tile_kernels.h"
@@ -21,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// Where the boxes of the small triangles are, and how large the largest is.
+/// The boxes of the small triangles, and the greatest width and height.
 struct SmallBoxes {
   Extent columns;
   Extent rows;
@@ -29,15 +32,16 @@ struct SmallBoxes {
   int height = 0;
 };
 
-/// What small triangles cover: bit 8 y + x of a lane's word is a sample of its box.
+/// Coverage of small triangles: bit 8 y + x of a lane's word is the sample of pixel (x, y) of the
+/// triangle's box.
 struct Cover {
   Bits covered;
-  Bits doubtful;   ///< within the band of an edge, and beyond no other
-  Bits at_vertex;  ///< of the covered, those on two edges
-  Lanes has_ties;  ///< a sample is on an edge; known where vertices are found
+  Bits doubtful;   ///< within an edge's band, and outside no other edge
+  Bits at_vertex;  ///< covered samples on two edges
+  Lanes has_ties;  ///< whether a sample is on an edge; set only if vertices are searched for
 };
 
-/// The samples of boxes.
+/// The bits of all samples in the boxes.
 HWY_INLINE Bits SamplesOf(const SmallBoxes& boxes) {
   const Doubles d;
   const Words words;
@@ -56,7 +60,7 @@ HWY_INLINE Bits SamplesOf(const SmallBoxes& boxes) {
                  bits_below(heights, boxes.height, 0xff, 8));
 }
 
-/// Of the samples of boxes whose first are at U, V.
+/// The coverage of the boxes, whose first samples are at `u_first`, `v_first`.
 HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, const SmallBoxes& boxes,
                             Vector u_first, Vector v_first, bool finds_vertices) {
   const Doubles d;
@@ -109,57 +113,58 @@ HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, cons
   return cover;
 }
 
-/// A fragment of the group: its lane, and its bit in what that covers.
+/// Encodes a fragment of the group: its lane, and its bit in the lane's coverage.
 using Code = std::uint32_t;
 constexpr int kCodeLane = 6;
 
-/// Bits of a column, or a row, of a tile.
+/// Number of bits of a tile's column or row index.
 constexpr int kTileBits = 6;
 static_assert(1 << kTileBits == kTileSize);
 
-/// Puts depth and attributes of a vector of fragments at U, V, of triangles in these lanes.
-HWY_INLINE void PutValues(const KernelSetting& setting, const Part& part, hn::Vec<HalfWords> lane,
-                          Vector u, Vector v, std::size_t at, FragmentList& out) {
-  const Doubles d;
-  const Halves floats;
-  const auto of_lane = hn::IndicesFromVec(d, hn::PromoteTo(Words(), lane));
-  const auto plane = [&](std::size_t at_a, std::size_t at_b, std::size_t at_c) HWY_ATTR {
-    const auto a = hn::TableLookupLanes(part.Get(at_a), of_lane);
-    const auto b = hn::TableLookupLanes(part.Get(at_b), of_lane);
-    const auto c = hn::TableLookupLanes(part.Get(at_c), of_lane);
-    return hn::Add(hn::Mul(a, u), hn::Add(hn::Mul(b, v), c));
-  };
-  const auto plane_at = [&](std::size_t number)
-                            HWY_ATTR { return plane(number, number + 1, number + 2); };
-  const auto depth = hn::Min(hn::Max(plane_at(Numbers::kDepth), hn::Set(d, setting.depth_least)),
-                             hn::Set(d, setting.depth_greatest));
-  hn::StoreU(hn::DemoteTo(floats, depth), floats, out.depth.data() + at);
-  auto reciprocal = hn::Zero(d);
-  if (setting.has_smooth) {
+/// Planes of a group's triangles at a vector of fragments. The fragments may belong to different
+/// triangles.
+struct PlanesOfLanes {
+  const KernelSetting& setting;
+  const Part& part;
+  decltype(hn::IndicesFromVec(
+      Doubles(), hn::Zero(Words()))) of_lane;  ///< the lane of each fragment's triangle
+  Vector u;
+  Vector v;
+
+  HWY_INLINE std::size_t Count() const { return setting.attributes; }
+  HWY_INLINE bool HasSmooth() const { return setting.has_smooth; }
+  HWY_INLINE Interpolation InterpolationOf(std::size_t a) const { return setting.interpolation[a]; }
+  HWY_INLINE Vector Depth() const { return At(Numbers::kDepth); }
+  HWY_INLINE Vector Sum() const {
     constexpr std::size_t kAt = Numbers::kDenominator;
-    const auto sum = plane(Numbers::kA + kAt, Numbers::kB + kAt, Numbers::kC + kAt);
-    reciprocal = hn::Div(hn::Set(d, 1.0), sum);
+    return At(Numbers::kA + kAt, Numbers::kB + kAt, Numbers::kC + kAt);
   }
-  for (std::size_t a = 0; a < setting.attributes; ++a) {
-    const std::size_t number = Numbers::kValues + 3 * a;
-    Vector value;
-    switch (setting.interpolation[a]) {
-      case Interpolation::smooth:
-        value = hn::Mul(plane_at(number), reciprocal);
-        break;
-      case Interpolation::noperspective:
-        value = plane_at(number);
-        break;
-      case Interpolation::flat:
-        value = hn::TableLookupLanes(part.Get(number + 2), of_lane);
-        break;
-    }
+  HWY_INLINE Vector Value(std::size_t a) const { return At(Numbers::kValues + 3 * a); }
+  HWY_INLINE Vector Flat(std::size_t a) const { return Get(Numbers::kValues + 3 * a + 2); }
+
+ private:
+  HWY_INLINE Vector Get(std::size_t number) const {
+    return hn::TableLookupLanes(part.Get(number), of_lane);
+  }
+  HWY_INLINE Vector At(std::size_t number) const { return At(number, number + 1, number + 2); }
+  HWY_INLINE Vector At(std::size_t a, std::size_t b, std::size_t c) const {
+    return OnPlane(Get(a), u, hn::Add(hn::Mul(Get(b), v), Get(c)));
+  }
+};
+
+/// Stores depth and attributes of a vector of fragments.
+HWY_INLINE void PutValues(const KernelSetting& setting, const PlanesOfLanes& planes, std::size_t at,
+                          FragmentList& out) {
+  const Halves floats;
+  const auto depth = Clamped(planes.Depth(), setting.depth_least, setting.depth_greatest);
+  hn::StoreU(hn::DemoteTo(floats, depth), floats, out.depth.data() + at);
+  EvaluateAttributes(planes, [&](std::size_t a, Vector value, Vector /*reciprocal*/) HWY_ATTR {
     hn::StoreU(RoundToFloats(value), floats, out.attributes[a].data() + at);
-  }
+  });
 }
 
-/// Puts tiles and keys of a vector of fragments. `places`: pixels, the column in the low half, as
-/// no coordinate has more than 14 bits.
+/// Stores tiles and keys of a vector of fragments. `places` are pixels: the column in the low half,
+/// the row in the high half. Both have at most 14 bits.
 HWY_INLINE void PutKeys(const KernelSetting& setting, hn::Vec<HalfWords> triangle,
                         std::size_t sample, hn::Vec<Ints> places, std::size_t at,
                         FragmentList& out) {
@@ -179,7 +184,7 @@ HWY_INLINE void PutKeys(const KernelSetting& setting, hn::Vec<HalfWords> triangl
   hn::StoreU(key, words, out.key.data() + at);
 }
 
-/// Puts the fragments in `codes`, whose arrays have room for whole vectors.
+/// Stores the fragments in `codes`. `codes` and the arrays of `out` have room for whole vectors.
 HWY_INLINE void PutFragments(const KernelSetting& setting, const Part& part, std::size_t sample,
                              const Code* codes, std::size_t count, std::uint32_t first,
                              FragmentList& out) {
@@ -209,7 +214,7 @@ HWY_INLINE void PutFragments(const KernelSetting& setting, const Part& part, std
                            hn::Mul(hn::PromoteTo(d, x), hn::Set(d, setting.u_step)));
     const auto v = hn::Add(hn::TableLookupLanes(v_corners, of_lane),
                            hn::Mul(hn::PromoteTo(d, y), hn::Set(d, setting.v_step)));
-    PutValues(setting, part, lane, u, v, out.size + k, out);
+    PutValues(setting, {setting, part, of_lane, u, v}, out.size + k, out);
     const auto places =
         hn::Add(hn::TableLookupLanes(corners, of_half), hn::Or(x, hn::ShiftLeft<16>(y)));
     const auto triangle = hn::Add(hn::Set(words, first), lane);
@@ -218,7 +223,8 @@ HWY_INLINE void PutFragments(const KernelSetting& setting, const Part& part, std
   out.size += count;
 }
 
-/// A fragment at a vertex has the vertex's values: that of the edge it is not on.
+/// Gives a fragment at a vertex the values of that vertex. The vertex is opposite the only edge
+/// that the fragment is not on.
 inline void PutVertexValues(const KernelSetting& setting, const GroupInput& input,
                             const GroupOutput& output, std::size_t sample, std::size_t lane,
                             Code bit, std::size_t at, FragmentList& out) {
@@ -235,12 +241,12 @@ inline void PutVertexValues(const KernelSetting& setting, const GroupInput& inpu
   }
   for (std::size_t a = 0; a < setting.attributes; ++a) {
     if (setting.interpolation[a] == Interpolation::flat) continue;
-    out.attributes[a][at] =
-        input.attributes[vertex][lane * setting.attributes + a] + 0.0F;  // an exact sum is not −0
+    // Adding 0 turns −0 into 0: an exact sum is never −0.
+    out.attributes[a][at] = input.attributes[vertex][lane * setting.attributes + a] + 0.0F;
   }
 }
 
-/// Of the small triangles by sample and lane, as Cover has it.
+/// Coverage of the small triangles by sample and lane, as in Cover.
 struct SmallCover {
   template <typename T>
   using PerSample = std::array<T, DrawBounds::kMaxSamples>;
@@ -249,9 +255,10 @@ struct SmallCover {
   Mask ties;  ///< lanes with samples on edges, or next to them
 };
 
-/// Covers the `small` triangles. Returns those that it did not: where double is
-/// not enough for the denominator, or a sample is within the band of an edge. `is_exact`: whether
-/// edges without a band have their limits, which they are given where there is need.
+/// Computes the coverage of the `small` triangles. Returns the triangles that it leaves out:
+/// those for whose denominator double does not suffice, and those with a sample within the band of
+/// an edge. `is_exact` tells whether the limits of edges without a band are set already. If not,
+/// sets them once they are needed, and updates `is_exact`.
 HWY_INLINE Mask CoverSmall(const KernelSetting& setting, const Corners& p, const Part& part,
                            const SmallBoxes& boxes, Mask small, bool& is_exact, SmallCover& out) {
   const Doubles d;
@@ -327,7 +334,8 @@ inline void AppendFragments(const KernelSetting& setting, const GroupInput& inpu
         vertices[vertex_count++] = {count + static_cast<std::size_t>(std::popcount(before)), lane,
                                     static_cast<Code>(place)};
       });
-      // Four at a time, of which some may be beyond the last: how many there are is not foreseen.
+      // Writes four codes at a time, possibly beyond the last: the processor cannot predict the
+      // count.
       const auto end = count + static_cast<std::size_t>(std::popcount(bits));
       std::uint64_t rest = bits;
       do {

@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/group_kernels.h"
 
@@ -13,7 +13,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/group_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/group_fragments-inl.h"
@@ -24,7 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// The same attribute of all lanes: apart in memory, but two of them are taken apart at once.
+/// Loads an attribute's values for all lanes. Attributes alternate in memory; if there are two
+/// attributes, both are separated at once.
 HWY_INLINE Three Values(const KernelSetting& setting, const GroupInput& input,
                         std::size_t attribute, std::size_t from) {
   const Doubles d;
@@ -48,7 +49,7 @@ HWY_INLINE Three Values(const KernelSetting& setting, const GroupInput& input,
   return r;
 }
 
-/// Whether they are not finite, or all −0: no sum holds those.
+/// Lanes where a value is not finite, or all values are −0: sums cannot reproduce such values.
 HWY_INLINE Lanes AreCopied(const Three& r) {
   const Doubles d;
   const Words words;
@@ -64,8 +65,8 @@ HWY_INLINE Lanes AreCopied(const Three& r) {
   return hn::Or(not_finite, hn::And(is(all), is(any)));
 }
 
-/// Puts the half-planes of triangles: those of depth planes that cut none just where some
-/// `may_be_numbered`.
+/// Stores the half-planes of triangles. If a depth plane cuts no triangle, its half-plane is
+/// stored only if `may_be_numbered`.
 HWY_INLINE void PutHalfPlanes(const KernelSetting& setting, const Part& part,
                               const Outline& outline, bool may_be_numbered) {
   const Doubles d;
@@ -86,7 +87,7 @@ HWY_INLINE void PutHalfPlanes(const KernelSetting& setting, const Part& part,
   }
 }
 
-/// The depth of a plane of equal depth: that of the vertex with the greatest |w|.
+/// The depth of a plane of constant depth, computed at the vertex with the greatest |w|.
 HWY_INLINE Vector LevelDepth(const KernelSetting& setting, const Corners& p) {
   const Doubles d;
   auto z = p.z[0];
@@ -100,8 +101,8 @@ HWY_INLINE Vector LevelDepth(const KernelSetting& setting, const Corners& p) {
                  hn::Mul(hn::Set(d, setting.depth_span), hn::Div(z, w)));
 }
 
-/// Puts the planes of depths; `scale` is 1 / (|det| T). Returns the triangles for which double
-/// holds them (certificates.h).
+/// Stores the planes of depths; `scale` is 1 / (|det| T). Returns the triangles for whose depths
+/// double suffices (certificates.h).
 HWY_INLINE Lanes PutDepth(const KernelSetting& setting, const Part& part, const Corners& p,
                           const Outline& outline, Vector scale) {
   const Doubles d;
@@ -123,7 +124,7 @@ HWY_INLINE Lanes PutDepth(const KernelSetting& setting, const Part& part, const 
   return certain;
 }
 
-/// Puts denominators: Σ E_i, or 1 where no smooth value is divided.
+/// Stores the denominators: Σ E_i, or 1 if no smooth value is divided.
 HWY_INLINE void PutDenominator(const KernelSetting& setting, const Part& part,
                                const Outline& outline, Lanes has_one_w) {
   const Doubles d;
@@ -143,8 +144,8 @@ HWY_INLINE void PutDenominator(const KernelSetting& setting, const Part& part,
                hn::Set(d, -std::numeric_limits<double>::infinity()));
 }
 
-/// Puts the planes of attributes, `scale` as PutDepth() has it. Returns the triangles of which one
-/// is to be copied as it is.
+/// Stores the planes of attributes, with `scale` as in PutDepth(). Returns the triangles with an
+/// attribute that must be copied unchanged.
 HWY_INLINE Lanes PutAttributes(const KernelSetting& setting, const GroupInput& input,
                                const Part& part, const Three& w, const Edges& edges, Vector scale,
                                Lanes has_one_w) {
@@ -158,7 +159,7 @@ HWY_INLINE Lanes PutAttributes(const KernelSetting& setting, const GroupInput& i
     const std::size_t number = Numbers::kValues + 3 * a;
     const Three r = Values(setting, input, a, part.from);
     if (setting.interpolation[a] == Interpolation::flat) {
-      // Infinities and NaNs are not copied bit for bit through another format.
+      // Conversion to another format would not copy infinities and NaNs bit for bit.
       const auto flat = r[setting.provoking];
       copied = hn::Or(copied, hn::Not(hn::Eq(hn::Mul(flat, zero), zero)));
       PutPlane(part, number, {zero, zero, flat});
@@ -174,8 +175,8 @@ HWY_INLINE Lanes PutAttributes(const KernelSetting& setting, const GroupInput& i
   return copied;
 }
 
-/// Puts half-planes and planes of triangles, the former as PutHalfPlanes() has it. Returns those
-/// whose values double holds.
+/// Stores the half-planes (as PutHalfPlanes() does) and planes of triangles. Returns the triangles
+/// for whose values double suffices.
 HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& input, const Part& part,
                             const Corners& p, const Outline& outline, bool may_be_numbered) {
   const Doubles d;
@@ -213,14 +214,14 @@ HWY_INLINE void PutBoxes(const Part& part, const Extent& columns, const Extent& 
   }
 }
 
-/// Calls `visit` with the lanes between one of `borders` and the next, in ascending order, unless
-/// there are none. Fragments go sample by sample, so that those of triangles on either side of one
-/// that is drawn tile by tile are to be appended apart.
+/// Splits `lanes` into runs at the lanes in `borders`, and calls `visit` with each run, in
+/// ascending order. Fragments are appended sample by sample. If a triangle is drawn tile by tile,
+/// the triangles before it and those after it must therefore be appended separately.
 template <typename Visit>
 void for_each_run(Mask lanes, Mask borders, const Visit& visit) {
   while (lanes != 0) {
     const Mask beyond = borders & ~Mask{0} << std::countr_zero(lanes);
-    const Mask run = lanes & ~beyond & (beyond - 1);  // before the first of them
+    const Mask run = lanes & ~beyond & (beyond - 1);  // before the first border
     visit(run);
     lanes &= ~run;
   }
@@ -232,8 +233,9 @@ HWY_INLINE void PutFate(const Part& part, Mask lanes, LaneFate fate) {
   });
 }
 
-/// What `small` triangles cover, for those lanes that are to become cells: what covers nothing is
-/// hidden. Those with a sample at a vertex are drawn by numbers, as values there are the vertex's.
+/// Stores the coverage of `small` triangles that become cells. A triangle that covers nothing is
+/// hidden. A triangle that covers a sample at a vertex is drawn from its numbers, because that
+/// sample takes the vertex's values.
 HWY_INLINE void PutCovers(const KernelSetting& setting, const Part& part, const SmallCover& cover,
                           Mask small) {
   GroupOutput& output = *part.output;
@@ -251,8 +253,8 @@ HWY_INLINE void PutCovers(const KernelSetting& setting, const Part& part, const 
   });
 }
 
-/// Numbers and fates of the lanes of a part, of which `live` are triangles; and the fragments of
-/// the small ones.
+/// Computes the numbers and fates of a part's triangles, which are in the lanes `live`, and the
+/// fragments of the small triangles.
 void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part& part, Mask live,
                std::uint32_t first, FragmentList& fragments) {
   const Doubles d;
@@ -262,7 +264,8 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const Mask finite = BitsOf(d, AreFinite(p)) & live;
   Mask left = finite & BitsOf(d, outline.left);
   Mask kept = finite & ~left & ~BitsOf(d, outline.hidden);
-  // Only of what is left, as many meshes have none. On the grid others are degenerate.
+  // Checked only if `left` has lanes, because in many meshes it has none. If vertices are snapped,
+  // the fallback decides which triangles are degenerate.
   const Mask degenerate = left == 0 || setting.snaps ? 0 : left & BitsOf(d, HaveTwins(p));
   left &= ~degenerate;
   std::fill_n(output.fate.data() + part.from, hn::Lanes(d), LaneFate::hidden);
@@ -271,7 +274,7 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   PutFate(part, left, LaneFate::left);
   if (kept == 0) return;
 
-  // What is small, and how large the largest of that is.
+  // Finds the small triangles, and the size of the largest of them.
   const Extent& columns = outline.columns;
   const Extent& rows = outline.rows;
   const auto widths = hn::Sub(columns.end, columns.begin);
@@ -280,7 +283,7 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const Lanes is_small =
       All(hn::Le(widths, most), hn::Le(heights, most), hn::And(outline.in_front, outline.is_whole));
   const Mask small_of_all = BitsOf(d, is_small);
-  // Of what becomes cells, some small ones may have to be drawn by their numbers yet.
+  // Small triangles that become cells may still have to be drawn from their numbers.
   const bool may_be_numbered = (kept & ~small_of_all) != 0 || setting.makes_cells;
   const Mask trusted = BitsOf(d, PutNumbers(setting, input, part, p, outline, may_be_numbered));
   left |= kept & ~trusted;
@@ -292,7 +295,7 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const SmallBoxes boxes{columns, rows, greatest_of(widths), greatest_of(heights)};
   PutBoxes(part, columns, rows);
   Mask large = kept & ~small;
-  // Where the last ones had ties, these will.
+  // If the last group had ties, this group probably has ties, too.
   const bool needs_limits = !setting.snaps && (large != 0 || output.had_ties);
   bool is_exact = needs_limits ? SetExactLimits(setting, part, p) : setting.snaps;
 

@@ -1,5 +1,7 @@
-// What triangles in the lanes of vectors are to the kernels of groups: corners, edges, planes, and
-// where their numbers go. Included once for each SIMD target, as Highway has it.
+// Route: frames.
+//
+// Triangles in the lanes of vectors, for the group kernels: corners, edges, planes, and the storage
+// of their numbers. Included once per SIMD target, as Highway requires.
 
 #include <array>
 #include <cstddef>
@@ -31,10 +33,10 @@ using Numbers = TriangleNumbers;
 
 HWY_INLINE Lanes Never() { return hn::FirstN(Doubles(), 0); }
 
-/// All three.
+/// a AND b AND c.
 HWY_INLINE Lanes All(Lanes a, Lanes b, Lanes c) { return hn::And(hn::And(a, b), c); }
 
-/// The vectors of a group that are at hand: lanes `from` and on of its arrays.
+/// The part of a group that one vector holds: the lanes from `from` on.
 struct Part {
   std::size_t from = 0;
   GroupOutput* output = nullptr;
@@ -72,7 +74,7 @@ HWY_INLINE Corners LoadCorners(const GroupInput& input, std::size_t from) {
   return p;
 }
 
-/// Whether no term is infinite or not a number: those times 0 are not 0.
+/// Lanes whose coordinates are all finite: infinity or NaN times 0 is not 0.
 HWY_INLINE Lanes AreFinite(const Corners& p) {
   const auto zero = hn::Zero(Doubles());
   auto sum = zero;
@@ -83,7 +85,7 @@ HWY_INLINE Lanes AreFinite(const Corners& p) {
   return hn::Eq(sum, zero);
 }
 
-/// Whether two corners are the same but for z, so that the determinant is 0.
+/// Lanes where two corners are equal except for z, so that the determinant is 0.
 HWY_INLINE Lanes HaveTwins(const Corners& p) {
   const auto are_same = [&p](std::size_t q, std::size_t r) HWY_ATTR {
     return All(hn::Eq(p.x[q], p.x[r]), hn::Eq(p.y[q], p.y[r]), hn::Eq(p.w[q], p.w[r]));
@@ -91,7 +93,7 @@ HWY_INLINE Lanes HaveTwins(const Corners& p) {
   return hn::Or(are_same(0, 1), hn::Or(are_same(1, 2), are_same(2, 0)));
 }
 
-/// The edges' coefficients, not yet turned by the orientation.
+/// The edges' coefficients, before the sign of the orientation is applied.
 struct Edges {
   Three a;
   Three b;
@@ -134,7 +136,7 @@ HWY_INLINE PlaneLanes Collect(const Edges& edges, const Three& k, Vector t, Vect
           hn::Add(hn::Mul(hn::Mul(Sum(k, edges.c), t), scale), offset)};
 }
 
-/// In some lanes the same everywhere.
+/// Replaces the plane by a constant in some lanes.
 HWY_INLINE PlaneLanes Constant(Lanes lanes, Vector constant, const PlaneLanes& plane) {
   return {hn::IfThenZeroElse(lanes, plane.a), hn::IfThenZeroElse(lanes, plane.b),
           hn::IfThenElse(lanes, constant, plane.c)};
@@ -155,18 +157,19 @@ HWY_INLINE void PutHalfPlane(const Part& part, std::size_t index, const PlaneLan
   part.Put(Numbers::kPossible + index, possible);
 }
 
-/// What lies just beyond −band.
+/// The double just below −band.
 HWY_INLINE Vector BeyondBand(Vector band) {
   const Words words;
   return hn::Neg(
       hn::BitCast(Doubles(), hn::Add(hn::BitCast(words, band), hn::Set(words, std::uint64_t{1}))));
 }
 
-/// What a clip plane makes of the triangles: the signs of its distances decide most.
+/// How the triangles lie relative to a clip plane. The signs of the corners' distances decide most
+/// cases.
 struct Clip {
-  Three g;
-  Lanes hides;    ///< all of a triangle is beyond it
-  Lanes is_away;  ///< nothing is
+  Three g;        ///< the corners' distances
+  Lanes hides;    ///< the whole triangle is beyond the plane
+  Lanes is_away;  ///< no part of the triangle is beyond the plane
 };
 
 HWY_INLINE Clip ClipBy(const Three& g) {
@@ -175,7 +178,7 @@ HWY_INLINE Clip ClipBy(const Three& g) {
           All(hn::Ge(g[0], zero), hn::Ge(g[1], zero), hn::Ge(g[2], zero))};
 }
 
-/// Distances add · w + times · k of each corner.
+/// The distances add · w + times · k of each corner.
 HWY_INLINE Three Distances(const Three& w, const Three& k, double add, double times) {
   const Doubles d;
   Three g;
@@ -185,15 +188,15 @@ HWY_INLINE Three Distances(const Three& w, const Three& k, double add, double ti
   return g;
 }
 
-/// Whether all corners are beyond one side of the viewport: with them is all that weights E_i >= 0
-/// make of them.
+/// Lanes whose corners are all beyond one side of the viewport. Every point with weights E_i >= 0
+/// is then beyond that side, too.
 HWY_INLINE Lanes IsBeside(const Three& w, const Three& x, const Three& y) {
   return hn::Or(hn::Or(ClipBy(Distances(w, x, 1, 1)).hides, ClipBy(Distances(w, x, 1, -1)).hides),
                 hn::Or(ClipBy(Distances(w, y, 1, 1)).hides, ClipBy(Distances(w, y, 1, -1)).hides));
 }
 
-/// The half-plane of a depth plane. Its distances have a rounding, and what is collected of edges
-/// in which nothing is rounded has as many as of others: twice what plane.h says is more than that.
+/// Stores the half-plane of a depth plane. The corners' distances are rounded once, and planes of
+/// exact edges are rounded as often as other planes. Twice the error bound of plane.h covers both.
 HWY_INLINE void PutClip(const Part& part, std::size_t index, const Clip& clip, const Edges& edges,
                         const Three& band, Vector t) {
   const Doubles d;
@@ -205,15 +208,14 @@ HWY_INLINE void PutClip(const Part& part, std::size_t index, const Clip& clip, c
                hn::IfThenZeroElse(clip.is_away, BeyondBand(error)));
 }
 
-/// Pixels along one axis.
+/// A range of pixels along one axis.
 struct Extent {
   Vector begin;
   Vector end;
 };
 
-/// The pixels whose samples lie within the extent of the corners (`clip` times `share`) and 2^-20
-/// more on each side: far more than what their window positions are off by where these lie near the
-/// target.
+/// The pixels whose samples lie within the extent of the corners (`clip` times `share`), enlarged
+/// by 2^-20 on each side. That is far more than the error of window positions near the target.
 HWY_INLINE Extent ExtentOf(const KernelSetting& setting, Lanes in_front, const Three& clip,
                            const Three& share, double middle, double half,
                            const PixelRange& bounds) {
@@ -234,7 +236,7 @@ HWY_INLINE Extent ExtentOf(const KernelSetting& setting, Lanes in_front, const T
           hn::IfThenElse(in_front, hn::Min(hn::Max(end, least), most), most)};
 }
 
-/// |v|'s lowest bit; infinite for 0.
+/// The lowest set bit of |v| as a number; infinite for 0.
 HWY_INLINE Vector LowestBit(Vector v) {
   const Doubles d;
   const Words words;
@@ -247,7 +249,7 @@ HWY_INLINE Vector LowestBit(Vector v) {
                         lowest);
 }
 
-/// Whether nothing is rounded in p q − r t.
+/// Lanes where p q − r t is computed without rounding.
 HWY_INLINE Lanes IsExact(Vector p, Vector q, Vector r, Vector t) {
   const auto x = hn::Mul(p, q);
   const auto y = hn::Mul(r, t);
@@ -257,7 +259,7 @@ HWY_INLINE Lanes IsExact(Vector p, Vector q, Vector r, Vector t) {
   return hn::Eq(error, hn::Zero(Doubles()));
 }
 
-/// S_i of an edge (edge_functions.h).
+/// S_i for an edge (edge_functions.h).
 HWY_INLINE Vector GreatestOf(const KernelSetting& setting, Vector a, Vector b, Vector c) {
   const Doubles d;
   return hn::Add(hn::Add(hn::Mul(hn::Abs(a), hn::Set(d, setting.u_greatest)),
@@ -265,7 +267,8 @@ HWY_INLINE Vector GreatestOf(const KernelSetting& setting, Vector a, Vector b, V
                  hn::Mul(hn::Abs(c), hn::Set(d, setting.t)));
 }
 
-/// What values lie above at the samples of an edge without a band, by the fill rule.
+/// The limit of an edge without a band. By the fill rule, a sample is inside the edge if its value
+/// is above the limit.
 HWY_INLINE Vector LimitOf(const KernelSetting& setting, Vector a, Vector b) {
   const Doubles d;
   const auto zero = hn::Zero(d);
@@ -275,8 +278,8 @@ HWY_INLINE Vector LimitOf(const KernelSetting& setting, Vector a, Vector b) {
   return hn::IfThenElseZero(owns, hn::Set(d, -std::numeric_limits<double>::denorm_min()));
 }
 
-/// Gives edges in which nothing is rounded their limits (is_exact of edge_functions.cpp). Returns
-/// whether there are any.
+/// Sets the limits of edges that are computed without rounding (is_exact of edge_functions.cpp).
+/// Returns true if at least one edge is exact.
 HWY_INLINE bool SetExactLimits(const KernelSetting& setting, const Part& part, const Corners& p) {
   const Doubles d;
   bool any = false;

@@ -1,4 +1,6 @@
-// The first half of a group's set-up: what bounds triangles, what hides them, where they may be.
+// Route: frames.
+//
+// The first half of a group's set-up: the triangles' bounds, visibility and boxes.
 // Included once for each SIMD target.
 
 #include <array>
@@ -18,29 +20,31 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// How far sums may be off, as shares of their terms' sizes: a plane of edges (plane.h), one of
-/// snapped vertices' weights (weights.h), a determinant (determinant.cpp), the numerator of a
-/// window coordinate; and the quotient that this is divided to, in half units (grid_position.cpp).
+/// Error bounds. The first four are relative to the sum of the terms' magnitudes: for a plane of
+/// edges (plane.h), a plane of snapped vertices' weights (weights.h), a determinant
+/// (determinant.cpp) and the numerator of a window coordinate. The last is for the quotient of that
+/// numerator and w, in half grid units (grid_position.cpp).
 constexpr double kPlaneError = 8 * 0x1p-53;
 constexpr double kPlacedPlaneError = 10 * 0x1p-53;
 constexpr double kDeterminantError = 8 * 0x1p-53;
 constexpr double kNumeratorError = 0x1p-51;
 constexpr double kQuotientError = 0x1p-20;
 
-/// What triangles cover and what their values are made of, before these are looked at.
+/// The triangles' bounding lines and weights. They are known before samples and values are
+/// examined.
 struct Outline {
-  Edges lines;  ///< what bounds them, c times T
+  Edges lines;  ///< lines that bound the triangles; c is multiplied by T
   Three sure;   ///< TriangleNumbers::kSure of the lines
   Three possible;
   Edges edges;  ///< the weights E_i
-  Three band;   ///< their plane_band (plane.h)
+  Three band;   ///< plane_band of `edges` (plane.h)
   Vector det_t;
   Clip near;
   Clip far;
-  Lanes left;      ///< they are not plain enough
-  Lanes hidden;    ///< unless left
-  Lanes is_whole;  ///< no depth plane cuts them
-  Lanes in_front;  ///< all w > 0
+  Lanes left;      ///< triangles that the kernels leave to the fallback
+  Lanes hidden;    ///< hidden triangles, except those in `left`
+  Lanes is_whole;  ///< triangles that no depth plane cuts
+  Lanes in_front;  ///< triangles with all w > 0
   Extent columns;
   Extent rows;
 };
@@ -59,7 +63,7 @@ HWY_INLINE Lanes IsEmpty(const Extent& columns, const Extent& rows) {
   return hn::Or(hn::Ge(columns.begin, columns.end), hn::Ge(rows.begin, rows.end));
 }
 
-/// That of the clip positions, exactly.
+/// The outline of the exact clip positions.
 HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) {
   const Doubles d;
   const auto zero = hn::Zero(d);
@@ -88,7 +92,7 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) 
     out.possible[i] = BeyondBand(out.band[i]);
   }
 
-  // With all w <= 0 no weights E_i >= 0 make a point in front of the eye.
+  // If all w <= 0, weights E_i >= 0 give no point in front of the eye.
   out.hidden = hn::Or(IsBeside(w, p.x, p.y), IsCulled(setting, determinant));
   out.hidden = hn::Or(out.hidden, All(hn::Le(w[0], zero), hn::Le(w[1], zero), hn::Le(w[2], zero)));
   out.near = ClipBy(Distances(w, p.z, setting.near_w, 1));
@@ -98,7 +102,7 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) 
     out.hidden = hn::Or(out.hidden, hn::Or(out.near.hides, out.far.hides));
     out.is_whole = hn::And(out.near.is_away, out.far.is_away);
   }
-  // What reaches behind the eye may touch any pixel.
+  // A triangle that reaches behind the eye may touch any pixel.
   out.in_front = All(hn::Gt(w[0], zero), hn::Gt(w[1], zero), hn::Gt(w[2], zero));
   const Three share{hn::Div(one, w[0]), hn::Div(one, w[1]), hn::Div(one, w[2])};
   out.columns = ExtentOf(setting, out.in_front, p.x, share, setting.u_middle, setting.u_half,
@@ -112,8 +116,8 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) 
   return out;
 }
 
-/// A coordinate on the grid (grid_position.h); `certain` keeps the lanes in which double tells the
-/// nearest point, within the guard band.
+/// Snaps a coordinate to the grid (grid_position.h). Keeps in `certain` only the lanes that are
+/// within the guard band and for which double decides the nearest point.
 HWY_INLINE Vector SnappedTo(const GridAxis& axis, double half_units, Vector coordinate, Vector w,
                             Lanes& certain) {
   const Doubles d;
@@ -137,8 +141,9 @@ HWY_INLINE Vector SnappedTo(const GridAxis& axis, double half_units, Vector coor
   return hn::Add(below, hn::IfThenElseZero(is_up, hn::Set(d, 1.0)));
 }
 
-/// That of the snapped vertices, with their weights (weights.h, "placed"): only where nothing is
-/// clipped. With kMostKernelBits lines are whole numbers that double holds.
+/// The outline of the snapped vertices, with their weights (weights.h, "placed"), for triangles
+/// that are not clipped. With at most kMostKernelBits bits, double holds the lines' whole numbers
+/// exactly.
 HWY_INLINE Outline SnappedOutline(const KernelSetting& setting, const Corners& p) {
   const Doubles d;
   const auto zero = hn::Zero(d);

@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/interleave.h"
 
@@ -14,7 +14,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/interleave.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/vectors-inl.h"
@@ -23,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// The arrays' rows of that number.
+/// Row y of each array.
 template <std::size_t kCount>
 std::array<float*, kCount> RowsAt(const TileRows& rows, std::size_t y) {
   std::array<float*, kCount> at{};
@@ -51,7 +51,7 @@ HWY_INLINE void InterleaveRow(const std::array<float*, kCount>& in, std::size_t 
   }
 }
 
-/// Copies numbers, whole cache lines past the caches.
+/// Copies numbers. Writes of whole cache lines bypass the caches.
 HWY_INLINE void StreamTo(float* out, const float* in, std::size_t count) {
   const Floats d;
   constexpr std::size_t kLine = 64 / sizeof(float);
@@ -77,7 +77,7 @@ void InterleaveRows(const TileRows& rows, float* out) {
     InterleaveRow<kCount>(in, rows.width, row.data());
     StreamTo(out, row.data(), kCount * rows.width);
   }
-  // Others may read it from now on.
+  // Other threads may read the output from now on.
   if (rows.streams) hwy::FlushStream();
 }
 
@@ -115,19 +115,19 @@ void Interleave(const TileRows& rows, float* out) {
   }
 }
 
-/// What numbers are as bytes, each in a word of its own.
+/// Converts numbers to bytes. Each byte has its own word.
 HWY_INLINE hn::Vec<HalfWords> BytesOf(const float* in) {
   const Doubles d;
   const auto one = hn::Set(d, 1.0);
   const auto value = hn::PromoteTo(d, hn::LoadU(Halves(), in));
   const auto positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
   const auto held = hn::IfThenElse(hn::Gt(positive, one), one, positive);
-  // The product of a float is exact in double.
+  // The product of a float and 255 is exact in double.
   const auto nearest = hn::Round(hn::Mul(held, hn::Set(d, 255.0)));
   return hn::BitCast(HalfWords(), hn::DemoteTo(Ints(), nearest));
 }
 
-/// Rows of one sample as words, the first byte lowest.
+/// Converts row y of one sample to words. The first channel is the lowest byte.
 void RowsToWords(const TileRows& rows, std::size_t sample, std::size_t y, std::uint32_t* out) {
   const HalfWords words;
   std::array<const float*, 4> in{};
@@ -170,7 +170,7 @@ void separate(const float* in, const TileRows& rows) { HWY_DYNAMIC_DISPATCH(Sepa
 
 namespace {
 
-/// Four bytes, the first lowest: as they lie in memory, whatever the processor's order.
+/// Writes four bytes, lowest first in memory, whatever the processor's byte order.
 void put_word(std::uint32_t word, std::uint8_t* out) {
   for (int k = 0; k < 4; ++k) out[k] = static_cast<std::uint8_t>(word >> 8 * k);
 }
@@ -180,7 +180,7 @@ std::uint32_t word_at(const std::uint8_t* in) {
   return word;
 }
 
-/// Where the four bytes of a sample are.
+/// The index of a sample's four bytes.
 std::size_t place_of(const TileRows& rows, std::size_t samples, std::size_t sample, std::size_t y,
                      std::size_t x) {
   return 4 * (samples * (rows.pitch * y + x) + sample);

@@ -11,7 +11,7 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Whether values are those of samples.
+/// True if all values are evaluated at samples.
 bool is_at_samples(const DrawSetting& setting) {
   const auto& attributes = setting.state.attributes;
   return setting.pattern.size() == 1 ||
@@ -25,7 +25,7 @@ bool is_same(const PixelRange& a, const PixelRange& b) {
   return a.begin == b.begin && a.end == b.end;
 }
 
-/// Whether the viewport cuts through no pixel, so that all samples have the same bounds.
+/// True if all samples have the same bounds, because the viewport cuts through no pixel.
 bool has_one_box(const DrawSetting& setting) {
   const DrawBounds& bounds = setting.bounds;
   for (std::size_t s = 1; s < setting.pattern.size(); ++s) {
@@ -35,7 +35,8 @@ bool has_one_box(const DrawSetting& setting) {
   return true;
 }
 
-/// Kernels round vertices to even points, which have to be a unit apart.
+/// True if the kernels can snap the vertices. They support only rounding to even, and only grid
+/// points that are one unit apart.
 bool is_snapped_by_kernels(const State& state) {
   const auto& [bits, rounding] = *state.snapping;
   return state.basis == Basis::snapped && rounding == Rounding::nearest_even &&

@@ -1,9 +1,12 @@
 #pragma once
 
-// What the kernels of frames (group_kernels.h, tile_kernels.h) know of a draw, and of a triangle:
-// numbers alone, as vectors want them. They draw values in double and at samples, no user clip
-// distances, and exact coverage in a viewport on a grid of 1/256 pixel (sample_frame.h), where
-// U and V of samples are exact, or that of snapped vertices where values are theirs.
+// Route: frames.
+//
+// A draw and a triangle as the kernels see them (group_kernels.h, tile_kernels.h): numbers only, as
+// vectors need them. The kernels evaluate values in double and at samples, without user clip
+// distances. Coverage is either exact, in a viewport on a grid of 1/256 pixel (sample_frame.h),
+// where U and V of samples are exact; or it is that of snapped vertices, if values also come from
+// the snapped vertices.
 
 #include <array>
 #include <cstddef>
@@ -15,42 +18,45 @@
 
 namespace rastercheck::rasterizer {
 
-/// With so many subpixel bits coordinates within the guard band are below 2^25, lines a x + b y + c
-/// between them at samples of a target below 2^53, and so is every sum of their terms.
+/// Maximum subpixel bits in the kernels. Coordinates within the guard band are then below 2^25. A
+/// line a x + b y + c between such points is below 2^53 at the samples of a target, and so are the
+/// sums of its terms.
 inline constexpr int kMostKernelBits = 10;
 
 struct KernelSetting {
   std::size_t samples = 1;
-  /// [sample]: U of column x is u_first + x u_step, without rounding; V of row y likewise.
+  /// [sample]: U of column x is u_first + x u_step, exactly; V of row y likewise.
   std::array<double, DrawBounds::kMaxSamples> u_first{};
   std::array<double, DrawBounds::kMaxSamples> v_first{};
   double u_step = 0;
   double v_step = 0;
-  /// Where in their pixels the first and the last samples are.
+  /// The least and greatest offset of a sample in its pixel.
   double least_offset = 0;
   double greatest_offset = 0;
   double t = 0;
   double u_greatest = 0;
   double v_greatest = 0;
-  /// Vertices are rounded to a grid (grid_position.h), and U, V are in its units; T = 1.
+  /// True if vertices are rounded to a grid (grid_position.h). U and V are then in grid units, and
+  /// T = 1.
   bool snaps = false;
   Grid grid;
-  double units = 1;  ///< of a pixel
-  /// The terms of an edge are multiples of these times a coefficient's lowest bit.
+  double units = 1;  ///< grid units per pixel
+  /// Each term of an edge is a multiple of the lowest bit of its coefficient times the term's
+  /// grain.
   double u_grain = 0;
   double v_grain = 0;
   double t_grain = 0;
-  /// What a coefficient's sign is multiplied with to say whether the edge owns its samples.
+  /// A coefficient's sign times its factor shows whether the edge owns the samples on its line.
   double u_owner = 0;
   double v_owner = 0;
-  /// Window position of an NDC position: middle + half · it.
+  /// Window position of an NDC position x: middle + half · x.
   double u_middle = 0;
   double u_half = 0;
   double v_middle = 0;
   double v_half = 0;
   PixelBox bounds;
   int tile_columns = 0;
-  bool culls_positive = false;  ///< triangles with a positive determinant, or area on the grid
+  bool culls_positive = false;  ///< true if positive determinants (on the grid: areas) are culled
   bool culls_negative = false;
   bool clips_depth = false;
   double near_w = 0;  ///< the near plane keeps z + near_w · w >= 0
@@ -65,41 +71,43 @@ struct KernelSetting {
   bool has_smooth = false;
   bool has_affine = false;
   bool all_smooth = false;
-  bool is_plain = false;  ///< all attributes are smooth, of which there are some; depth is tested
-  /// Whether small triangles are to become what they cover, not fragments (LaneFate::covered).
+  bool is_plain = false;  ///< true if all attributes, at least one, are smooth, and depth is tested
+  /// True if small triangles yield covered samples instead of fragments (LaneFate::covered).
   bool makes_cells = false;
 };
 
-/// Nothing where the kernels do not draw what the state asks for. `tile_columns`: tiles in a row of
-/// the framebuffer.
+/// Makes the kernels' setting; empty if the kernels cannot draw as the state asks. `tile_columns`
+/// is the number of tiles in a row of the framebuffer.
 std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile_columns);
 
-/// What depth and values of a triangle come from, by place. Planes are a, b, c (plane.h).
+/// Indices into the numbers of a triangle's planes for depth and values: a, b, c of plane.h for
+/// each.
 struct TrianglePlanes {
-  static constexpr std::size_t kSum = 0;  ///< Σ E_i; 1 where no value is divided
+  static constexpr std::size_t kSum = 0;  ///< Σ E_i; 1 if no value is divided
   static constexpr std::size_t kDepth = 3;
-  static constexpr std::size_t kValues = 6;  ///< of each attribute
+  static constexpr std::size_t kValues = 6;  ///< one plane per attribute
 
   static constexpr std::size_t count(std::size_t attributes) { return kValues + 3 * attributes; }
 };
 
-/// The numbers of a triangle, by place.
+/// Indices into the numbers of a triangle.
 struct TriangleNumbers {
-  /// A triangle's samples are those within six half-planes: of its edges, of the depth planes that
-  /// cut it (clip_functionals.h), and of the denominator where double is enough for that.
+  /// A triangle's samples lie in the intersection of six half-planes: those of its edges, those of
+  /// the depth planes that cut it (clip_functionals.h), and the half-plane where the denominator is
+  /// large enough for double.
   static constexpr std::size_t kHalfPlanes = 6;
   static constexpr std::size_t kNear = 3;
   static constexpr std::size_t kFar = 4;
   static constexpr std::size_t kDenominator = 5;  ///< TrianglePlanes::kSum
-  static constexpr std::size_t kA = 0;            ///< of each
+  static constexpr std::size_t kA = 0;            ///< one per half-plane
   static constexpr std::size_t kB = kHalfPlanes;
-  static constexpr std::size_t kC = 2 * kHalfPlanes;  ///< times T
-  /// A sample is surely within where a U + (b V + c) is above this: its band, or, where nothing is
-  /// rounded, what lies just below the least number that samples within may have.
+  static constexpr std::size_t kC = 2 * kHalfPlanes;  ///< c times T
+  /// A sample is surely inside if a U + (b V + c) is above this limit: the band or, if nothing is
+  /// rounded, the number just below the least value inside.
   static constexpr std::size_t kSure = 3 * kHalfPlanes;
-  /// A sample is surely beyond unless it is above this.
+  /// A sample is surely outside unless a U + (b V + c) is above this limit.
   static constexpr std::size_t kPossible = 4 * kHalfPlanes;
-  /// TrianglePlanes; with makes_cells kSum as well.
+  /// The first index of the TrianglePlanes; their kSum is filled in only if makes_cells.
   static constexpr std::size_t kPlanes = 5 * kHalfPlanes;
   static constexpr std::size_t kDepth = kPlanes + TrianglePlanes::kDepth;
   static constexpr std::size_t kValues = kPlanes + TrianglePlanes::kValues;

@@ -1,7 +1,9 @@
 #pragma once
 
-// Sets as words of bits: of samples of a block, where bit j is pixel `first + j`, of a tile's rows,
-// of lanes.
+// Route: all.
+//
+// Bit sets in a word: the samples of a block (bit j is pixel `first + j`), the rows of a tile, or
+// lanes.
 
 #include <algorithm>
 #include <bit>
@@ -14,13 +16,13 @@ namespace rastercheck::rasterizer {
 
 using Mask = std::uint64_t;
 
-/// Calls `visit` with the number of every set bit, in ascending order.
+/// Calls `visit` with the index of every set bit, in ascending order.
 template <typename Visit>
 void for_each_bit(Mask mask, const Visit& visit) {
   for (; mask != 0; mask &= mask - 1) visit(std::countr_zero(mask));
 }
 
-/// Bits j with begin <= first + j < end.
+/// Returns the bits j with begin <= first + j < end.
 inline Mask columns_mask(const PixelRange& columns, int first) {
   const int begin = std::clamp(columns.begin - first, 0, kBlockSize);
   const int end = std::clamp(columns.end - first, 0, kBlockSize);

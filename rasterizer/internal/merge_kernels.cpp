@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/merge_kernels.h"
 
@@ -10,7 +10,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/merge_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/cells-inl.h"
@@ -24,17 +24,17 @@ namespace HWY_NAMESPACE {
 using Pixels = hn::RebindToUnsigned<Floats>;
 using Word = hn::Vec<HalfWords>;
 
-/// Held to [0, 1], NaN as 0.
+/// Clamps to [0, 1]; NaN becomes 0.
 template <class D>
 HWY_INLINE hn::Vec<D> Held(D d, hn::Vec<D> value) {
   const auto positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
   return hn::Min(positive, hn::Set(d, 1.0F));
 }
 
-/// Added to a number in [0, 255] it leaves the nearest whole number as the last bits of the sum.
+/// If this is added to a number in [0, 255], the last bits of the sum are the nearest whole number.
 constexpr float kOnes = 0x1.8p23F;
 
-/// 255 s as kOnes has it, s in [0, 1]: nearest, ties to even.
+/// kOnes plus 255 s for s in [0, 1]. 255 s is rounded to the nearest byte, ties to even.
 HWY_INLINE hn::Vec<Floats> NearestByte(hn::Vec<Floats> held) {
   const Floats d;
   const auto most = hn::Set(d, 255.0F);
@@ -45,9 +45,9 @@ HWY_INLINE hn::Vec<Floats> NearestByte(hn::Vec<Floats> held) {
   const auto half = hn::Set(d, 0.5F);
   const auto product = hn::Mul(held, most);
   auto nearest = hn::Round(product);
-  // Rounding keeps order, so that only a product rounded to the middle between two bytes may have
-  // gone to the wrong one: there 256 s − s says on which side 255 s is, as nothing is lost of
-  // numbers so close.
+  // Rounding is monotone, so the nearest byte can be wrong only if the product was rounded to the
+  // middle between two bytes. In that case 256 s − product − s, which is exact because the numbers
+  // are so close, shows on which side of the middle 255 s is.
   const auto is_middle = hn::Eq(hn::Abs(hn::Sub(product, nearest)), half);
   if (!hn::AllFalse(d, is_middle)) {
     const auto rest = hn::Sub(hn::Sub(hn::Mul(held, hn::Set(d, 256.0F)), product), held);
@@ -60,11 +60,11 @@ HWY_INLINE hn::Vec<Floats> NearestByte(hn::Vec<Floats> held) {
 #endif
 }
 
-/// The word of four bytes as kOnes has them.
+/// Packs four bytes into a word. Each byte is given with kOnes added.
 HWY_INLINE hn::Vec<Pixels> WordOf(hn::Vec<Floats> red, hn::Vec<Floats> green, hn::Vec<Floats> blue,
                                   hn::Vec<Floats> alpha) {
   const Pixels d;
-  // The bits of kOnes, added up in the four places.
+  // The bits of kOnes, shifted to the four places and added up.
   constexpr auto kOnesBits = std::bit_cast<std::uint32_t>(kOnes);
   constexpr std::uint32_t kRest =
       kOnesBits + (kOnesBits << 8) + (kOnesBits << 16) + (kOnesBits << 24);
@@ -73,7 +73,7 @@ HWY_INLINE hn::Vec<Pixels> WordOf(hn::Vec<Floats> red, hn::Vec<Floats> green, hn
   return hn::Sub(hn::Add(low, hn::ShiftLeft<16>(high)), hn::Set(d, kRest));
 }
 
-/// A vector of a cell's colours, held to [0, 1].
+/// A vector of a cell's colours, clamped to [0, 1].
 struct HeldColor {
   hn::Vec<Floats> channel[4];
 };
@@ -90,7 +90,7 @@ HWY_INLINE hn::Vec<Pixels> WordsOf(const HeldColor& color) {
                 NearestByte(color.channel[2]), NearestByte(color.channel[3]));
 }
 
-/// 1 in the byte of a channel where it is 1/2.
+/// Words with a 1 in byte kByte where the channel is 1/2, and 0 elsewhere.
 template <int kByte>
 HWY_INLINE hn::Vec<Pixels> OneWhereHalf(hn::Vec<Floats> held) {
   const Floats d;
@@ -99,7 +99,7 @@ HWY_INLINE hn::Vec<Pixels> OneWhereHalf(hn::Vec<Floats> held) {
   return hn::IfThenElseZero(is_half, hn::Set(tag, std::uint32_t{1} << 8 * kByte));
 }
 
-/// The sums of words' bytes, at most 255.
+/// Adds two words byte by byte. Each sum is clamped to 255.
 HWY_INLINE hn::Vec<Pixels> SumOfBytes(hn::Vec<Pixels> a, hn::Vec<Pixels> b) {
   const Pixels d;
 #if HWY_TARGET == HWY_SCALAR
@@ -118,32 +118,33 @@ HWY_INLINE hn::Vec<Pixels> SumOfBytes(hn::Vec<Pixels> a, hn::Vec<Pixels> b) {
 #endif
 }
 
-/// min(255, 255 s + d), ties to even. 255 s is halfway between bytes for s = 1/2 alone, as 255 has
-/// to divide 510 s: there 128 is one too much beside an odd d. Anywhere else the sum's nearest byte
-/// is that of 255 s, and d.
+/// min(255, 255 s + d), ties to even. If 255 s is halfway between two bytes, then 510 s is a whole
+/// number that 255 must divide, because s is a float; so s = 1/2. For s = 1/2 the nearest byte of
+/// 255 s is 128, which is one too much if d is odd. Otherwise the nearest byte of 255 s + d is the
+/// nearest byte of 255 s, plus d.
 HWY_INLINE hn::Vec<Pixels> AddedWords(const HeldColor& color, hn::Vec<Pixels> old) {
   const auto low = hn::Or(OneWhereHalf<0>(color.channel[0]), OneWhereHalf<1>(color.channel[1]));
   const auto high = hn::Or(OneWhereHalf<2>(color.channel[2]), OneWhereHalf<3>(color.channel[3]));
   return SumOfBytes(hn::Sub(WordsOf(color), hn::And(hn::Or(low, high), old)), old);
 }
 
-/// Bytes of s over d as float32 has them, and the lanes of which it does not tell one.
+/// Bytes of s over d as float32 computes them, and the lanes that float32 cannot decide.
 struct NearlyOver {
   hn::Vec<Pixels> words;
   hn::Mask<Floats> is_open;
 };
 
-/// A channel of them: kOnes is added.
+/// One channel of NearlyOver, with kOnes added.
 struct NearlyOverChannel {
   hn::Vec<Floats> nearest;
-  hn::Vec<Floats> away;  ///< how far the nearest byte is from the value
+  hn::Vec<Floats> away;  ///< distance from the value to the nearest byte
 };
 
-/// d + a (c − d), with c = 255 s, or 255 for alpha. |c|, |d| and the sum are at most 255, so that
-/// each of at most four roundings (of c, the difference, the product, the sum) is at most 2^-17:
-/// together 2^-15. In double, as it has to be, four roundings are below 2^-44. Farther than 2^-14
-/// from the middle between two bytes both are nearest to the same, whichever roundings a fused
-/// operation leaves out.
+/// d + a (c − d), with c = 255 s, or 255 for alpha. |c|, |d| and the sum are at most 255, so each
+/// of at most four roundings (of c, the difference, the product, the sum) is at most 2^-17:
+/// together 2^-15. In double, which is the reference, four roundings are below 2^-44. Values
+/// farther than 2^-14 from the middle between two bytes have the same nearest byte in float32 and
+/// in double, whichever roundings a fused operation leaves out.
 template <int kByte>
 HWY_INLINE NearlyOverChannel NearlyOverByte(const HeldColor& color, hn::Vec<Pixels> old) {
   const Floats d;
@@ -177,8 +178,8 @@ HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Pixels> ol
   const NearlyOverChannel blue = NearlyOverByte<2>(color, old);
   const NearlyOverChannel alpha = NearlyOverByte<3>(color, old);
   const auto words = WordOf(red.nearest, green.nearest, blue.nearest, alpha.nearest);
-  // Where alpha and s are whole 256ths no rounding does anything, here or in double. A constant
-  // alpha, 1/2 say, is next to the middle all the time, colours nearly never.
+  // If alpha and s are whole 256ths, neither float32 nor double rounds anything. A constant alpha
+  // such as 1/2 can be near the middle in every fragment; colours almost never are.
   auto is_open = IsNearMiddle(alpha.away);
   if (!hn::AllFalse(d, is_open)) is_open = hn::AndNot(IsWhole256th(color.channel[3]), is_open);
   const auto most = hn::Max(hn::Max(red.away, green.away), blue.away);
@@ -203,7 +204,7 @@ HWY_INLINE Vector ByteOf(Word word) {
   return hn::PromoteTo(Doubles(), hn::BitCast(Ints(), byte));
 }
 
-/// What blending makes of a channel, `color` and `old` in the same units.
+/// A channel after blending; `color` and `old` are in the same units.
 template <Blend kBlend, bool kIsAlpha>
 HWY_INLINE Vector Blended(Vector alpha, Vector color, Vector old) {
   const Doubles d;
@@ -212,7 +213,7 @@ HWY_INLINE Vector Blended(Vector alpha, Vector color, Vector old) {
   return hn::Add(kIsAlpha ? color : hn::Mul(alpha, color), rest);
 }
 
-/// Byte k of s over d, in its place.
+/// Byte kByte of s over d, at its place in the word.
 template <int kByte>
 HWY_INLINE Word OverByte(const CellBatch& batch, std::size_t at, Vector alpha, Word old) {
   const Doubles d;
@@ -225,7 +226,7 @@ HWY_INLINE Word OverByte(const CellBatch& batch, std::size_t at, Vector alpha, W
   return hn::ShiftLeft<8 * kByte>(byte);
 }
 
-/// Words of s over d, of the lanes from `at` on of the batch. Nearly never needed: not inlined.
+/// Words of s over d for the batch's lanes from `at` on. Rarely needed, therefore not inlined.
 HWY_NOINLINE hn::Vec<Pixels> OverWords(const CellBatch& batch, std::size_t at,
                                        const std::uint32_t* old) {
   const Halves floats;
@@ -246,7 +247,7 @@ HWY_NOINLINE hn::Vec<Pixels> OverWords(const CellBatch& batch, std::size_t at,
   return hn::Load(all, words.data());
 }
 
-/// Puts the kept lanes of a cell, `from` on of the batch, where they go.
+/// Writes a vector of the batch's lanes, from `from` on, to the tile's arrays where `kept` is set.
 template <Blend kBlend>
 HWY_INLINE void PutFloats(const CellBatch& batch, std::size_t from, hn::Mask<Halves> kept,
                           std::span<float* const> arrays, std::size_t place) {
@@ -270,7 +271,8 @@ HWY_INLINE void PutFloats(const CellBatch& batch, std::size_t from, hn::Mask<Hal
   }
 }
 
-// A vector of a cell in a tile's array: a row of it, a part of one, or both.
+// Load and store a vector of a cell in a tile's array: both rows of the cell, one row, or a part of
+// a row.
 #if HWY_TARGET <= HWY_AVX3
 HWY_INLINE hn::Vec<Floats> LoadPart(const float* from, std::size_t place) {
   const Floats d;
@@ -292,7 +294,7 @@ HWY_INLINE void StorePart(hn::Vec<Floats> value, float* out, std::size_t place) 
 }
 #endif
 
-/// The words that a vector of the batch's lanes, those from `at` on, leaves where `old` are.
+/// The words after merging a vector of the batch's lanes, from `at` on, into `old`.
 template <Blend kBlend>
 HWY_INLINE hn::Vec<Pixels> MergedWords(const CellBatch& batch, std::size_t at,
                                        hn::Vec<Pixels> old) {
@@ -306,7 +308,7 @@ HWY_INLINE hn::Vec<Pixels> MergedWords(const CellBatch& batch, std::size_t at,
   return OverWords(batch, at, under.data());
 }
 
-/// Merges a cell, whose lanes are those from `first` on of the batch, into a tile of words.
+/// Merges a cell into a tile of words. The cell starts at the batch's lane `first`.
 template <Blend kBlend>
 HWY_INLINE void MergeWords(const Merging& merging, const CellBatch& batch, std::size_t first,
                            std::uint16_t bits, std::size_t column, std::size_t row,
@@ -330,7 +332,7 @@ HWY_INLINE void MergeWords(const Merging& merging, const CellBatch& batch, std::
   }
 }
 
-/// The same into a tile of floats.
+/// Merges a cell, as MergeWords() does, into a tile of floats.
 template <Blend kBlend>
 HWY_INLINE void MergeFloats(const Merging& merging, const CellBatch& batch, std::size_t first,
                             std::uint16_t bits, std::size_t column, std::size_t row,

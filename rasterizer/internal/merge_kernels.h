@@ -1,7 +1,9 @@
 #pragma once
 
-// Merging shaded cells into a tile on the widest vectors that the processor has: depth test,
-// blending, rounding to bytes. All targets compute the same bits.
+// Route: shaded frames.
+//
+// Merges shaded cells into a tile on the processor's widest vectors: depth test, blending and
+// rounding to bytes. All targets compute the same bits.
 
 #include <span>
 
@@ -11,19 +13,20 @@
 
 namespace rastercheck::rasterizer {
 
-/// How colours go into a tile.
+/// How colours are merged into a tile.
 struct Merging {
   DepthTest test = DepthTest::always;
   bool writes_depth = true;
   Blend blend = Blend::off;
-  bool has_words = false;  ///< of rgba8: the bits of the tile's only numbers
+  bool has_words = false;  ///< rgba8: one number of a tile holds a sample's four bytes
 };
 
 constexpr bool needs_depths(const Merging& merging) {
   return merging.writes_depth || merging.test != DepthTest::always;
 }
 
-/// Merges what a batch's cells leave into a tile, in their order; areas[sample].
+/// Merges a batch's cells, except for discarded lanes, into a tile, in order. `areas` is indexed by
+/// sample.
 void merge_cells(const Merging& merging, const CellBatch& batch, int left, int top,
                  std::span<const TileArea> areas);
 

@@ -26,8 +26,8 @@ std::size_t worker_count(unsigned threads) {
 void with_workers([[maybe_unused]] std::size_t workers, const std::function<void()>& drive) {
 #ifndef RASTERCHECK_STD_THREADS
   if (workers > 1) {
-    // More than the machine has cores are not there otherwise, and oneTBB says so on standard
-    // error.
+    // Without this, oneTBB provides no more threads than the machine has cores, and complains on
+    // standard error.
     std::optional<tbb::global_control> allowed;
     if (workers > worker_count(0)) {
       allowed.emplace(tbb::global_control::max_allowed_parallelism, workers);
@@ -47,7 +47,7 @@ void for_each_index(std::size_t count, std::size_t workers,
     return;
   }
 #ifdef RASTERCHECK_STD_THREADS
-  // ThreadSanitizer does not see how oneTBB's own library synchronises, and takes it for races.
+  // ThreadSanitizer does not see oneTBB's internal synchronisation and reports races.
   std::atomic<std::size_t> next = 0;
   const auto run = [&](std::size_t worker) {
     for (std::size_t i = next++; i < count; i = next++) work(i, worker);
@@ -58,7 +58,7 @@ void for_each_index(std::size_t count, std::size_t workers,
       others.push_back(std::async(std::launch::async, run, worker));
     }
   } catch (const std::system_error&) {
-    // No more threads are to be had: those there are do it.
+    // No more threads are available; the existing ones do the work.
   }
   run(0);
   for (std::future<void>& other : others) other.get();

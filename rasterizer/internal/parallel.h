@@ -1,22 +1,25 @@
 #pragma once
 
-// The one place that knows of threads.
+// Route: frames.
+//
+// Runs work on several threads. No other file deals with threads.
 
 #include <cstddef>
 #include <functional>
 
 namespace rastercheck::rasterizer {
 
-/// How many threads `threads` asks for: as many as the machine has where it is 0.
+/// Returns the number of threads that `threads` asks for; 0 asks for as many as the machine has.
 std::size_t worker_count(unsigned threads);
 
-/// Calls `drive`; its calls of for_each_index have up to so many threads, which are at hand until
-/// it returns, as waking them takes as long as drawing a thousand triangles.
+/// Calls `drive`. Calls of for_each_index() within `drive` use up to `workers` threads. These
+/// threads are kept awake until `drive` returns, because waking them takes as long as drawing a
+/// thousand triangles.
 void with_workers(std::size_t workers, const std::function<void()>& drive);
 
-/// Calls work(i, worker) for each i below `count`, in any order, on the threads of with_workers;
-/// worker < workers, and no two calls with the same worker overlap. Throws what a call throws, with
-/// the rest left out.
+/// Calls work(i, worker) for each i below `count`, in any order, on the threads of with_workers().
+/// `worker` is below `workers`, and calls with the same `worker` never overlap. If a call throws,
+/// rethrows its exception and skips the remaining calls.
 void for_each_index(std::size_t count, std::size_t workers,
                     const std::function<void(std::size_t i, std::size_t worker)>& work);
 

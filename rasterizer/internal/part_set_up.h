@@ -1,6 +1,8 @@
 #pragma once
 
-// Setting a triangle up: its lines and coverage, then the values of the parts that it is drawn in.
+// Route: all.
+//
+// Sets up a triangle: its lines and coverage, then the values of the parts that it is drawn in.
 
 #include <cstddef>
 #include <optional>
@@ -13,7 +15,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// `has_derivatives`: those of the parts are set up as well.
+/// Sets up the triangle and its parts and, with `has_derivatives`, the parts' derivatives as well.
 template <typename Coverage>
 Fate set_up_parts(const State& state, const Mesh& mesh, std::size_t index, bool has_derivatives,
                   Coverage& coverage, std::vector<DrawnPart>& parts) {

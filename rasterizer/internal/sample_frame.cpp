@@ -9,8 +9,9 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Multiples of 1/256 up to 2^15: then 2 at − shift is a multiple of 2^-8 below 2^18, which needs
-/// 26 bits, and its product with another such number 49.
+/// True if `value` is a multiple of 1/256 and at most 2^15 in size. For such values 2 at − shift is
+/// a multiple of 2^-8 below 2^18, which needs 26 bits, and its product with another such value
+/// needs 49 bits.
 bool is_coarse(float value) { return std::abs(value) <= 0x1p15F && lowest_bit(value) >= -8; }
 
 AxisFrame axis_frame(float origin, float size, float other_size, const PixelRange& pixels,
@@ -22,13 +23,13 @@ AxisFrame axis_frame(float origin, float size, float other_size, const PixelRang
   axis.scale = axis.direction * std::abs(double{other_size});
   axis.shift = 2 * double{origin} + double{size};
   axis.is_exact = is_coarse(origin) && is_coarse(size) && is_coarse(other_size);
-  // Twice a position is an odd number of pixels where the centre is the only sample, else a
-  // multiple of 1/8.
+  // Twice a sample's position is an odd number of pixels if the centre is the only sample, and
+  // otherwise a multiple of 1/8.
   const int position_grain = samples == 1 ? 0 : -3;
   if (axis.is_exact) {
     axis.grain = std::min(position_grain, lowest_bit(axis.shift)) + lowest_bit(axis.scale);
   } else {
-    // The shift, the difference and the product are rounded, each within 2^-53 of itself.
+    // The shift, the difference and the product have a relative rounding error of 2^-53 each.
     axis.error = std::abs(axis.scale) * 0x1p-51 * (std::abs(axis.shift) + 2.0 * pixels.end);
   }
   const double ends = std::max(std::abs(axis.at(pixels.begin)), std::abs(axis.at(pixels.end)));

@@ -1,13 +1,15 @@
 #pragma once
 
-// Samples in homogeneous coordinates of clip space, where edge functions need no division and clip
-// positions no viewport transform (RULES §6).
+// Route: all.
+//
+// Samples in homogeneous coordinates of clip space. Edge functions of such samples need no
+// division, and clip positions need no viewport transform (RULES §6).
 //
 //   U = sign(W) |H| (2u − 2x0 − W)      V = ±sign(H) |W| (2v − 2y0 − H)      T = |W H|
 //
-// (− for D3D) is a positive multiple of the NDC position (ξ, η, 1) of the window position (u, v)
-// under the viewport (x0, y0, W, H). Folding the viewport into the vertices instead is not exact in
-// double, and can turn the sign of an edge.
+// (− for D3D). (U, V, T) is a positive multiple of the NDC position (ξ, η, 1) of the window
+// position (u, v) under the viewport (x0, y0, W, H). Folding the viewport into the vertices instead
+// is not exact in double, and can flip the sign of an edge.
 
 #include <array>
 #include <cstddef>
@@ -17,19 +19,20 @@
 
 namespace rastercheck::rasterizer {
 
-/// One of the two axes: scale · (2 at − shift), `at` a window coordinate in pixels.
+/// One of the two axes. `at(position)` maps a window coordinate in pixels to scale · (2
+/// position − shift).
 struct AxisFrame {
   double scale = 0;
   double shift = 0;  ///< 2x0 + W, rounded
-  /// Whether `at` rounds nothing, for every sample of a target.
+  /// True if `at` is exact for every sample of a target.
   bool is_exact = false;
-  /// How far `at` may be off, for the pixels of the draw; 0 where it is exact.
+  /// Maximum error of `at` over the pixels of the draw; 0 if `at` is exact.
   double error = 0;
-  /// The largest magnitude over the pixels of the draw.
+  /// Maximum magnitude of `at` over the pixels of the draw.
   double greatest = 0;
-  /// Where it is exact, all values are multiples of 2^grain.
+  /// If `at` is exact, all its values are multiples of 2^grain.
   int grain = 0;
-  /// scale · (2 at − shift) as the sum of these times the factors (2 at, −1, −1).
+  /// Without rounding, `at` is scale · (2 position − 2 origin − size).
   float origin = 0;
   float size = 0;
   /// The sign of dU/du (of dV/dv), 1 or −1.
@@ -43,15 +46,15 @@ struct SampleFrame {
   AxisFrame v;
   double t = 0;  ///< exact
 
-  /// The orientation as displayed of what turns that way, 1 or −1, in clip space, which a viewport
-  /// may mirror.
+  /// Converts an orientation in clip space, 1 or −1, to the orientation as displayed. A viewport
+  /// may mirror it.
   int displayed(int turn) const { return turn * u.direction * v.direction; }
 };
 
-/// The frame of a draw; the viewport has neither width nor height 0.
+/// Makes the frame of a draw. The viewport's width and height must not be 0.
 SampleFrame sample_frame(const State& state, const DrawBounds& bounds, int samples);
 
-/// A coordinate as a sum of products of two doubles: sum over i of scale · parts[i], exactly.
+/// A coordinate as an exact sum of products of two doubles: sum over i of scale · parts[i].
 struct ExactCoordinate {
   std::array<double, 3> parts{};
   std::size_t size = 0;
@@ -59,8 +62,8 @@ struct ExactCoordinate {
 };
 ExactCoordinate exact_at(const AxisFrame& axis, double position);
 
-/// The exponent of the lowest set bit; of 0 a number beyond all exponents, of which two may be
-/// added.
+/// Returns the exponent of the lowest set bit. For 0, returns a number that is above all exponents
+/// and can be doubled without overflow.
 int lowest_bit(double value);
 
 }  // namespace rastercheck::rasterizer

@@ -1,12 +1,15 @@
 #pragma once
 
-// The standard sample positions that OpenGL, Vulkan and D3D share.
+// Route: all.
+//
+// The standard sample positions, which OpenGL, Vulkan and D3D share.
 
 #include <span>
 
 namespace rastercheck::rasterizer {
 
-/// From the pixel's corner of least window x and y, in pixels: multiples of 1/16 in [0, 1).
+/// Offset in pixels from the pixel's corner with the least window x and y: multiples of 1/16 in
+/// [0, 1).
 struct SampleOffset {
   double x = 0;
   double y = 0;

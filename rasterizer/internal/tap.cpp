@@ -21,7 +21,7 @@ TracedCorner traced(const GridCorner& corner, double units_of_a_pixel) {
           corner.share};
 }
 
-/// The shares of a sample, which sum to 1 but for a rounding: float_kernels.h has steps.
+/// The shares of a sample, from the steps of float_kernels.h. They sum to 1 up to a rounding.
 std::array<double, 3> shares_of(const FloatWeights& weights, std::size_t column) {
   const auto pivot = static_cast<std::size_t>(weights.pivot[column]);
   const double next = weights.steps[pivot][column];
@@ -85,7 +85,7 @@ void RecordingTap::set_part(const DrawnPart& part) {
   certificate.depth_is_certain = certificates.depth_is_certain;
 }
 
-/// Of a sample within the viewport and the scissor.
+/// Returns how the coverage of a sample within the viewport and the scissor was decided.
 Decision RecordingTap::decision_of(const BlockPlace& place, const CoveredBlock& block) const {
   if (block.is_whole_numbers) return Decision::in_whole_numbers;
   if (is_at(place, block.covered)) {
@@ -210,7 +210,7 @@ void RecordingTap::located(const BlockPlace& place, int column, std::size_t attr
   if (&at.part != part_ && corners[0] != nullptr) {
     set_corners(corners, traced.corners, traced.snapped);
   }
-  // Of another part the lines are not those of the trace.
+  // The trace shows the lines of its own part only.
   if (traced.is_exact || &at.part != part_) return;
   traced.is_from_lines = true;
   traced.weights = weights;

@@ -1,9 +1,10 @@
 #pragma once
 
-// What a draw shows of itself: the stages hand every intermediate result to a Tap. NoTap takes
-// nothing and compiles away; RecordingTap keeps what concerns one sample (rasterizer/trace.h), and
-// has what is not kept in a drawing, doubles before they are rounded, computed once more by what
-// drew it.
+// Route: fragments.
+//
+// Observers of a draw: the stages show every intermediate result to a Tap. NoTap ignores everything
+// and compiles away. RecordingTap records one sample (rasterizer/trace.h). With the drawing's own
+// code, it recomputes the unrounded doubles that the drawing discards.
 
 #include <cmath>
 #include <cstddef>
@@ -20,7 +21,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// A row of up to 64 pixels of one sample of a triangle.
+/// Up to 64 pixels of a row, with one sample index, for a triangle.
 struct BlockPlace {
   std::uint32_t triangle = 0;
   std::size_t sample = 0;
@@ -29,8 +30,8 @@ struct BlockPlace {
   int count = 0;
 };
 
-/// What the values of a block's samples are evaluated from: a part, and its weights at the samples
-/// `drawn`, which lie at `offset` in their pixels.
+/// The inputs of a block's values: a part and the part's weights at the samples `drawn`. The
+/// samples lie at `offset` in their pixels.
 struct WeighedBlock {
   const BlockPlace& place;
   const SampleOffset& offset;
@@ -39,7 +40,7 @@ struct WeighedBlock {
   const BlockWeights& weights;
 };
 
-/// Where in the window a value is evaluated, and whose.
+/// A window position at which a value is evaluated, and the part that the value belongs to.
 struct PartPoint {
   const DrawnPart& part;
   double u = 0;
@@ -69,7 +70,7 @@ class RecordingTap {
  public:
   explicit RecordingTap(const SamplePlace& address) : address_(address) {}
 
-  /// A triangle and the parts that it is drawn in.
+  /// Called with a triangle and the parts that it is drawn in.
   template <typename Coverage>
   void set_up(const DrawSetting& setting, std::uint32_t triangle, const Coverage& coverage,
               std::span<const DrawnPart> parts) {
@@ -89,24 +90,25 @@ class RecordingTap {
           Coverage::kLeavesWeights ? Decision::in_double : Decision::in_whole_numbers;
     }
   }
-  /// `weights`: those that decided, of Coverage::kLeavesWeights.
+  /// Called with coverage and, if Coverage::kLeavesWeights, with the weights that decided it.
   void covered(const BlockPlace& place, const CoveredBlock& block, const BlockWeights& weights);
   void weighed(const WeighedBlock& block);
-  /// The row of Σ E_i.
+  /// Called with the row of Σ E_i.
   void summed(const WeighedBlock& block, const PlaneRow& sum);
-  /// Depth that is evaluated in double.
+  /// Called with depth evaluated in double.
   void depth(const WeighedBlock& block, const PlaneRow& row, const float* values);
-  /// An attribute that is copied, or is evaluated in double or, from `shares`, in float32.
+  /// Called with an attribute that is copied, evaluated in double or, from `shares`, evaluated in
+  /// float32.
   void attribute(const WeighedBlock& block, std::size_t attribute, const PlaneRow& row,
                  const FloatWeights& shares, const float* values);
-  /// An attribute, or depth, for which double was not enough.
+  /// Called with an attribute (or depth, if `attribute` is empty) for which double did not suffice.
   void exact(const BlockPlace& place, int column, std::optional<std::size_t> attribute,
              const PartPoint& at, double evaluated, float value);
-  /// An attribute that belongs to the pixel.
+  /// Called with an attribute that is evaluated once per pixel.
   void located(const BlockPlace& place, int column, std::size_t attribute, const PartPoint& at,
                double evaluated, float value);
 
-  /// What was recorded; nothing where the triangle was not set up.
+  /// The recorded trace; empty if the triangle was not set up.
   const std::optional<Trace>& trace() const { return trace_; }
 
  private:
@@ -116,7 +118,8 @@ class RecordingTap {
   }
   bool is_looked_at(const DrawBounds& bounds, const PixelBox& box) const;
   using Corners = std::optional<std::array<TracedCorner, 3>>;
-  /// Those of a part, before they were snapped if it is cut, and after.
+  /// Sets a part's corners: `snapped` and, if the polygon is cut, `window`, the corners before
+  /// snapping.
   void set_corners(const PieceCorners& corners, Corners& window, Corners& snapped) const;
   void set_corners(const PieceCorners& corners) {
     set_corners(corners, trace_->corners, trace_->snapped);
@@ -128,10 +131,10 @@ class RecordingTap {
 
   SamplePlace address_;
   std::optional<Trace> trace_;
-  // Of the triangle, while it is drawn.
+  // About the current triangle.
   const GridPolygon* polygon_ = nullptr;
-  double units_of_a_pixel_ = 1;      ///< of the grid
-  const DrawnPart* part_ = nullptr;  ///< that the sample is of
+  double units_of_a_pixel_ = 1;      ///< grid units per pixel
+  const DrawnPart* part_ = nullptr;  ///< the part that the sample lies in
   double sum_ = 0;                   ///< Σ E_i at the sample
 };
 

@@ -6,7 +6,8 @@ namespace rastercheck::rasterizer {
 
 namespace {
 
-/// Of framebuffers, in numbers: 8 MiB, what a core may have of a cache that it shares.
+/// Size in floats of the largest framebuffer that the caches may hold: 8 MiB, a core's likely share
+/// of a cache.
 constexpr std::size_t kMostCached = (std::size_t{8} << 20) / sizeof(float);
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+// Compiled once per SIMD target. The best one that the processor supports is chosen at run time.
 
 #include "rasterizer/internal/tile_kernels.h"
 
@@ -14,9 +14,10 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/tile_kernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/evaluation-inl.h"
 #include "rasterizer/internal/tile_spans-inl.h"
 #include "rasterizer/internal/vectors-inl.h"
 
@@ -24,7 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// What is the same along each row: B V + C of a plane.
+/// The part of a plane that is constant along each row: B V + C.
 struct RowsOf {
   alignas(64) std::array<double, kTileSize + kTilePadding> at;
 };
@@ -39,11 +40,11 @@ HWY_INLINE void SetRows(const Plane& plane, const TileArea& area, const TilePart
   }
 }
 
-/// In place of a mask: all lanes.
+/// Stands for a mask of all lanes.
 struct Everywhere {};
 
-/// Draws samples of a triangle, with `kAttributes` attributes, or as many as the setting says where
-/// it is 0. `kPlain`: all attributes are smooth, and depth is tested.
+/// Draws samples of a triangle with `kAttributes` attributes; 0 means the setting's number.
+/// `kPlain`: all attributes are smooth, and depth is tested.
 template <std::size_t kAttributes, bool kPlain>
 class PartDrawing {
  public:
@@ -61,12 +62,12 @@ class PartDrawing {
     for (std::size_t a = 0; a < Count(); ++a) {
       const Plane value = PlaneAt(numbers, Numbers::kValues + 3 * a);
       SetRows(value, area, part, value_rows_[a]);
-      value_a_[a] = IsFlat(a) ? value.c : value.a;
+      value_a_[a] = InterpolationOf(a) == Interpolation::flat ? value.c : value.a;
       values_[a] = area.attributes[a];
     }
   }
 
-  /// Rows of the part, each from spans.begin to spans.end.
+  /// Draws rows of the part, each from spans.begin to spans.end.
   HWY_INLINE void DrawSpans(const Spans& spans, std::uint64_t rows) const {
     const Halves floats;
     for (; rows != 0; rows &= rows - 1) {
@@ -79,8 +80,8 @@ class PartDrawing {
     }
   }
 
-  /// All of the part: column by column, as what is the same along them are vectors. `kClamps`: a
-  /// depth may be out of range.
+  /// Draws the whole part, column by column, because the constants of columns are vectors.
+  /// `kClamps`: a depth may be out of range.
   template <bool kClamps>
   HWY_INLINE void DrawAll() const {
     const Halves floats;
@@ -99,11 +100,28 @@ class PartDrawing {
   static constexpr std::int32_t kLanes = hn::MaxLanes(Doubles());
   static constexpr std::size_t kMost = kAttributes == 0 ? kMaxAttributes : kAttributes;
 
-  /// A U of the planes, for a vector of columns.
+  /// The terms A U of the planes, for a vector of columns.
   struct Along {
     Vector depth;
     Vector sum;
     std::array<Vector, kMost> values;
+  };
+
+  /// The triangle's planes at a vector of samples of row y.
+  struct PlanesOfRow {
+    const PartDrawing& of;
+    const Along& along;
+    std::size_t y;
+
+    HWY_INLINE std::size_t Count() const { return of.Count(); }
+    HWY_INLINE bool HasSmooth() const { return of.HasSmooth(); }
+    HWY_INLINE Interpolation InterpolationOf(std::size_t a) const { return of.InterpolationOf(a); }
+    HWY_INLINE Vector Sum() const { return At(along.sum, of.sum_rows_); }
+    HWY_INLINE Vector Value(std::size_t a) const { return At(along.values[a], of.value_rows_[a]); }
+    HWY_INLINE Vector Flat(std::size_t a) const { return hn::Set(Doubles(), of.value_a_[a]); }
+    HWY_INLINE Vector At(Vector along_columns, const RowsOf& rows) const {
+      return hn::Add(along_columns, hn::Set(Doubles(), rows.at[y]));
+    }
   };
 
   HWY_INLINE std::size_t Count() const {
@@ -111,11 +129,8 @@ class PartDrawing {
   }
   HWY_INLINE bool HasSmooth() const { return kPlain || setting_.has_smooth; }
   HWY_INLINE bool TestsDepth() const { return kPlain || setting_.tests_depth; }
-  HWY_INLINE bool IsFlat(std::size_t a) const {
-    return !kPlain && setting_.interpolation[a] == Interpolation::flat;
-  }
-  HWY_INLINE bool IsSmooth(std::size_t a) const {
-    return kPlain || setting_.interpolation[a] == Interpolation::smooth;
+  HWY_INLINE Interpolation InterpolationOf(std::size_t a) const {
+    return kPlain ? Interpolation::smooth : setting_.interpolation[a];
   }
 
   HWY_INLINE Along AlongColumns(std::int32_t x) const {
@@ -138,18 +153,15 @@ class PartDrawing {
     }
   }
 
-  /// Those `within` of a vector of samples, from column x of row y.
+  /// Draws the lanes `within` of a vector of samples, which begins at column x of row y.
   template <bool kClamps, typename Within>
   HWY_INLINE void Draw(const Along& along, std::size_t y, std::int32_t x,
                        const Within& within) const {
-    const Doubles d;
     const Halves floats;
     const std::size_t at = y * kTileSize + static_cast<std::size_t>(x);
-    auto value = hn::Add(along.depth, hn::Set(d, depth_rows_.at[y]));
-    if (kClamps) {
-      value = hn::Min(hn::Max(value, hn::Set(d, setting_.depth_least)),
-                      hn::Set(d, setting_.depth_greatest));
-    }
+    const PlanesOfRow planes{*this, along, y};
+    auto value = planes.At(along.depth, depth_rows_);
+    if (kClamps) value = Clamped(value, setting_.depth_least, setting_.depth_greatest);
     const auto depth = hn::DemoteTo(floats, value);
     auto mask = hn::FirstN(floats, hn::Lanes(floats));
     if constexpr (!std::is_same_v<Within, Everywhere>) mask = within;
@@ -158,7 +170,7 @@ class PartDrawing {
       mask = std::is_same_v<Within, Everywhere> ? is_nearer : hn::And(mask, is_nearer);
       if (std::is_same_v<Within, Everywhere> && hn::AllFalse(floats, mask)) return;
     }
-    // Nothing needs to be fetched where all is replaced.
+    // If all lanes are replaced, no old values need to be loaded.
     const bool is_all =
         !kStoresMasked && std::is_same_v<Within, Everywhere> && hn::AllTrue(floats, mask);
     const auto put = [&](hn::Vec<Halves> values, float* out) HWY_ATTR {
@@ -169,17 +181,8 @@ class PartDrawing {
       }
     };
     put(depth, depth_);
-    auto reciprocal = hn::Zero(d);
-    if (HasSmooth()) {
-      const auto sum = hn::Add(along.sum, hn::Set(d, sum_rows_.at[y]));
-      reciprocal = hn::Div(hn::Set(d, 1.0), sum);
-    }
-    for (std::size_t a = 0; a < Count(); ++a) {
-      auto result = hn::Set(d, value_a_[a]);
-      if (!IsFlat(a)) result = hn::Add(along.values[a], hn::Set(d, value_rows_[a].at[y]));
-      if (IsSmooth(a)) result = hn::Mul(result, reciprocal);
-      put(RoundToFloats(result), values_[a]);
-    }
+    EvaluateAttributes(planes, [&](std::size_t a, Vector result, Vector /*reciprocal*/)
+                                   HWY_ATTR { put(RoundToFloats(result), values_[a]); });
   }
 
   const KernelSetting& setting_;
@@ -188,14 +191,15 @@ class PartDrawing {
   float* const depth_;
   double sum_a_;
   double depth_a_;
-  std::array<double, kMost> value_a_;  ///< or, where it is flat, the value
+  std::array<double, kMost> value_a_;  ///< A of the plane; for a flat attribute, its value
   std::array<float*, kMost> values_;
   RowsOf sum_rows_;
   RowsOf depth_rows_;
   std::array<RowsOf, kMost> value_rows_;
 };
 
-/// Takes the sample at a vertex out of a row's span: one on two edges, the first or the last.
+/// Moves the first and the last sample of a row's span to `undrawn` if they are at a vertex, that
+/// is, on two edges.
 void TakeVertices(const double* numbers, const TileArea& area, int y, Spans& spans,
                   Undrawn& undrawn) {
   const auto take = [&](int x) {
@@ -221,8 +225,8 @@ void FindGreatest(const float* depth, std::span<float, kBands> greatest) {
   const Floats d;
   constexpr std::size_t kBandPixels = std::size_t{kBandSize} * kTileSize;
   for (std::size_t band = 0; band < kBands; ++band) {
-    // NaNs are passed over: nothing is nearer than they are. Several at once, none of which has to
-    // wait for another.
+    // NaNs are skipped, because no depth is less than a NaN. Several maxima are computed in
+    // parallel, so that none waits for another.
     std::array<hn::Vec<Floats>, 4> most;
     most.fill(hn::Set(d, -std::numeric_limits<float>::infinity()));
     const auto greater = [](auto a, auto b) HWY_ATTR { return hn::IfThenElse(hn::Gt(a, b), a, b); };
@@ -297,13 +301,13 @@ Undrawn draw_part(const KernelSetting& setting, const double* numbers, const Til
 
 namespace {
 
-/// `kAttributes` of them, or as many as the setting says where it is 0.
+/// `kAttributes` is the number of attributes; 0 means the setting's number.
 template <std::size_t kAttributes>
 void put_fragments_of(const KernelSetting& setting, std::span<const std::uint32_t> words,
                       const TileArea& area) {
   const std::size_t attributes = kAttributes == 0 ? setting.attributes : kAttributes;
   for (std::size_t at = 0; at < words.size(); at += 2 + attributes) {
-    // All is written, what stays as well: which of them are kept no processor foresees.
+    // Writes unchanged values, too, because the processor could not predict a branch on `is_kept`.
     const std::size_t place = place_of(words[at]);
     const float depth = std::bit_cast<float>(words[at + 1]);
     const float old_depth = area.depth[place];
@@ -332,7 +336,7 @@ void put_vertex(const KernelSetting& setting, const double* numbers, const Verte
   for (std::size_t a = 0; a < setting.attributes; ++a) {
     const bool is_flat = setting.interpolation[a] == Interpolation::flat;
     const auto flat = static_cast<float>(numbers[TriangleNumbers::kValues + 3 * a + 2]);
-    area.attributes[a][place] = is_flat ? flat : values[a] + 0.0F;  // an exact sum is not −0
+    area.attributes[a][place] = is_flat ? flat : values[a] + 0.0F;  // an exact sum is never −0
   }
 }
 

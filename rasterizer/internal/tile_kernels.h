@@ -1,7 +1,9 @@
 #pragma once
 
-// What is drawn into tiles on the widest vectors that the processor has: larger triangles by spans,
-// fragments of small ones. All targets compute the same bits, and values those of block_kernels.h.
+// Route: frames.
+//
+// Draws into tiles on the processor's widest vectors: larger triangles span by span, and fragments
+// of small triangles. All targets compute the same bits, and the same values as block_kernels.h.
 
 #include <array>
 #include <cstddef>
@@ -13,27 +15,28 @@
 
 namespace rastercheck::rasterizer {
 
-/// Pixels per side: a row of a tile is a block.
+/// Pixels per side of a tile; a row of a tile is a block.
 inline constexpr int kTileSize = kBlockSize;
-/// What whole vectors may read, or write back as it was, beyond the end of a tile's arrays.
+/// Padding after a tile's arrays. Whole vectors may read it, or write it back unchanged.
 inline constexpr int kTilePadding = 8;
 
-/// A tile to be drawn into: what kernel settings and tiles (tile.h) say of it, as arrays.
+/// A tile to draw into, as arrays from the kernel setting and the tile (tile.h).
 struct TileArea {
-  /// U of the samples of its columns and V of its rows. A vector more than it has may be read.
+  /// U of the samples in each column of the tile, and V of the samples in each row; both arrays are
+  /// readable for one vector beyond their end.
   const double* u = nullptr;
   const double* v = nullptr;
   float* depth = nullptr;  ///< [row][column], kTileSize columns
   std::span<float* const> attributes;
-  const float* greatest = nullptr;  ///< depth of each band: no number in it is greater
+  const float* greatest = nullptr;  ///< [band]: upper bound of the band's depths
 };
 
-/// Rows of a band of a tile.
+/// Rows per band of a tile.
 inline constexpr int kBandSize = 8;
 inline constexpr int kBands = kTileSize / kBandSize;
 
-/// Whether a test leaves ever lesser depths in a framebuffer (lets_rise: ever greater ones), so
-/// that a fragment that fails it now will fail it later.
+/// True if depths in a framebuffer can only decrease under this test (lets_rise: only increase), so
+/// that a fragment that fails now would always fail later.
 constexpr bool lets_fall(DepthTest test) {
   return test == DepthTest::less || test == DepthTest::less_or_equal;
 }
@@ -41,7 +44,7 @@ constexpr bool lets_rise(DepthTest test) {
   return test == DepthTest::greater || test == DepthTest::greater_or_equal;
 }
 
-/// The greatest of each band of a tile's depths.
+/// Finds the greatest depth of each band of a tile.
 void find_greatest(const float* depth, std::span<float, kBands> greatest);
 
 /// Columns and rows of a tile.
@@ -50,30 +53,31 @@ struct TilePart {
   PixelRange rows;
 };
 
-/// A sample of a tile that a vertex lies on.
+/// A sample of a tile that coincides with a vertex.
 struct VertexSample {
   int column = 0;
   int row = 0;
   std::size_t vertex = 0;
 };
 
-/// What of a triangle was not drawn.
+/// The part of a triangle that was not drawn.
 struct Undrawn {
-  /// Rows with samples that may be covered, but within a band, or for which double is not enough.
+  /// Rows with samples that may be covered but are within a band of an edge, or that double cannot
+  /// decide.
   std::uint64_t rows = 0;
   std::size_t vertex_count = 0;
-  std::array<VertexSample, 3> vertices;  ///< of other rows
+  std::array<VertexSample, 3> vertices;  ///< in rows that are not in `rows`
 };
 
-/// Draws what of a triangle with these numbers (TriangleNumbers) lies in that part of a tile.
+/// Draws the part of a triangle (given by TriangleNumbers) that lies inside `part`.
 Undrawn draw_part(const KernelSetting& setting, const double* numbers, const TileArea& area,
                   const TilePart& part);
 
-/// Draws the sample at a vertex; values[a] are its attributes.
+/// Draws the sample at a vertex, with the attributes `values`.
 void put_vertex(const KernelSetting& setting, const double* numbers, const VertexSample& sample,
                 std::span<const float> values, const TileArea& area);
 
-/// Draws fragments: words of key, depth and attributes one after the other.
+/// Draws fragments, each given by consecutive words: key, depth and attributes.
 void put_fragments(const KernelSetting& setting, std::span<const std::uint32_t> words,
                    const TileArea& area);
 

@@ -1,5 +1,8 @@
-// How a triangle lies to a part of a tile: beside it, over all of it, or in spans of its rows; and
-// whether it is hidden there. Included once for each SIMD target, as Highway has it.
+// Route: frames.
+//
+// Finds where a triangle lies relative to a part of a tile: beside the part, over all of it, or in
+// spans of its rows. Also finds whether the triangle is hidden there. Included once for each SIMD
+// target, as Highway requires.
 
 #include <algorithm>
 #include <array>
@@ -30,26 +33,27 @@ HWY_INLINE Plane PlaneAt(const double* numbers, std::size_t at) {
   return {numbers[at], numbers[at + 1], numbers[at + 2]};
 }
 
-/// Of each row the columns that are surely within all half-planes.
+/// The columns of each row that are surely inside all half-planes.
 struct Spans {
   using Columns = std::array<std::int32_t, kTileSize + kTilePadding>;
   alignas(64) Columns begin;
   alignas(64) Columns end;
-  std::uint64_t touched = 0;   ///< rows in which there may be samples
-  std::uint64_t doubtful = 0;  ///< those where not just the surely covered ones are
-  std::uint64_t on_two = 0;    ///< rows with a first or last sample on two edges, and within
+  std::uint64_t touched = 0;   ///< rows that may have samples inside
+  std::uint64_t doubtful = 0;  ///< `touched` rows with samples that may or may not be inside
+  std::uint64_t on_two = 0;    ///< rows whose first or last sample is inside and on two edges
 };
 
-/// Where a half-plane's line crosses a vector of rows. Its values go up, or down, along a row, so
-/// that what is surely within begins, or ends, somewhere: about where the line crosses the limit,
-/// and exactly there if the samples on either side of that say so.
+/// Where a half-plane's line crosses a vector of rows. The line's values rise or fall along a row,
+/// so the samples that are surely inside begin or end near the column where the values cross the
+/// limit. They begin or end exactly there if the samples on either side confirm it.
 struct Crossing {
-  Vector after;               ///< the first column after it
-  hn::Mask<Doubles> rises;    ///< what is within comes after it
-  hn::Mask<Doubles> is_sure;  ///< it is exactly there
-  /// The sample outside is surely beyond; where it may be within, so may be all beyond it.
+  Vector after;               ///< the first column after the crossing
+  hn::Mask<Doubles> rises;    ///< true if the inside comes after the crossing
+  hn::Mask<Doubles> is_sure;  ///< true if both samples confirm `after`
+  /// True if the sample on the outside is surely outside. Otherwise all samples beyond it may be
+  /// inside.
   hn::Mask<Doubles> is_far;
-  hn::Mask<Doubles> is_on;  ///< the sample within is exactly on the line
+  hn::Mask<Doubles> is_on;  ///< true if the sample on the inside is exactly on the line
 };
 
 HWY_INLINE Crossing CrossingAt(const KernelSetting& setting, const double* numbers,
@@ -68,17 +72,18 @@ HWY_INLINE Crossing CrossingAt(const KernelSetting& setting, const double* numbe
   const auto slope = hn::Mul(a, u_step);
   const auto row = hn::Add(hn::Mul(hn::Set(d, numbers[Numbers::kB + index]), v),
                            hn::Set(d, numbers[Numbers::kC + index]));
-  // Samples on a line without a band are within where its limit is below 0. A crossing at such
-  // a sample is exact, as its quotient is whole.
+  // Samples on a line without a band are inside if the line's limit is below 0. The crossing at
+  // such a sample is exact, because the quotient is a whole number.
   const auto at_first = hn::Add(hn::Mul(a, u_first), row);
   const auto exact = hn::Div(hn::Sub(hn::Max(sure, zero), at_first), slope);
   const auto rises = hn::Gt(slope, zero);
-  // Where what is at the crossing comes after it; else it comes before.
+  // True if a sample exactly at the crossing counts as after it. `crossing` is then the
+  // column before that sample.
   const auto is_before = hn::Not(hn::Xor(rises, hn::Lt(sure, zero)));
   auto crossing = hn::IfThenElse(is_before, hn::Sub(hn::Ceil(exact), one), hn::Floor(exact));
   const auto of_level = hn::IfThenElse(hn::Gt(row, sure), last, first);
   crossing = hn::IfThenElse(hn::Eq(slope, zero), of_level, crossing);
-  // The samples on either side, where they are in the part.
+  // The samples on either side, clamped to the part.
   const auto before = hn::Min(hn::Max(crossing, first), last);
   const auto u = hn::Add(u_first, hn::Mul(before, u_step));
   const auto e_before = hn::Add(hn::Mul(a, u), row);
@@ -95,7 +100,7 @@ HWY_INLINE Crossing CrossingAt(const KernelSetting& setting, const double* numbe
           hn::Or(no_outside, hn::Not(hn::Gt(outside, possible))), hn::Eq(inside, zero)};
 }
 
-/// The spans of a part that half-planes cut.
+/// Finds the spans of a part that half-planes cut.
 HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, std::uint64_t cuts,
                           const TileArea& area, const TilePart& part, Spans& spans) {
   const Doubles d;
@@ -139,8 +144,9 @@ HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, s
   spans.doubtful &= spans.touched;
 }
 
-/// How a triangle's half-planes lie to a part of a tile: those that cut it, or that one has none of
-/// it. A line's least and greatest values there are at corners (plane.h).
+/// How a triangle's half-planes lie relative to a part of a tile: `cuts` are the half-planes
+/// that cut the part; `is_beside` is true if one half-plane excludes all of the part. A line's
+/// extremes in the part are at corners (plane.h).
 struct Position {
   bool is_beside = false;
   std::uint64_t cuts = 0;
@@ -165,7 +171,7 @@ HWY_INLINE Position PositionOf(const double* numbers, const TileArea& area, cons
     const auto b1 = hn::Mul(b, v1);
     const auto least = hn::Add(hn::Min(a0, a1), hn::Add(hn::Min(b0, b1), c));
     const auto greatest = hn::Add(hn::Max(a0, a1), hn::Add(hn::Max(b0, b1), c));
-    // The vector may go beyond the last of them.
+    // The vector may extend beyond the last half-plane.
     const auto those = hn::FirstN(d, Numbers::kHalfPlanes - i);
     const auto beside = hn::And(those, hn::Not(hn::Gt(greatest, possible)));
     const auto within = hn::Gt(least, hn::Max(sure, hn::Zero(d)));
@@ -175,7 +181,7 @@ HWY_INLINE Position PositionOf(const double* numbers, const TileArea& area, cons
   return position;
 }
 
-/// The least and the greatest depth of a part, before they are clamped: corners' (plane.h).
+/// The least and the greatest depth of a part, before clamping; both are at corners (plane.h).
 struct Depths {
   double least;
   double greatest;
@@ -190,8 +196,8 @@ HWY_INLINE Depths DepthsOf(const double* numbers, const TileArea& area, const Ti
   return {u_least + (v_least + plane.c), u_greatest + (v_greatest + plane.c)};
 }
 
-/// Whether no fragment of a triangle with these depths can pass the test in a part. Neither can one
-/// for which double is left to decide what it covers, as its depth is this plane's everywhere.
+/// True if no fragment of a triangle with these depths can pass the test in a part. This includes
+/// fragments whose coverage is decided later, because their depths come from the same plane.
 /// Clamping and rounding are monotone too.
 HWY_INLINE bool IsHidden(const KernelSetting& setting, DepthTest test, const Depths& depths,
                          const TileArea& area, const TilePart& part) {

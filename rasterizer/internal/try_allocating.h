@@ -1,6 +1,8 @@
 #pragma once
 
-// Memory that runs out is an error value.
+// Route: all.
+//
+// Turns exhausted memory into an error value.
 
 #include <new>
 #include <optional>
@@ -10,14 +12,14 @@
 
 namespace rastercheck::rasterizer {
 
-/// Calls; Error::out_of_memory where an allocation failed on the way.
+/// Calls `call`; returns Error::out_of_memory if an allocation in it failed.
 template <typename Call>
 std::optional<Error> try_allocating(const Call& call) {
   try {
     call();
   } catch (const std::bad_alloc&) {
     return Error::out_of_memory;
-  } catch (const std::length_error&) {  // more than a vector can ever hold
+  } catch (const std::length_error&) {  // more than a vector can hold
     return Error::out_of_memory;
   }
   return std::nullopt;

@@ -1,5 +1,7 @@
-// What the kernels have in common beside Highway: their vectors, masks as bits, rounding to
-// float32. Included once for each SIMD target, as Highway has it.
+// Route: all.
+//
+// Common parts of the kernels: their vectors, masks as bits, rounding to float32. Included once for
+// each SIMD target, as Highway requires.
 
 #include <array>
 #include <cstddef>
@@ -24,13 +26,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using Doubles = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Doubles>;
-// As many lanes as Doubles have.
+// The following have as many lanes as Doubles.
 using Halves = hn::Rebind<float, Doubles>;
 using Ints = hn::Rebind<std::int32_t, Doubles>;
 using Words = hn::RebindToUnsigned<Doubles>;
 using HalfWords = hn::RebindToUnsigned<Halves>;
 
-/// Bit i is lane i.
+/// The bits of a mask; bit i is lane i.
 template <class D>
 HWY_INLINE std::uint64_t BitsOf(D d, hn::Mask<D> lanes) {
   alignas(8) std::array<std::uint8_t, 8> bytes{};
@@ -38,7 +40,7 @@ HWY_INLINE std::uint64_t BitsOf(D d, hn::Mask<D> lanes) {
   return bytes[0] | std::uint64_t{bytes[1]} << 8;
 }
 
-/// The lanes whose bits are set; bits beyond them have no say.
+/// The lanes whose bits are set; ignores bits beyond the lanes.
 template <class D>
 HWY_INLINE hn::Mask<D> MaskOf(D d, std::uint64_t bits) {
   alignas(8) std::array<std::uint8_t, 8> bytes{};
@@ -53,7 +55,7 @@ constexpr bool kStoresMasked = true;
 constexpr bool kStoresMasked = false;
 #endif
 
-/// Replaces what `lanes` says.
+/// Stores `value` in the given lanes of `out`, and leaves the other lanes unchanged.
 template <class D>
 HWY_INLINE void PutWhere(D d, hn::Mask<D> lanes, hn::Vec<D> value, hn::TFromD<D>* out) {
   if (kStoresMasked) {
@@ -63,11 +65,11 @@ HWY_INLINE void PutWhere(D d, hn::Mask<D> lanes, hn::Vec<D> value, hn::TFromD<D>
   }
 }
 
-/// The nearest floats, infinite where a number is beyond them all.
+/// The nearest floats; infinite if beyond the range of float.
 HWY_INLINE hn::Vec<Halves> RoundToFloats(Vector values) {
   const Halves floats;
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
-  // There DemoteTo holds numbers to the greatest of float32.
+  // On these targets DemoteTo clamps numbers to the greatest float.
   const Doubles doubles;
   alignas(16) std::array<double, 2> from{};
   alignas(16) std::array<float, 4> to{};

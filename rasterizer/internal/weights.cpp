@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kUnit = 0x1p-53;
 
-/// |det (x, y, w)|: the six triple products without rounding, summed once.
+/// |det (x, y, w)|. The six triple products are summed without rounding; the sum is rounded once.
 double determinant(const std::array<glm::vec4, 3>& p) {
   ExactSum sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -20,7 +20,7 @@ double determinant(const std::array<glm::vec4, 3>& p) {
   return std::abs(sum.nearest());
 }
 
-/// The same where double is enough, else 0.
+/// |det (x, y, w)|, computed in double; 0 if double does not suffice.
 double certain_determinant(const std::array<glm::vec4, 3>& p, const EdgeFunctions& edges) {
   const double first = p[0].w * edges[0].c.value;
   const double second = p[1].w * edges[1].c.value;
@@ -38,7 +38,7 @@ AxisFrame grid_axis(const PixelRange& pixels, int unit_bits) {
   return axis;
 }
 
-/// Adds the product of a line's value, below 2^66 in size, with two doubles.
+/// The exact product of a line's value, which is below 2^66 in size, and two doubles.
 ExactSum exact_product(Wide line, double first, double second) {
   const auto high = static_cast<double>(line);
   const auto low = static_cast<double>(line - static_cast<Wide>(high));

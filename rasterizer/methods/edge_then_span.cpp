@@ -1,47 +1,53 @@
-// edge-then-span and edge-then-span-plane: perspective-correct interpolation of MIT's 6.837, Fall
-// 2000, lecture 18 (seed 004), slides 7 to 13. w is 1/z there, here 1 over the w of clip space; it
-// is written q below.
+// edge-then-span and edge-then-span-plane: perspective-correct interpolation (MIT 6.837 2000,
+// lecture 18, slides 7 to 13). The lecture's w is 1/z. Here it is 1/w, with the w of clip space,
+// and is written q below.
 //
-// edge-then-span. Between two ends the share t of the way in the window and the share s of the way
-// in space are related by (slide 11)
+// edge-then-span. Between two ends, let t be the fraction of the way in the window, and s the
+// fraction of the way in space. Then (slide 11)
 //
 //   s = t q_2 / (q_1 + t (q_2 − q_1)),
 //
-// and any parameter is u = u_1 + s (u_2 − u_1) (slide 12); q itself is q_1 + t (q_2 − q_1). So: the
-// ends of a row's span are found on the edges, with their q, and then what is between them. The
-// polygon may be what clipping left (internal/polygon_drawing.h): it is a plane's.
+// and any parameter is u = u_1 + s (u_2 − u_1) (slide 12); q itself is q_1 + t (q_2 − q_1). So the
+// method first interpolates along the edges to the ends of a row's span, with their q, and then
+// between these ends. The polygon may be the result of clipping (internal/polygon_drawing.h),
+// because it lies in a plane.
 //
 // Error, first order, roundoff e = 2^-53, M = max|r_i|, Q = the greatest q of the polygon, D = q at
-// a place, g = Q/D. t has three roundings, so that D is off by 5 e t |q_2 − q_1| + e D <= 6 e Q,
-// and s by s (5 e + 6 e Q/D) <= 11 e g. Ends that are off by ε add ε to D, and to s no more than
+// a place, g = Q/D. t has three roundings, so D has an error of 5 e t |q_2 − q_1| + e D <= 6 e Q,
+// and s has an error of s (5 e + 6 e Q/D) <= 11 e g. If the q of the ends have errors of ε, D gets
+// ε more, and s gets at most
 //
 //   t (1 − t) (q_1 + q_2) ε / D²  <=  ε / D,      as t (1 − t) (q_1 + q_2) <= (1 − t) q_1 + t q_2.
 //
-// u_1 + s (u_2 − u_1) is off by 2 M |δs| + 5 e M. Along an edge ε = e Q: D is off by 7 e Q, s by 12
-// e g, r by 29 e M g. Along a span ε = 7 e Q: s is off by 18 e g, and r by 41 e M g; what the ends'
-// own values are off by enters with the shares 1 − s = (1 − t) q_1/D and s = t q_2/D, and (1 − t)
-// q_1/D · 29 e M Q/q_1 + t q_2/D · 29 e M Q/q_2 = 29 e M g. Together 70 e M g, less than 2^-22 g
-// scale ULP. Of the products of errors, which are more where g nears 1/e, that has room for 4/5: s
-// is held to [0, 1], so r is never off by more than 2 M, and 2^-22 g is more than that from g =
-// 2^47 on, where D is off by 13 e g < 1/4 of itself.
+// u_1 + s (u_2 − u_1) has an error of 2 M |δs| + 5 e M. Along an edge ε = e Q: D has an error of 7
+// e Q, s of 12 e g, r of 29 e M g. Along a span ε = 7 e Q: s has an error of 18 e g, and r of 41 e
+// M g; the errors of the ends' own values enter with the shares 1 − s = (1 − t) q_1/D and s = t
+// q_2/D, and (1 − t) q_1/D · 29 e M Q/q_1 + t q_2/D · 29 e M Q/q_2 = 29 e M g. Together these are
+// 70 e M g, less than 2^-22 g scale ULP. The difference, 4/5 of 70 e M g, covers the products of
+// errors, which grow as g nears 1/e. From g = 2^47 on no such estimate is needed: s is clamped to
+// [0, 1], so r never has an error above 2 M, which is then at most 2^-22 g scale ULP. At g = 2^47,
+// D has a relative error of 13 e g < 1/4.
 //
-// edge-then-span-plane. Slide 13 puts the premultiplied parameters u q, and q, into plane equations
-// over the window, and divides at each pixel. With window positions (u_i, v_i) and the rows
+// edge-then-span-plane. Slide 13 writes the premultiplied parameters u q, and q itself, as plane
+// equations over the window, and divides at each pixel. With window positions (u_i, v_i) and the
+// rows
 //
 //   A_i = v_j − v_k,   B_i = u_k − u_j,   C_i = u_j v_k − u_k v_j,   det = C_0 + C_1 + C_2
 //
-// a plane through p_i is (Σ p_i A_i, Σ p_i B_i, Σ p_i C_i)/det. It needs no clipping, and holds for
-// w_i < 0: then (u_i, v_i) and p_i change sign as the fraction p = (r/w) does. It does not for w_i
-// = 0, which has no place in the window, and of a draw with such a triangle nothing is promised.
+// a plane through p_i is (Σ p_i A_i, Σ p_i B_i, Σ p_i C_i)/det. This needs no clipping. It also
+// holds for w_i < 0, because u_i, v_i and p_i are quotients by the same w_i. It does not hold for
+// w_i = 0: the vertex then has no window position, and the method promises nothing for a draw with
+// such a triangle.
 //
-// Error (internal/point_drawing.h). Divided by w_0 w_1 w_2, E_i is q_i times the row above. u_i is
-// off by 4 e |X|_i/|w_i|, A_i and B_i by 5 e and C_i by 10 e of their terms' magnitudes; q_i has
-// one rounding, r_i q_i two, the sum of products three, the division one, evaluation three. det is
-// the same for all planes, so what it is off by goes out of the quotient: n = 2 + 10 + 3 + 1 + 3 =
+// Error (internal/point_drawing.h). Divided by w_0 w_1 w_2, E_i is q_i times the row above. u_i has
+// an error of 4 e |X|_i/|w_i|, A_i and B_i of 5 e and C_i of 10 e times their terms' magnitudes;
+// q_i has one rounding, r_i q_i two, the sum of products three, the division one, evaluation three.
+// det is the same for all planes, so its error cancels in the quotient: n = 2 + 10 + 3 + 1 + 3 =
 // 19, d = 18.
 //
-// What they do not do: 1/z as the slides have it, of a camera's z; that is w up to a factor, which
-// no quotient shows. (Their last triangle's "uPlane" and "vPlane" are any two attributes.)
+// The slides use the z of camera space. The code uses w, which is that z up to a factor; the factor
+// cancels in every quotient. ("uPlane" and "vPlane" of the slides' last triangle stand for any two
+// attributes.)
 //
 // Operations for two attributes, and the divisions among them:
 //   edge-then-span: 14 (2) per pixel, 28 (4) per row, 1 (1) per vertex
@@ -61,7 +67,8 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// How far a place is from one end to the other, in the window and in space.
+/// The fraction of the way from one end to the other in space, computed from a place in the window;
+/// also q at that place.
 template <class T>
 class Share {
  public:
@@ -104,7 +111,7 @@ class EdgeThenSpan : public ScanFormula<T> {
   }
 };
 
-/// Slide 13.
+/// The plane equations of slide 13.
 template <class T>
 class Planes {
  public:
@@ -124,7 +131,7 @@ class Planes {
       rows[i] = {v_[j] - v_[k], u_[k] - u_[j], u_[j] * v_[k] - u_[k] * v_[j]};
     }
     T determinant = rows[0].c + rows[1].c + rows[2].c;
-    if (determinant == T(0)) determinant = T(1);  // rounded away
+    if (determinant == T(0)) determinant = T(1);  // rounded to 0
     for (std::size_t k = 0; k <= count; ++k) {
       const auto through = [&](T Plane::*part) {
         return (premultiplied_[0][k] * rows[0].*part + premultiplied_[1][k] * rows[1].*part +
@@ -158,7 +165,7 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
   return scanned_promise(Claim::perspective, {.constant = 0.5 + 0x1p-24, .per_horizon = 0x1p-22});
 }
 
-/// Nothing is promised where this times K >= 1 is.
+/// A `per_condition` with which nothing is promised, because K >= 1.
 constexpr double kNothingPromised = 0x1p24;
 
 Promise promise_planes(const State& /*state*/, const Mesh& mesh, const TargetSize& /*size*/) {
@@ -174,7 +181,7 @@ Promise promise_planes(const State& /*state*/, const Mesh& mesh, const TargetSiz
 
 const MethodRegistration kShares(
     {.name = "edge-then-span",
-     .source = "seed 004, slides 7–12",
+     .source = "MIT 6.837 2000, lecture 18, slides 7–12",
      .fails = "towards the horizon, where 1/w is small; samples within roundings of an edge",
      .draw = &scan_triangles_by<EdgeThenSpan>,
      .promise = &promise,
@@ -183,7 +190,7 @@ const MethodRegistration kShares(
 
 const MethodRegistration kPlanes(
     {.name = "edge-then-span-plane",
-     .source = "seed 004, slide 13",
+     .source = "MIT 6.837 2000, lecture 18, slide 13",
      .fails = "where the weights cancel; w = 0 has no place in the window",
      .draw = &draw_by_formula<Planes, double>,
      .promise = &promise_planes,

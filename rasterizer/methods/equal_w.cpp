@@ -1,5 +1,5 @@
-// equal-w: no division at a place where the three w are equal (seed 000, Appendix 5, "that cases
-// have an unique signature"; seed 002, §3.3); the general form elsewhere.
+// equal-w: if a triangle's three w are equal, no division per place (Appendix 5, "that cases have
+// an unique signature"; Heckbert & Moreton 1991, §3.3); otherwise the general form.
 //
 // The mathematics. With the planes of methods/clipless_homogeneous.cpp
 //
@@ -7,31 +7,30 @@
 //
 //   a_1 = Σ (Y_j w_k − Y_k w_j),   b_1 = Σ (w_j X_k − w_k X_j),   c_1 = Σ (X_j Y_k − X_k Y_j).
 //
-// Where w_1 = w_2 = w_3 the sums a_1 and b_1 are 0 and the divisor is c_1, everywhere: w² times
-// twice the triangle's area. The division is done once, in the set-up, of a, b and c, and r is
-// affine in the window:
+// If w_1 = w_2 = w_3 the sums a_1 and b_1 are 0 and the divisor is c_1 everywhere: w² times twice
+// the triangle's area. The set-up then divides a, b and c once, and r is affine in the window:
 //
 //   r = a/c_1 u + b/c_1 v + c/c_1.
 //
-// For n parameters that costs 3 n divisions for the triangle and saves n, and two products and two
-// sums, at each place.
+// For n parameters this costs 3 n divisions per triangle, and saves n divisions, two products and
+// two sums per place.
 //
-// Error (internal/point_drawing.h), u = 2^-53. In general as in methods/clipless_homogeneous.cpp, n
-// = 13, d = 12. Where w is equal the three quotients add 1 u to the 12 u of the numerator, and c_1,
-// three terms C_i that are off by 8 u and two sums, is off by 10 u Σ|C|_i <= 10 u Σ|E|_i; with one
-// more each for what is of second order n = 14, d = 11. The exact value is the same, and K, too: so
-// each way is within 50 u K + u of it in units of M = max(|r|, max|r_i|), and the two ways differ
-// by at most
+// Error (internal/point_drawing.h), u = 2^-53. In the general form n = 13 and d = 12, as in
+// methods/clipless_homogeneous.cpp. With equal w the three quotients add 1 u to the 12 u of the
+// numerator. c_1 is the sum of three terms C_i with errors of 8 u, so with two additions it has an
+// error of 10 u Σ|C|_i <= 10 u Σ|E|_i. One more each for second order gives n = 14, d = 11. Both
+// forms have the same exact value and the same K. The result of each is within 50 u K + u of the
+// exact value, in units of M = max(|r|, max|r_i|), so the two results differ by at most
 //
 //   (100 u K + 2 u) M,    that is (25 · 2^-27 K + 2^-28) scale ULP,
 //
-// before they are rounded to float32, which may add one ULP.
+// before rounding to float32, which may add one ULP.
 //
-// Range. As |X|_i >= |w_i| |W|/2, W being the viewport's width and at least 2^-149, the terms of
-// a_i are at most 2^150 times those of c_1 (b_i likewise): a quotient overflows only where K is far
-// beyond what anything is promised for, and what underflows is far below a share of M.
+// Range. Let W be the viewport's width, at least 2^-149. Because |X|_i >= |w_i| |W|/2, the terms of
+// a_i, and those of b_i, are at most 2^150 times the terms of c_1. So a quotient overflows only if
+// K is far beyond any promise, and an underflow is negligible compared with M.
 //
-// What it does not do: take w that are nearly equal for equal, which would be off by a share of the
+// Nearly equal w are not treated as equal, because that would cause an error proportional to the
 // range of the r_i (screen_linear.cpp).
 //
 // Operations for two attributes, and the divisions among them:
@@ -86,7 +85,7 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
   return {.smooth = point_bound(14, 11, kDoubleRoundoff)};
 }
 
-/// Where w is equal.
+/// Counts the operations for a triangle whose three w are equal.
 OperationCounts operations() {
   std::array<PointVertex, 3> vertices = counted_triangle();
   for (PointVertex& vertex : vertices) vertex.w = 1;
@@ -95,7 +94,7 @@ OperationCounts operations() {
 
 const MethodRegistration kRegistration(
     {.name = "equal-w",
-     .source = "seeds 000 Appendix 5, 002 §3.3",
+     .source = "Appendix 5; Heckbert & Moreton 1991, §3.3",
      .fails = "where the weights cancel, as the general form does",
      .draw = &draw_by_formula<EitherPlanes, double>,
      .promise = &promise,

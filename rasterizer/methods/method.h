@@ -1,10 +1,10 @@
 #pragma once
 
-// The textbook methods, one file each. A file in rasterizer/methods/ defines one, or a few that
-// differ in a step, and registers it:
+// The textbook methods, one file each. Each file in rasterizer/methods/ defines one method, or a
+// few that differ in a step, and registers them:
 //
 //   const MethodRegistration kRegistration({.name = "my-method",
-//                                           .source = "seed and section",
+//                                           .source = "text and section",
 //                                           .draw = &draw,
 //                                           .promise = &promise,
 //                                           .operations = &operations});
@@ -20,33 +20,32 @@ namespace rastercheck::rasterizer {
 
 class MethodTap;
 
-/// Appends the fragments of every triangle, as if each were drawn alone, and shows a tap, unless it
-/// is nullptr, how. The arguments were checked.
+/// Appends the fragments of every triangle, each drawn as if alone. `tap`, unless nullptr, records
+/// how one sample is drawn. The arguments must have been checked.
 using DrawFragments = DrawCounts (*)(const State& state, const Mesh& mesh, const TargetSize& size,
                                      Fragments& fragments, MethodTap* tap);
 
-/// What a method means smooth values to be: linear in clip space, or, of one that never divides,
-/// linear in window space, as noperspective ones are.
+/// What a method claims about smooth values: they are linear in clip space or, for a method that
+/// never divides, linear in window space like noperspective values.
 enum class Claim { perspective, affine };
 
-/// How a method finds out what is covered.
+/// How a method decides coverage.
 enum class ScanKind {
-  /// By draw_fragments, exactly; depth, noperspective and flat values are its own, too.
+  /// Exactly, by draw_fragments, which also computes depth, noperspective and flat values.
   exact,
   /// By clipping and scan conversion in double (internal/clip_polygon.h, internal/convex_scan.h),
-  /// which is wrong only close to an edge.
+  /// which can be wrong only close to an edge.
   scanned,
 };
 
-/// How far values may be off what is claimed, in scale ULP (rasterizer.h: kValueBound):
+/// Maximum deviation of values from the claim, in scale ULP (rasterizer.h: kValueBound):
 ///
 ///   constant + per_horizon · g + per_condition · K + range_share · (max r_i − min r_i)/ulp
 ///
-/// g = the greatest 1/w of what is drawn of the triangle / 1/w; 1 of what is linear in the window.
-/// K says how much of its digits a weight loses that is evaluated as a plane; internal/
-/// point_drawing.h defines it. Nothing is promised where per_condition · K reaches 2^24.
-/// `range_share` is what a method is off by because it approximates; of a method whose claim is
-/// Claim::perspective.
+/// g = (greatest 1/w in the drawn part of the triangle) / (1/w); 1 for values linear in the window.
+/// K measures how many digits a weight loses when evaluated as a plane; internal/point_drawing.h
+/// defines it. Nothing is promised if per_condition · K reaches 2^24. `range_share` is a method's
+/// approximation error; it occurs only with Claim::perspective.
 struct MethodBound {
   double constant = 0.5;
   double per_horizon = 0;
@@ -54,17 +53,17 @@ struct MethodBound {
   double range_share = 0;
 };
 
-/// What a method promises of one draw.
+/// A method's promise for one draw.
 struct Promise {
   Claim claims = Claim::perspective;
   ScanKind scan = ScanKind::exact;
   MethodBound smooth = {};
-  /// Only of ScanKind::scanned; otherwise it is draw_fragments' own. There is no per_condition and
-  /// no range_share in it.
+  /// Used only with ScanKind::scanned; otherwise draw_fragments' own bound holds. Its per_condition
+  /// and range_share are 0.
   MethodBound noperspective = {};
 };
 
-/// Arithmetic operations; a comparison or a change of sign is none.
+/// Counts of arithmetic operations; comparisons and changes of sign do not count.
 struct Operations {
   std::size_t additions = 0;  ///< and subtractions
   std::size_t multiplications = 0;
@@ -74,9 +73,8 @@ struct Operations {
   std::size_t total() const { return additions + multiplications + divisions; }
 };
 
-/// What a method costs with two attributes, besides the transform to window coordinates and what
-/// finds out which samples are covered: counted by running it on a triangle with numbers that
-/// count.
+/// A method's cost with two attributes, without the transform to window coordinates and without
+/// deciding coverage. Counted by running the method on a triangle of counting numbers (counted.h).
 struct OperationCounts {
   Operations per_polygon;  ///< once for each triangle
   Operations per_vertex;
@@ -86,27 +84,28 @@ struct OperationCounts {
 
 struct Method {
   std::string_view name;    ///< as in `method:NAME`
-  std::string_view source;  ///< the text it comes from: seed and section
-  std::string_view fails;   ///< where: "in perspective", or "at the end of long rows"
+  std::string_view source;  ///< the text that describes it, with section
+  std::string_view fails;   ///< where it fails: "in perspective", or "at the end of long rows"
   DrawFragments draw = nullptr;
   Promise (*promise)(const State& state, const Mesh& mesh, const TargetSize& size) = nullptr;
   OperationCounts (*operations)() = nullptr;
-  /// Of what scan-converts polygons (polygon.h): draws the mesh's vertices in their order as one,
-  /// triangle 0, once they were checked.
+  /// Only for methods that scan-convert polygons (polygon.h): draws the mesh's vertices, in order,
+  /// as one polygon, triangle 0. The arguments must have been checked.
   DrawFragments draw_polygon = nullptr;
 };
 
-/// All methods, in the order of their names.
+/// All methods, ordered by name.
 std::span<const Method> methods();
-/// The method of a name; nullptr where there is none.
+/// Returns the method of this name; nullptr if no method has the name.
 const Method* find_method(std::string_view name);
 
-/// draw_fragments by a textbook method; Error::unknown_method where there is none of that name.
+/// Like draw_fragments, but by a textbook method. Returns Error::unknown_method if no method has
+/// the name.
 DrawResult draw_fragments_by(std::string_view method, const State& state, const Mesh& mesh,
                              const TargetSize& size, Fragments& fragments);
 
-/// trace_sample of a textbook method: what those of a kind have in common, and of a smooth value
-/// what its formula made before that was rounded.
+/// Like trace_sample, but for a textbook method. The trace has the stages common to methods of its
+/// kind and, for a smooth value, the formula's result before rounding.
 TraceResult trace_sample_by(std::string_view method, const State& state, const Mesh& mesh,
                             const TargetSize& size, const SamplePlace& address);
 

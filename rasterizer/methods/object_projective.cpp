@@ -1,37 +1,39 @@
-// object-projective: parameters that are projective, not affine, in object space (seed 002 §3.4).
+// object-projective: parameters that are projective, not affine, in object space (Heckbert &
+// Moreton 1991, §3.4).
 //
-// The mathematics. With w_r not the same everywhere
+// The mathematics. If w_r varies,
 //
 //   (u w_r/w, v w_r/w, w_r/w)
 //
-// is affine in window space: it is interpolated, and u and v are found by dividing the first two by
-// the last. A different w_r/w is interpolated for each cluster of parameters that are affine to
-// each other. Where w_r = 1 this is rational-linear's formula. By the weights E_i = A_i u + B_i v +
-// C_i of vertex i (RULES §1), |det M| times what is 1/w_i there and 0 at the other two,
+// is affine in window space. The method interpolates these three, and divides the first two by the
+// last to get u and v. Parameters that are affine to each other form a cluster, and each cluster
+// has its own w_r/w. With w_r = 1 this is rational-linear's formula. The weight E_i = A_i u + B_i v
+// + C_i of vertex i (RULES §1) is |det M| times a function that is 1/w_i at vertex i and 0 at the
+// other two. So
 //
 //   u = Σ u_i w_r,i E_i / Σ w_r,i E_i,
 //
-// so that no w_i is divided by and vertices with w <= 0 are ordinary; |det M| cancels. Numerator
-// and denominator are planes, set up once for each triangle and evaluated at each place:
+// where |det M| cancels. Nothing is divided by w_i, so vertices with w <= 0 are allowed. Numerator
+// and denominator are planes, set up once per triangle and evaluated at each place:
 //
 //   (a, b, c) = Σ r_i w_r,i (A_i, B_i, C_i)   and   Σ w_r,i (A_i, B_i, C_i).
 //
-// Poles. Where Σ w_r,i E_i = 0 the parameters are infinite. With w_r of one sign on a triangle
-// there is no such place inside it; w_r of both signs are refused, as w_r = 0 is: of a slide
-// projector that is a triangle which reaches behind the projector, and wants to be clipped there,
-// as one behind the eye is. Extrapolated centres may lie beyond a pole all the same; what comes out
-// there means nothing.
+// Poles. Where Σ w_r,i E_i = 0 the parameters are infinite. If w_r has one sign on a triangle, no
+// such place lies inside it. A triangle with w_r of both signs or with w_r = 0 is refused. With a
+// slide projector, such a triangle reaches behind the projector and should be clipped there, like
+// one that reaches behind the eye. Extrapolated centres may still lie beyond a pole; their values
+// are meaningless.
 //
-// Roundings (internal/point_drawing.h), u = 2^-53: A_i, B_i, C_i are off by 8 u of their terms'
-// magnitudes. Σ w_r,i (A_i, B_i, C_i) adds a product and two sums, 11 u, and the evaluation three
-// more: d = 14. r_i w_r,i is one product more: n = 15. This with
+// Roundings (internal/point_drawing.h), u = 2^-53: A_i, B_i, C_i have errors of 8 u times their
+// terms' magnitudes. Σ w_r,i (A_i, B_i, C_i) adds a product and two sums, which makes 11 u, and the
+// evaluation adds 3 u: d = 14. The numerator has one more product, r_i w_r,i: n = 15. Here
 //
 //   K = Σ |w_r,i| |E|_i / |Σ w_r,i E_i|,
 //
-// which is the contract's K where w_r = 1. A w_r that is itself off by ε u of itself adds ε to
-// both: of quads 6 (quad.h), up to a factor that all corners share.
+// which is the contract's K if w_r = 1. If w_r itself has a relative error of ε u, ε is added to
+// both n and d. For quads ε is 6, apart from a factor that all corners share (quad.h).
 //
-// What it does not do: find w_r, which come from the caller (object_projective.h says from where).
+// w_r is not computed here; the caller supplies it (object_projective.h lists its sources).
 //
 // Operations for two attributes, and the divisions among them:
 //   object-projective: 14 (2) per pixel, 2 per vertex, 72 per polygon
@@ -53,16 +55,16 @@ namespace {
 constexpr double kLeastW = 0x1p-64;
 constexpr double kMostW = 0x1p64;
 
-/// The planes of values in clusters; one cluster, with w_r = 1, unless it is told otherwise.
+/// The planes of values that are grouped in clusters; by default one cluster with w_r = 1.
 template <class T>
 class ProjectivePlanes {
  public:
-  /// Before vertices are set, and then for all triangles.
+  /// Must be called before vertices are set; applies to all triangles.
   void set_clusters(std::size_t count, std::span<const std::size_t> cluster_of_value) {
     cluster_count_ = count;
     for (std::size_t k = 0; k < cluster_of_value.size(); ++k) cluster_of_[k] = cluster_of_value[k];
   }
-  /// Before vertex i is set.
+  /// Must be called before vertex i is set.
   void set_w_r(std::size_t i, std::size_t cluster, T w_r) { w_r_[i][cluster] = w_r; }
 
   void set_vertex(std::size_t i, const PointVertex& vertex, std::size_t count) {
@@ -111,7 +113,8 @@ class ProjectivePlanes {
             s0 * p.c + s1 * q.c + s2 * r.c};
   }
 
-  /// One more than there are values: what is in no cluster is one, too.
+  /// One number per cluster. The array is one longer than the number of values, because the values
+  /// in no cluster share an extra cluster.
   using PerCluster = std::array<T, kMaxAttributes + 1>;
   static PerCluster ones() {
     PerCluster all;
@@ -131,7 +134,7 @@ class ProjectivePlanes {
   std::array<Plane, kMaxAttributes + 1> denominators_;
 };
 
-/// The formula with the clusters of a draw, which were checked. Cluster 0 is what is in none.
+/// The formula with the checked clusters of a draw. Cluster 0 holds the values in no cluster.
 class ClusterFormula : public PointFormula {
  public:
   ClusterFormula(const State& state, std::span<const ParameterCluster> clusters)
@@ -167,7 +170,7 @@ class ClusterFormula : public PointFormula {
   ProjectivePlanes<double> planes_;
 };
 
-/// What is wrong with the w_r of one triangle.
+/// Returns the error in the w_r of one triangle, if any.
 std::optional<ClusterError> check_triangle(std::span<const double> w_r, const glm::uvec3& corners) {
   const std::array<double, 3> all{w_r[corners.x], w_r[corners.y], w_r[corners.z]};
   for (const double w : all) {
@@ -179,7 +182,7 @@ std::optional<ClusterError> check_triangle(std::span<const double> w_r, const gl
   return std::nullopt;
 }
 
-/// `state` and `mesh` were checked.
+/// `state` and `mesh` must have been checked.
 std::optional<ClusterError> check_clusters(const State& state, const Mesh& mesh,
                                            std::span<const ParameterCluster> clusters) {
   std::array<bool, kMaxAttributes> is_taken{};
@@ -207,7 +210,7 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
 
 const MethodRegistration kRegistration(
     {.name = "object-projective",
-     .source = "seed 002 §3.4",
+     .source = "Heckbert & Moreton 1991, §3.4",
      .fails = "where the weights cancel; a w_r of both signs in a triangle is refused",
      .draw = &draw_by_formula<ProjectivePlanes, double>,
      .promise = &promise,

@@ -11,7 +11,7 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-// Near and far, the clip distances, and the four sides of the guard band each add a vertex at most.
+// Near, far, each clip distance, and each of the guard band's four sides add at most one vertex.
 static_assert(kMaxPolygonCorners + 2 + kMaxClipDistances + 4 <= ClipPolygon::kCapacity);
 
 bool are_finite(std::span<const float> values) {

@@ -1,17 +1,17 @@
 #pragma once
 
-// Convex polygons of any number of sides, drawn whole by the methods that scan-convert (seed 002
-// §2, §3.5), without triangles.
+// Draws convex polygons without splitting them into triangles, by the methods that scan-convert
+// (Heckbert & Moreton 1991, §2, §3.5).
 //
 // A polygon is convex as seen from the eye: with columns (x, y, w), det(p_i, p_j, p_k) has one
-// sign, or is 0, for all corners i < j < k. Where all w > 0 that is: convex in the window, its
-// corners in order. It needs no w > 0, as it says the same of the rays from the eye, which lie on
-// the surface of a convex cone then; w <= 0 is ordinary, as the polygon is clipped before it is
-// divided by w. The corners need not lie in one plane.
+// sign, or is 0, for all corners i < j < k. If all w > 0 this means convex in the window, with
+// corners in order. The definition does not need w > 0: in general it means that the rays from the
+// eye to the corners lie, in order, on the surface of a convex cone. w <= 0 is allowed, because the
+// polygon is clipped before the division by w. The corners need not lie in one plane.
 //
-// Values of rational-linear and its kin are those of a plane where the corners and their values lie
-// in one (seed 002: where parameters are object-affine). Otherwise, as with scanline-linear, what
-// is inside depends on how the polygon is turned in the window.
+// If the corners and their values lie in one plane (Heckbert & Moreton 1991: if parameters are
+// object-affine), rational-linear and related methods compute that plane's values. Otherwise, as
+// with scanline-linear, values inside depend on the polygon's rotation in the window.
 
 #include <cstddef>
 #include <glm/vec4.hpp>
@@ -24,7 +24,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// Corners of a polygon, inclusive.
+/// Maximum number of corners of a polygon, inclusive.
 inline constexpr std::size_t kMaxPolygonCorners = 16;
 
 struct PolygonVertex {
@@ -35,32 +35,32 @@ struct PolygonVertex {
 
 /// Why a polygon was refused; nothing is drawn then.
 enum class PolygonError {
-  draw,                  ///< PolygonFault::refused says what
-  no_polygons,           ///< a method that does not scan-convert polygons
+  draw,                  ///< the draw itself was refused; see PolygonFault::refused
+  no_polygons,           ///< the method does not scan-convert polygons
   corner_count,          ///< fewer than 3 or more than kMaxPolygonCorners
-  attribute_values,      ///< not one value for each attribute
-  clip_distance_values,  ///< not one value for each distance
-  not_finite,            ///< a position, an attribute or a distance
-  /// An attribute that is not flat and not at samples: a centre that is not covered has no value,
-  /// as no plane is known.
+  attribute_values,      ///< a corner has too few or too many values of attributes
+  clip_distance_values,  ///< a corner has too few or too many clip distances
+  not_finite,            ///< a position, an attribute or a distance is not finite
+  /// An attribute is neither flat nor evaluated at samples. A centre that the polygon does not
+  /// cover would need a plane for its value, and none is known.
   location,
   degenerate,  ///< no area as seen from the eye
   not_convex,
 };
 
-/// One sentence about an error.
+/// One sentence that explains the error.
 std::string_view to_string(PolygonError error);
 
 struct PolygonFault {
   PolygonError error = PolygonError::draw;
-  /// The first corner of which it is true, or the attribute for PolygonError::location; 0 of what
-  /// is true of the whole.
+  /// The first corner that has the error, or the attribute for PolygonError::location; 0 if the
+  /// error concerns the whole polygon.
   std::size_t index = 0;
-  std::optional<Error> refused = {};  ///< of PolygonError::draw
+  std::optional<Error> refused = {};  ///< set for PolygonError::draw
 };
 
-/// Appends the fragments of one polygon by the method of this name, as those of triangle 0. The
-/// provoking vertex is the first corner, of Convention::opengl the last.
+/// Appends the fragments of one polygon, drawn by the named method, as those of triangle 0. The
+/// provoking vertex is the first corner; with Convention::opengl the last.
 std::optional<PolygonFault> draw_polygon(std::string_view method, const State& state,
                                          std::span<const PolygonVertex> polygon,
                                          const TargetSize& size, Fragments& fragments);

@@ -1,14 +1,14 @@
-// polynomial-quadratic and polynomial-cubic: along each row a polynomial in place of the rational
-// linear function, so that no pixel divides (Wolberg, 1990, as told by Heckbert and Moreton, §2.1,
-// seed 002).
+// polynomial-quadratic and polynomial-cubic: along each row a polynomial replaces the rational
+// linear function, so that no pixel divides (Wolberg, 1990, as told by Heckbert & Moreton 1991,
+// §2.1).
 //
 // The mathematics. Edges are rational linear: s_i = r_i / w and 1 / w are interpolated to both ends
-// of a row's span (rational_linear.cpp). With t from 0 to 1 along it, values at the nodes k/n, k =
-// 0 … n, are
+// of a row's span (rational_linear.cpp). With t from 0 to 1 along the span, the values at the nodes
+// t = k/n, k = 0 … n, are
 //
 //   f_k = ((n − k) s_left + k s_right) / ((n − k) 1/w_left + k 1/w_right),
 //
-// and the polynomial of degree n = 2 or 3 through them takes the place of r, in powers of n t:
+// and the polynomial of degree n = 2 or 3 through them replaces r, in powers of n t:
 //
 //   n = 2   f_0 + (d_1 − d_2/2) (2t) + d_2/2 (2t)²
 //   n = 3   f_0 + (d_1 − d_2/2 + d_3/3) (3t) + (d_2 − d_3)/2 (3t)² + d_3/6 (3t)³
@@ -16,35 +16,38 @@
 // with the forward differences d_1 = f_1 − f_0, d_2 = f_2 − 2 f_1 + f_0, d_3 = f_3 − 3 f_2 + 3 f_1
 // − f_0.
 //
-// What it is off by. Along the span 1/w is linear, least at one end, say t = 0, and ρ times that at
-// the other: up to a factor t + q with q = 1/(ρ − 1), and r = α + β/(t + q). It goes from end to
-// end without turning, over R = |β| / (q (1 + q)). The polynomial P through r at the nodes x_k has
+// Approximation error. Along the span 1/w is linear. Let it be least at t = 0, and ρ times as great
+// at t = 1. Up to a factor it is then t + q with q = 1/(ρ − 1), and r = α + β/(t + q). r is
+// monotone from end to end, with the range R = |β| / (q (1 + q)). The polynomial P through r at the
+// nodes x_k has
 //
 //   r − P = β Π(t − x_k) / ((t + q) Π(−q − x_k)),
 //
-// as (t + q) times both sides are polynomials of degree n + 1 that agree at the nodes and at −q. So
+// because (t + q) times either side is a polynomial of degree n + 1, and the two polynomials agree
+// at the nodes and at −q. So
 //
 //   n = 2   |r − P| = R |t (t − 1/2) (t − 1)| / ((t + q) (q + 1/2))
 //                  <= R min(√3/36 / (q (q + 1/2)),  1/2 / (q + 1/2)),
 //   n = 3   |r − P| = R |t (t − 1/3) (t − 2/3) (t − 1)| / ((t + q) (q + 1/3) (q + 2/3))
 //                  <= R min(1/81 / (q (q + 1/3) (q + 2/3)),  2/9 / ((q + 1/3) (q + 2/3))).
 //
-// The first of each pair: t + q >= q, and the product is greatest where (t − 1/2)² = 1/12, √3/36,
-// or 5/36, 1/81. The second: t <= t + q, and what is left of the product is greatest at t = 0. All
-// grow with ρ: to 1, the whole range, where w goes to infinity along the span.
+// The first bound of each pair holds because t + q >= q and the product is at most √3/36, at (t −
+// 1/2)² = 1/12, or 1/81, at (t − 1/2)² = 5/36. The second bound holds because t <= t + q and the
+// rest of the product is greatest at t = 0. All bounds grow with ρ, and reach 1, the whole range,
+// as ρ goes to infinity.
 //
-// R is at most the range of the vertices' values, and ρ at most the ratio of w among the vertices:
-// a span lies within the triangle, also what clipping leaves of one. Of a triangle with some w <= 0
-// the ratio has no bound; the share is 1 then.
+// R is at most the range of the vertices' values, and ρ is at most the ratio of w among the
+// vertices, because a span lies within the triangle, also after clipping. For a triangle with some
+// w <= 0 the ratio has no bound; the share is then 1.
 //
 // Roundings, first order, u = 2^-53, M = max|r_i|. Nodes are means of numbers of one sign (1/w),
-// off by less than 30 u M. Going one way over R <= 2 M they make coefficients of at most 3.7 M, 2 M
-// and M/3 for n = 3, and terms of at most 3.7 · 3, 2 · 9 and 1/3 · 27 M: 39 M together, with at
-// most 23 roundings each, t's own among them. That is less than 900 u M, and with 8 times what a
-// node is off by less than 2^11 u M, 2^-18 scale ULP.
+// with errors below 30 u M. They are monotone with a range R <= 2 M, so for n = 3 coefficients are
+// at most 3.7 M, 2 M and M/3, and terms at most 3.7 · 3, 2 · 9 and 1/3 · 27 M, together 39 M. Each
+// term has at most 23 roundings, including those of t. That makes less than 900 u M. Adding 8 times
+// a node's error makes less than 2^11 u M, which is 2^-18 scale ULP.
 //
-// What they do not do, besides what internal/polygon_drawing.h does not: split spans where ρ is
-// large ("should be adaptive", seed 002; not recommended there either).
+// Not done here, besides the limits of internal/polygon_drawing.h: splitting spans with large ρ
+// ("should be adaptive", Heckbert & Moreton 1991; not recommended there either).
 //
 // Operations for two attributes, and the divisions among them:
 //   polynomial-cubic: 14 per pixel, 104 (23) per row, 3 (3) per vertex
@@ -64,7 +67,7 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Along edges s_i, then 1/w.
+/// Interpolates s_i along edges, and 1/w as the last parameter.
 template <class T, std::size_t kDegree>
 class Polynomial : public LinearFormula<T> {
  public:
@@ -72,8 +75,8 @@ class Polynomial : public LinearFormula<T> {
     for (std::size_t i = 0; i < this->count_; ++i) s[i] = vertex.r[i] / vertex.w;
     s[this->count_] = T(1) / vertex.w;
   }
-  /// Coefficients in `left`, `right`, `more`; in place of `right_u` the factor that makes n t of
-  /// pixels.
+  /// Stores coefficients in `left`, `right` and `more`, and the factor from pixels to n t in
+  /// `right_u`.
   void set_span(SpanEnds<T>& ends, T /*first*/) const override {
     const T width = ends.right_u - ends.left_u;
     ends.right_u = width == T(0) ? T(0) : T(static_cast<double>(kDegree)) / width;
@@ -105,7 +108,7 @@ class Polynomial : public LinearFormula<T> {
   std::size_t parameter_count() const override { return this->count_ + 1; }
 
  private:
-  /// n times what is linear, at k/n.
+  /// Returns n times the linear function's value at k/n.
   static T node(std::size_t k, T left, T right) {
     return T(static_cast<double>(kDegree - k)) * left + T(static_cast<double>(k)) * right;
   }
@@ -132,8 +135,8 @@ using Quadratic = Polynomial<T, 2>;
 template <class T>
 using Cubic = Polynomial<T, 3>;
 
-/// The greatest ratio of w among the vertices of a triangle; nothing where one has w <= 0. Those
-/// that are not finite are not drawn.
+/// Returns the greatest ratio of w among the vertices of any triangle; empty if some w <= 0. Skips
+/// triangles that are not finite, because they are not drawn.
 std::optional<double> greatest_ratio(const Mesh& mesh) {
   double greatest = 1;
   for (const glm::uvec3& corners : mesh.triangles) {
@@ -147,7 +150,7 @@ std::optional<double> greatest_ratio(const Mesh& mesh) {
   return greatest;
 }
 
-/// The share of the range, of `degree`: with p = 1/q = ρ − 1, which may be 0.
+/// Returns the bound for a degree as a share of the range, using p = 1/q = ρ − 1, which may be 0.
 double range_share(std::size_t degree, double ratio) {
   const double p = ratio - 1;
   constexpr double kRootOf3 = 1.7320508075688773;
@@ -161,7 +164,7 @@ double range_share(std::size_t degree, double ratio) {
 
 template <std::size_t kDegree>
 Promise promise(const State& /*state*/, const Mesh& mesh, const TargetSize& /*size*/) {
-  // What the share itself is rounded by.
+  // Covers the rounding of the share itself.
   constexpr double kRounded = 1 + 0x1p-20;
   const std::optional<double> ratio = greatest_ratio(mesh);
   MethodBound bound = kScannedPerspectiveBound;
@@ -172,7 +175,7 @@ Promise promise(const State& /*state*/, const Mesh& mesh, const TargetSize& /*si
 
 const MethodRegistration kQuadratic(
     {.name = "polynomial-quadratic",
-     .source = "seed 002 §2.1 (Wolberg, 1990)",
+     .source = "Heckbert & Moreton 1991, §2.1; Wolberg 1990",
      .fails = "near the pole: between nodes where w changes much along a row",
      .draw = &scan_triangles_by<Quadratic>,
      .promise = &promise<2>,
@@ -181,7 +184,7 @@ const MethodRegistration kQuadratic(
 
 const MethodRegistration kCubic(
     {.name = "polynomial-cubic",
-     .source = "seed 002 §2.1 (Wolberg, 1990)",
+     .source = "Heckbert & Moreton 1991, §2.1; Wolberg 1990",
      .fails = "near the pole: between nodes where w changes much along a row",
      .draw = &scan_triangles_by<Cubic>,
      .promise = &promise<3>,

@@ -1,8 +1,9 @@
-// projective-inference: rational linear interpolation "the hard way" (seed 002, §3.1; Heckbert,
-// Texture Mapping Polygons in Perspective, 1983, and Fundamentals of Texture Mapping and Image
-// Warping, 1989), for two attributes at a time.
+// projective-inference: rational linear interpolation "the hard way" (Heckbert & Moreton 1991,
+// §3.1; Heckbert, Texture Mapping Polygons in Perspective, 1983, and Fundamentals of Texture
+// Mapping and Image Warping, 1989), for two attributes at a time.
 //
-// The mathematics, row vectors as in seed 002. Two attributes (s, t) are texture coordinates.
+// The mathematics, row vectors as in Heckbert & Moreton 1991. Two attributes (s, t) are texture
+// coordinates.
 //
 //   inference      the affine parameterization that takes (s_i, t_i) to the object position P_i of
 //                  the three vertices: with s_ij = s_i − s_j and so on, det = s_10 t_20 − s_20
@@ -15,66 +16,66 @@
 //                  a 3 × 4 matrix with the last column (0, 0, 1)
 //   concatenation  times the object-to-screen matrix, 4 × 3 without z: the matrix M_ts,
 //                  (x w, y w, w) = (s q, t q, q) M_ts
-//   inversion      by the adjoint, M_ts^-1 but for a factor
+//   inversion      by the adjoint, M_ts^-1 up to a factor
 //   at a place     (s q, t q, q) = (x, y, 1) adj(M_ts), s = (s q)/q, t = (t q)/q.
 //
-// Heckbert transforms the vertices of the clipped polygon that way and interpolates; here every
-// place is transformed, and nothing is clipped. A draw has no object positions: object space is
-// that of the homogeneous window coordinates (X, Y, w), of which clip space and every object space
-// are linear images, and the object-to-screen matrix, which the method multiplies with all the
-// same, is the identity. The texture's origin is moved to the first vertex, s_i − s_0 and t_i − t_0
-// in place of s_i and t_i, and s_0 and t_0 are added at the place: a texture far from its origin
-// costs no digits, and what is drawn of s knows nothing of t_0.
+// Heckbert transforms the vertices of the clipped polygon this way and interpolates; here every
+// place is transformed, and nothing is clipped. A draw has no object positions, so the homogeneous
+// window coordinates (X, Y, w) serve as object space; clip space and every real object space are
+// linear images of them. The object-to-screen matrix is then the identity; the method multiplies by
+// it all the same. The texture's origin is moved to the first vertex, s_i − s_0 and t_i − t_0 in
+// place of s_i and t_i, and s_0 and t_0 are added at the place: a texture far from its origin costs
+// no digits, and the drawn s does not depend on t_0.
 //
-// Operations. Seed 002 counts 133 for a polygon and 12 for a vertex, "multiplies and adds", and
-// does not say which. With
+// Operations. Heckbert & Moreton 1991 count 133 for a polygon and 12 for a vertex, "multiplies and
+// adds", without a breakdown. With
 //
 //   inference      4 + 6 differences, det 3, ∂P/∂s and ∂P/∂t 9 each, origin 12     43
 //                  (and 6 divisions)
 //   concatenation  of a whole 3 × 4 with a whole 4 × 3 matrix, 9 (4 + 3)            63
 //   adjoint        9 (2 + 1)                                                        27
 //
-// they are 133 if the divisions, which are neither, do not count; and (x, y, 1) times a 3 × 3
-// matrix is 3 (2 + 2) = 12. The method's own code has these counts, and 4 for moving the origin. (A
-// concatenation that knows the last column would take 48.)
+// the total is 133 if the divisions do not count, and (x, y, 1) times a 3 × 3 matrix takes 3 (2 +
+// 2) = 12. The method's own code has these counts, plus 4 for moving the origin. (A concatenation
+// that uses the known last column would take 48.)
 //
-// What pairs. Smooth attributes are taken in order, each with the next. The inference has no
-// inverse where the three (s_i, t_i) lie on a line, and is of no use where they nearly do: where
+// Pairing. Smooth attributes are paired in order, each with the next. The inference has no inverse
+// if the three (s_i, t_i) lie on a line, and is useless if they nearly do. If
 //
 //   κ = (|s_10| + |s_20|)(|t_10| + |t_20|) / |det|
 //
-// is more than 2^10 the first of the two is taken alone, and so is the last of an odd number. Alone
-// it gets a second coordinate t = (0, −s_20, s_10), which makes det = s_10² + s_20² and κ <= 2. One
-// that is equal at the three vertices needs no map and is given as it is.
+// is more than 2^10, the first of the two is drawn alone, and so is the last attribute of an odd
+// number. An attribute drawn alone gets a second coordinate t = (0, −s_20, s_10), which makes det =
+// s_10² + s_20² and κ <= 2. An attribute with equal values at the three vertices needs no map and
+// is copied.
 //
-// Error (internal/point_drawing.h), u = 2^-53, for first order; the factor at the end takes in the
-// rest. Let a = |s_10| + |s_20|, b = |t_10| + |t_20|, so ab = κ |det|, κ >= 1; h the greatest of
-// |X|_i, of |Y|_i, of |w_i|; Π the terms' magnitudes in (h × h) · (x, y, 1); and
+// Error (internal/point_drawing.h), u = 2^-53, to first order; the rounded-up factor at the end
+// covers higher orders. Let a = |s_10| + |s_20|, b = |t_10| + |t_20|, so ab = κ |det|, κ >= 1; h
+// the greatest of |X|_i, of |Y|_i, of |w_i|; Π the terms' magnitudes in (h × h) · (x, y, 1); and
 //
 //   R = the greatest of 2 h_α h_β / Σ_{j≠k} |α|_j |β|_k for αβ = XY, Xw, Yw,     Π <= R Σ|E|_i.
 //
-// Off are
+// The errors are at most
 //
-//   ∂P/∂s          differences 4 u and 1 u, product and difference 2 u, det 4 κ u, quotient 1 u:
-//                  by 12 κ u of 2 b h/|det|; ∂P/∂t by 12 κ u of 2 a h/|det|
-//   origin         P_0, by 3 u of h
-//   concatenation  exact, with 0 and 1
-//   q              a product of two, 2 u, and 3 u for the place: by 29 κ u of 4 a b/det² Π, so by
-//                  116 κ² R u Σ|E|_i/|det|; and q = D/det
-//   (s − s_0) q    by 20 κ u of 2 a/|det| Π, so by 40 κ a R u Σ|E|_i/|det|, a <= 4 M; t alike
+//   ∂P/∂s          12 κ u (2 b h/|det|): differences 4 u and 1 u, product and difference 2 u, det
+//                  4 κ u, quotient 1 u; and for ∂P/∂t 12 κ u (2 a h/|det|)
+//   origin         3 u h, for P_0
+//   concatenation  0: exact, with 0 and 1
+//   q              29 κ u (4 a b/det²) Π: a product of two, 2 u, and 3 u for the place. This is at
+//                  most 116 κ² R u Σ|E|_i/|det|; and q = D/det
+//   (s − s_0) q    20 κ u (2 a/|det|) Π <= 40 κ a R u Σ|E|_i/|det|, a <= 4 M; t likewise
 //
-// As |s − s_0| <= 2 M that is 160 κ R + 2 · 116 κ² R in place of n + d, to which the quotient and
-// the sum with s_0 add 1 <= 3 R: less than 400 κ² R together. R is of the triangle and κ of its
-// texture, so the promise is one of the draw, with the greatest there is. R is 1/3 where the
-// vertices' coordinates have one size, and κ some units where the texture's triangle is fat.
-// Barycentric coordinates in place of the texture's, as q-matrix has them, would divide κ out; that
-// is not how this method is meant.
+// As |s − s_0| <= 2 M this gives 160 κ R + 2 · 116 κ² R in place of n + d, to which the quotient
+// and the sum with s_0 add 1 <= 3 R: less than 400 κ² R in all. R depends on the triangle and κ on
+// its texture, so the promise is made per draw, with the greatest product. R is 1/3 if all
+// coordinates of the vertices have the same magnitude, and κ is a few units if the texture's
+// triangle is not thin. Barycentric coordinates in place of texture coordinates, as in q-matrix,
+// would remove κ, but that would be another method.
 //
-// Range. As κ <= 2^10, neither ∂P/∂s <= 2 κ h/a nor products of it come near 2^1023; the terms'
-// magnitudes, where they are not 0, are at least 2^-860, so that what underflows is nothing beside
-// their roundings.
+// Range. As κ <= 2^10, neither ∂P/∂s <= 2 κ h/a nor its products come near 2^1023; the terms'
+// magnitudes, if not 0, are at least 2^-860, so underflow is negligible beside their roundings.
 //
-// What it does not do: draw from object positions and clip.
+// Not done here: drawing from object positions, and clipping.
 //
 // Operations for two attributes, and the divisions among them:
 //   projective-inference: 16 (2) per pixel, 143 (6) per polygon
@@ -97,7 +98,7 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// κ above which two attributes are no texture.
+/// Maximum κ for which two attributes are used as a texture.
 constexpr double kMostCondition = 0x1p10;
 
 struct Differences {
@@ -108,12 +109,12 @@ struct Differences {
   double size() const { return std::abs(first) + std::abs(second); }
 };
 
-/// κ; infinite or NaN where there is no map.
+/// Returns κ; infinite or NaN if no map exists.
 double texture_condition(const Differences& s, const Differences& t) {
   return s.size() * t.size() / std::abs(s.first * t.second - s.second * t.first);
 }
 
-/// What is done with an attribute, or with it and the next.
+/// How an attribute, alone or paired with the next, is drawn.
 struct Part {
   enum class Kind { constant, alone, pair };
   Kind kind = Kind::constant;
@@ -123,7 +124,7 @@ struct Part {
   std::size_t width() const { return kind == Kind::pair ? 2 : 1; }
 };
 
-/// The part that begins with an attribute; `values` are [attribute][vertex].
+/// Returns the part that begins with `attribute`; `values` are [attribute][vertex].
 Part part_at(std::size_t attribute, std::span<const Triple<double>> values) {
   const Differences s(values[attribute]);
   if (attribute + 1 < values.size()) {
@@ -206,7 +207,7 @@ class TextureMaps {
 
 // --- The promise ---------------------------------------------------------------------------------
 
-/// R, of the magnitudes |X|, |Y| and |w| of the vertices.
+/// Returns R, computed from the magnitudes |X|, |Y| and |w| of the vertices.
 double spread(const std::array<Triple<double>, 3>& sizes) {
   double greatest = 0;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -222,7 +223,7 @@ double spread(const std::array<Triple<double>, 3>& sizes) {
   return greatest;
 }
 
-/// The greatest κ of a triangle's parts; 0 where all are constant.
+/// Returns the greatest κ of a triangle's parts; 0 if all parts are constant.
 double greatest_condition(std::span<const Triple<double>> values) {
   double greatest = 0;
   for (std::size_t k = 0; k < values.size();) {
@@ -233,7 +234,7 @@ double greatest_condition(std::span<const Triple<double>> values) {
   return greatest;
 }
 
-/// |X|, |Y| and |w| as internal/point_drawing.h has them.
+/// Returns |X|, |Y| and |w| as defined in internal/point_drawing.h.
 Triple<double> sizes_of(const glm::vec4& p, const Viewport& viewport) {
   Triple<double> sizes{0, 0, std::abs(double{p.w})};
   for (int axis = 0; axis < 2; ++axis) {
@@ -249,7 +250,7 @@ bool is_finite(const glm::vec4& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
-/// n + d of one triangle; 0 where it is not drawn.
+/// Returns n + d for one triangle; 0 if the triangle is not drawn.
 double terms(const State& state, const Mesh& mesh, const glm::uvec3& triangle) {
   const std::size_t count = state.attributes.size();
   std::array<Triple<double>, kMaxAttributes> values;
@@ -275,7 +276,7 @@ double terms(const State& state, const Mesh& mesh, const glm::uvec3& triangle) {
 }
 
 Promise promise(const State& state, const Mesh& mesh, const TargetSize& /*size*/) {
-  // Nothing is promised from 2^24 on.
+  // Nothing is promised if the bound reaches this value.
   constexpr double kNothing = 0x1p24;
   MethodBound bound = point_bound(0, 0, kDoubleRoundoff);
   for (const glm::uvec3& triangle : mesh.triangles) {
@@ -287,7 +288,7 @@ Promise promise(const State& state, const Mesh& mesh, const TargetSize& /*size*/
 
 const MethodRegistration kRegistration(
     {.name = "projective-inference",
-     .source = "seed 002 §3.1; Heckbert 1983 and 1989",
+     .source = "Heckbert & Moreton 1991, §3.1; Heckbert 1983 and 1989",
      .fails = "textures whose triangle is thin, besides where the weights cancel",
      .draw = &draw_by_formula<TextureMaps, double>,
      .promise = &promise,

@@ -1,5 +1,5 @@
-// q-matrix and q-matrix-float: the parameters k and l of a place, by the q-matrix (seed 001, pp.
-// 6–7), in double and with the precision of float32.
+// q-matrix and q-matrix-float: the parameters k and l of a place, by the q-matrix (Rasterization
+// slides, pp. 6–7), in double and with the precision of float32.
 //
 // The mathematics is that of rasterizer/methods/q_matrix.h, in clip form: with the homogeneous
 // window coordinates (X_i, Y_i, w_i) of the vertices
@@ -7,43 +7,41 @@
 //   E_i = A_i u + B_i v + C_i,   (A_i, B_i, C_i) the rows of |det M| M^-1,   D = E_1 + E_2 + E_3
 //   k = E_2/D,   l = E_3/D,   r = r_1 + (r_2 − r_1) k + (r_3 − r_1) l.
 //
-// D is evaluated by the sums of the rows' coefficients, as p. 7 has it. No w_i is divided by, so
-// vertices with w <= 0 are no different.
+// D is evaluated by the sums of the rows' coefficients, as on p. 7. The method does not divide by
+// w_i, so vertices with w <= 0 need no special case.
 //
 // Error. Notation of internal/point_drawing.h: u the unit roundoff, S = Σ|E|_i, K = S/D. In double
-// X and Y are off by 3 u already, and each further operation adds 1 u: A_i and B_i 5 u, C_i 8 u,
-// E_i 9 u; the sums of A_i 7 u and of C_i 10 u, D 11 u. In float X and Y come from double and are
-// rounded once: A_i and B_i 3 u, C_i 4 u, E_i 6 u; the sums 5 u and 6 u, D 8 u. All of these times
-// the terms' magnitudes, so of S. What comes out is
+// X and Y already have errors of 3 u, and each further operation adds 1 u: A_i and B_i 5 u, C_i 8
+// u, E_i 9 u; the sums of A_i 7 u and of C_i 10 u, D 11 u. In float X and Y come from double and
+// are rounded once: A_i and B_i 3 u, C_i 4 u, E_i 6 u; the sums 5 u and 6 u, D 8 u. All of these
+// factors multiply the terms' magnitudes, and so S. The result is
 //
 //   r' = r_1 + Σ (r_i − r_1)(1 + η_i) E'_i/D',      E' = E + δE, D' = D + δD, |η_i| <= 5 u,
 //
-// with a difference, a quotient, a product and two sums in η_i, and two roundings more of r_1.
-// Without these
+// where η_i covers a difference, a quotient, a product and two sums; r_1 has two more roundings.
+// Without these roundings
 //
 //   r' − r = (Σ (r_i − r_1) δE_i − (r − r_1) δD) / D'
 //
-// (the first sum by Σ (r_i − r_1) E_i = (r − r_1) D), and |r_i − r_1|, |r − r_1| <= 2 M. With E_i
-// off by e u and D by d u that is at most (2 e + 2 d) u M S/D', to which the roundings add
-// 2 M 5 u S/D' + 2 u M. So n + d of point_bound() is 2 e + 2 d + 12, and 1 more takes in all that
-// is of second order:
+// because Σ (r_i − r_1) E_i = (r − r_1) D. Here |r_i − r_1| <= 2 M and |r − r_1| <= 2 M. If E_i has
+// an error of e u and D of d u, this is at most (2 e + 2 d) u M S/D', to which the roundings add 2
+// M 5 u S/D' + 2 u M. So n + d of point_bound() is 2 e + 2 d + 12, and 1 more covers second order:
 //
 //   double   e = 9, d = 11:  n = 42         float   e = 6, d = 8:  n = 33
 //
-// In float 111,928 random samples of a window of 8 by 8 pixels, w in [1/8, 8), were off by 0.62
-// scale ULP in the median and by 2,923 at worst, where K was 10,142; none by more than 1.4% of the
-// bound.
+// In float, 111,928 random samples of a window of 8 by 8 pixels, w in [1/8, 8), had errors of 0.62
+// scale ULP in the median and 2,923 at worst, where K was 10,142; none exceeded 1.4% of the bound.
 //
-// Range. In double no E_i overflows, being below 2^520, or underflows, being a multiple of 2^-602
-// as its terms are; a quotient that does is far below a share of M. In float32 products of clip
-// coordinates do both. Scaling each vertex by a power of two, with the factor put back into the
-// E_i, is not enough: the triangle with clip positions (−2^127, 0, w), (2^127, −2w, w) and (2^127,
-// 2w, w), w = 2^-73, covers a window of 8 by 8 pixels and has K <= 3 1/4 in it, but where 2^127 is
-// scaled to 1, y and w are 0 in float32, and the three vertices are one. So the second method has
-// float32's precision with exponents of its own (internal/wide_float.h), which differs from float32
-// only where a product leaves its range.
+// Range. In double no E_i overflows, because E_i is below 2^520, and none underflows, because E_i,
+// like its terms, is a multiple of 2^-602. A quotient that underflows is negligible compared with
+// M. In float32 products of clip coordinates do overflow and underflow. Scaling each vertex by a
+// power of two, with the factor put back into the E_i, does not suffice: the triangle with clip
+// positions (−2^127, 0, w), (2^127, −2w, w) and (2^127, 2w, w), w = 2^-73, covers a window of 8 by
+// 8 pixels and has K <= 3 1/4 in it, but with 2^127 scaled to 1, y and w are 0 in float32, and the
+// three vertices coincide. So q-matrix-float has float32's precision with a wider exponent
+// (internal/wide_float.h), which differs from float32 only if a product leaves float32's range.
 //
-// What it does not do: give constants and vertex values back to the bit.
+// Constants and vertex values are not reproduced to the bit.
 //
 // Operations for two attributes, and the divisions among them:
 //   q-matrix: 22 (2) per pixel, 42 per polygon
@@ -105,7 +103,7 @@ Promise float_promise(const State& /*state*/, const Mesh& /*mesh*/, const Target
 
 const MethodRegistration kDouble(
     {.name = "q-matrix",
-     .source = "seed 001 pp. 6–7",
+     .source = "Rasterization slides, pp. 6–7",
      .fails = "where the weights cancel; constants and vertex values are not kept to the bit",
      .draw = &draw_by_formula<InTrianglePlane, double>,
      .promise = &promise,
@@ -113,7 +111,7 @@ const MethodRegistration kDouble(
 
 const MethodRegistration kFloat(
     {.name = "q-matrix-float",
-     .source = "seed 001 pp. 6–7, in float32",
+     .source = "Rasterization slides, pp. 6–7, in float32",
      .fails = "by 2^29 times as much as in double where the weights cancel",
      .draw = &draw_by_formula<InTrianglePlane, WideFloat>,
      .promise = &float_promise,

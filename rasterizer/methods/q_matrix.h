@@ -1,13 +1,13 @@
 #pragma once
 
-// The q-matrix of seed 001 (pp. 6–7): what takes a place of the image to a triangle's own
+// The q-matrix (Rasterization slides, pp. 6–7), which maps a place of the image to a triangle's own
 // coordinates.
 //
 // A point of the triangle is P = V1 + (V2 − V1) k + (V3 − V1) l, and a place (u, v) of the image
 // sees P = C + (c + u a + v b) w, with C the eye, a and b along the image's axes and c to its
-// origin. (So the second line of p. 7; the third, which is the second with V1 and C moved to the
-// left, and the fourth lack the w on u and v, and the line of w below them does not follow from
-// what they print.) Together
+// origin. (This is the second line of p. 7. The third line, which is the second with V1 and C moved
+// to the left, lacks the factor w on u and v, and so does the fourth. The formula for w below them
+// does not follow from the printed lines.) Together
 //
 //   [V1−C V2−C V3−C] (1−k−l, k, l)^T = [a b c] (u w, v w, w)^T,
 //
@@ -15,20 +15,22 @@
 //
 //   w = 1 / (e_1 + e_2 + e_3),   k = w e_2,   l = w e_3,   1 − k − l = w e_1.
 //
-// That is the camera form. In the clip form V − C is given as homogeneous window coordinates, M =
-// columns (X_i, Y_i, w_i) = (u_i w_i, v_i w_i, w_i), of which a, b and c are the axes: Q = M^-1. It
-// is the camera form's Q where [a b c] inverts the map from V − C to (X, Y, w), and the same but
-// for a factor where it inverts a multiple of it; w then has the inverse factor, k and l are equal.
+// This is the camera form. In the clip form V − C is given as homogeneous window coordinates, M =
+// columns (X_i, Y_i, w_i) = (u_i w_i, v_i w_i, w_i), with a, b and c as their axes: Q = M^-1. This
+// equals the camera form's Q if [a b c] inverts the map from V − C to (X, Y, w). If [a b c] inverts
+// a multiple of that map, the two Q differ by a factor; w then has the inverse factor, and k and l
+// are the same.
 //
-// Here Q is held without a division: by the adjugate, whose rows are vector products,
+// QMatrix holds a multiple of Q, which needs no division. It uses the adjugate, whose rows are
+// vector products:
 //
 //   |det M| Q = sign(det M) adj(M) [a b c],     row i of adj(M) = column j × column k,
 //
-// (i, j, k) in cyclic order. All of e is >= 0 inside the triangle and w > 0 in front of the eye,
-// whichever way the triangle faces.
+// (i, j, k) in cyclic order. All components of e are >= 0 inside the triangle and w > 0 in front of
+// the eye, whichever way the triangle faces.
 //
-// What it does not do: find out exactly whether det M is 0; the determinant as computed decides.
-// T is a number type whose range takes products of three of the inputs (in camera form of four).
+// The test for det M = 0 is not exact: it uses the computed determinant. T is a number type whose
+// range must hold products of three of the inputs (in the camera form, of four).
 
 #include <array>
 #include <cmath>
@@ -56,14 +58,14 @@ Triple<T> difference(const Triple<T>& a, const Triple<T>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// The rows of the adjugate of a matrix that is given by its columns.
+/// Returns the rows of the adjugate of a matrix given by its columns.
 template <class T>
 std::array<Triple<T>, 3> adjugate(const std::array<Triple<T>, 3>& columns) {
   return {cross_product(columns[1], columns[2]), cross_product(columns[2], columns[0]),
           cross_product(columns[0], columns[1])};
 }
 
-/// a u + b v + c of a row (a, b, c).
+/// Returns a u + b v + c for a row (a, b, c).
 template <class T>
 T plane_at(const Triple<T>& row, T u, T v) {
   return row[0] * u + row[1] * v + row[2];
@@ -71,7 +73,7 @@ T plane_at(const Triple<T>& row, T u, T v) {
 
 template <class T>
 struct QMatrix {
-  std::array<Triple<T>, 3> rows;  ///< of |det M| Q
+  std::array<Triple<T>, 3> rows;  ///< the rows of |det M| Q
   Triple<T> sums;                 ///< |det M| (q_1j + q_2j + q_3j)
   T determinant;                  ///< |det M|
 
@@ -81,11 +83,11 @@ struct QMatrix {
     T w;
   };
 
-  /// |det M| / w.
+  /// Returns |det M| / w.
   T denominator(T u, T v) const { return plane_at(sums, u, v); }
 
-  /// k, l and w at a place of the image that sees the triangle's plane, that is whose denominator
-  /// is not 0. In front of the eye it is positive.
+  /// Returns k, l and w at a place of the image. The denominator there must not be 0: the place
+  /// must see the triangle's plane. The denominator is positive in front of the eye.
   Place at(T u, T v) const {
     const T d = denominator(u, v);
     return {plane_at(rows[1], u, v) / d, plane_at(rows[2], u, v) / d, determinant / d};
@@ -101,11 +103,11 @@ struct ImagePlane {
   Triple<T> c;
 };
 
-/// Why there is no q-matrix.
+/// Why a triangle has no q-matrix.
 enum class QMatrixError {
   edge_on,      ///< det M = 0: the eye lies in the triangle's plane
   image_plane,  ///< det [a b c] = 0: the eye lies in the image's plane
-  not_finite,   ///< an infinity or NaN among the numbers given, or products beyond T's range
+  not_finite,   ///< an input is infinite or NaN, or a product exceeds T's range
 };
 
 constexpr std::string_view to_string(QMatrixError error) {
@@ -123,10 +125,10 @@ constexpr std::string_view to_string(QMatrixError error) {
 template <class T>
 struct QMatrixResult {
   std::optional<QMatrixError> error;
-  QMatrix<T> matrix;  ///< meaningless where there is an error
+  QMatrix<T> matrix;  ///< meaningless if `error` is set
 };
 
-/// A QMatrix of the rows of adj(M) [a b c] and det M, whatever they are.
+/// Makes a QMatrix from the rows of adj(M) [a b c] and det M, without checks.
 template <class T>
 QMatrix<T> assemble_q_matrix(const std::array<Triple<T>, 3>& rows, T determinant) {
   QMatrix<T> q{rows, {}, determinant};
@@ -138,15 +140,15 @@ QMatrix<T> assemble_q_matrix(const std::array<Triple<T>, 3>& rows, T determinant
   return q;
 }
 
-/// The clip form, of columns (X_i, Y_i, w_i), without a look at what comes out: of a triangle that
-/// is known to have a determinant, whose sign alone may be lost.
+/// Makes the clip form from columns (X_i, Y_i, w_i), without checks. The exact determinant must be
+/// known not to be 0; then only its computed sign may be wrong.
 template <class T>
 QMatrix<T> q_matrix_of_columns(const std::array<Triple<T>, 3>& columns) {
   const std::array<Triple<T>, 3> rows = adjugate(columns);
   return assemble_q_matrix(rows, inner_product(columns[0], rows[0]));
 }
 
-/// The error that a determinant shows: `if_zero`, or one that is not finite.
+/// Returns the error of a determinant: `if_zero` if it is 0, not_finite if it is not finite.
 template <class T>
 std::optional<QMatrixError> determinant_error(T determinant, QMatrixError if_zero) {
   const auto value = static_cast<double>(determinant);
@@ -155,7 +157,7 @@ std::optional<QMatrixError> determinant_error(T determinant, QMatrixError if_zer
   return std::nullopt;
 }
 
-/// The clip form: columns (X_i, Y_i, w_i).
+/// Makes the clip form from columns (X_i, Y_i, w_i).
 template <class T>
 QMatrixResult<T> q_matrix(const std::array<Triple<T>, 3>& columns) {
   QMatrixResult<T> result;
@@ -164,7 +166,7 @@ QMatrixResult<T> q_matrix(const std::array<Triple<T>, 3>& columns) {
   return result;
 }
 
-/// The camera form: vertices V1, V2 and V3.
+/// Makes the camera form from vertices V1, V2 and V3.
 template <class T>
 QMatrixResult<T> q_matrix(const std::array<Triple<T>, 3>& vertices, const ImagePlane<T>& image) {
   std::array<Triple<T>, 3> columns;

@@ -1,19 +1,22 @@
 // The maps of quads (quad.h). Errors, u = 2^-53, to first order.
 //
-// w_r. a_i and d_i are exact sums rounded once, to 2 u (internal/exact_sum.h), whatever is lost in
-// them by cancellation: their quotient is off by 5 u of itself. What scales them is a power of two.
+// w_r. a_i and d_i are exact sums rounded once, with a relative error of 2 u (internal/exact_sum.h)
+// even if terms cancel. So their quotient has a relative error of 5 u. Their scale factors are
+// powers of two.
 //
-// Matrices. With |M| for a matrix's formula of magnitudes: a product σ p has 3 u, so that S is off
-// by 4 u |S|, T alike. A number of adj is a difference of two products of two such: 10 u |adj|. A
-// number of T adj S is the sum of three products: 4 + 10 + 1 + 2 = 17 u |T||adj S|. kMatrixError
-// has one more for what is of second order and for the roundings of the sizes themselves.
+// Matrices. Let |M| be a matrix's formula with magnitudes in place of numbers. A product σ p has an
+// error of 3 u, so S has an error of 4 u |S|, and T likewise. An element of adj S is a difference
+// of two products of elements of S: its error is 10 u |adj S|. An element of T adj S is the sum of
+// three products: its error is 4 + 10 + 1 + 2 = 17 u |T||adj S|. kMatrixError has one more u for
+// second order and for the roundings of the sizes themselves.
 //
-// So u at a place p, u = (H p)_u / D, D = (H p)_q, is off by at most ((δH |p|)_u + |u| (δH |p|)_q)
-// / (D − (δH |p|)_q), where δH = 18 u |H| and three roundings more for H p; v alike.
+// So u at a place p, u = (H p)_u / D, D = (H p)_q, has an error of at most ((δH |p|)_u +
+// |u| (δH |p|)_q) / (D − (δH |p|)_q), where δH = 18 u |H| and three more roundings for H p; v
+// likewise.
 //
-// Range. σ_i, the greatest in [1/2, 1), is more than 2^-66 and has 53 bits, so that numbers of S
-// and T are multiples of 2^-268 below 2^129. On the way to those of the products, below 2^390, no
-// number but 0 is smaller than 2^-900.
+// Range. The σ_i, of which the greatest is in [1/2, 1), are more than 2^-66 and have 53 bits, so
+// elements of S and T are multiples of 2^-268 below 2^129. On the way to the products, which are
+// below 2^390, no nonzero number is smaller than 2^-900.
 
 #include "rasterizer/methods/quad.h"
 
@@ -30,7 +33,7 @@ namespace {
 
 constexpr double kMostFactor = 0x1p64;
 
-using Corners = std::array<glm::vec4, 4>;  // z has no say
+using Corners = std::array<glm::vec4, 4>;  // z is ignored
 
 bool is_finite(const Quad& quad) {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -43,7 +46,7 @@ bool is_finite(const Quad& quad) {
   return true;
 }
 
-/// a_i of the header, for i = 0…3.
+/// Returns a_i of quad.h, for i = 0…3.
 std::array<double, 4> turns(const Corners& p) {
   std::array<double, 4> a;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -56,12 +59,12 @@ bool has_zero(const std::array<double, 4>& a) {
   return std::any_of(a.begin(), a.end(), [](double number) { return number == 0; });
 }
 
-/// Whether all have one sign; none is 0.
+/// True if all numbers have the same sign; none may be 0.
 bool is_convex(const std::array<double, 4>& a) {
   return std::all_of(a.begin(), a.end(), [&](double number) { return (number > 0) == (a[0] > 0); });
 }
 
-/// Positive numbers times a power of two: the greatest is in [1/2, 1).
+/// Scales positive numbers by a power of two, so that the greatest is in [1/2, 1).
 std::array<double, 4> scaled(std::array<double, 4> numbers) {
   int exponent = 0;
   std::frexp(*std::max_element(numbers.begin(), numbers.end()), &exponent);
@@ -86,7 +89,7 @@ std::array<glm::dvec3, 4> columns(const Corners& p) {
   return all;
 }
 
-/// a × b with a plus for the minus.
+/// Computes the formula of a × b with a plus in place of each minus.
 glm::dvec3 cross_of_sizes(const glm::dvec3& a, const glm::dvec3& b) {
   return {a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x};
 }
@@ -138,7 +141,7 @@ SizedMatrix square_to_quad(const std::array<glm::dvec3, 4>& corners,
 QuadResult infer(const Quad& quad) {
   if (!is_finite(quad)) return {QuadError::not_finite, {}};
 
-  // The turns of both sides.
+  // The determinants a_i of the positions and d_i of the parameters.
   const std::array<double, 4> a = turns(quad.positions);
   if (has_zero(a)) return {QuadError::corners_in_line, {}};
   if (!is_convex(a)) return {QuadError::not_convex, {}};
@@ -150,7 +153,7 @@ QuadResult infer(const Quad& quad) {
   if (has_zero(d)) return {QuadError::parameters_in_line, {}};
   if (!is_convex(d)) return {QuadError::parameters_not_convex, {}};
 
-  // The factors of the corners.
+  // The factors σ_i, τ_i and w_r,i of the corners.
   const std::array<double, 4> sigma = sigma_of(a);
   const std::array<double, 4> tau = sigma_of(d);
   if (!is_in_range(sigma) || !is_in_range(tau)) return {QuadError::factors_out_of_range, {}};
@@ -158,7 +161,7 @@ QuadResult infer(const Quad& quad) {
   for (std::size_t i = 0; i < 4; ++i) map.w_r[i] = tau[i] / sigma[i];
   map.w_r = scaled(map.w_r);
 
-  // The square to both sides, and from one to the other.
+  // The maps from the square to positions and to parameters, then between positions and parameters.
   const SizedMatrix to_positions = square_to_quad(columns(quad.positions), sigma);
   const SizedMatrix to_parameters = square_to_quad(columns(parameters), tau);
   map.to_parameters = product(to_parameters, adjoint(to_positions));

@@ -1,9 +1,10 @@
-// rational-linear: the rational linear rendering algorithm of Heckbert and Moreton, Interpolation
-// for Polygon Texture Mapping and Shading, §3.5 (seed 002), in double; rational-linear-float, its
-// parameters in float32; and rational-linear-incremental, which in float32 steps along the rows by
-// additions, as was done when the text was written (§3.1: three additions and two divisions).
+// rational-linear: the rational linear rendering algorithm of Heckbert & Moreton 1991, §3.5, in
+// double; rational-linear-float, with parameters in float32; and rational-linear-incremental, which
+// in float32 steps along the rows by additions, as was done when the paper was written (§3.1: three
+// additions and two divisions).
 //
-// The mathematics (seed 002 §3.2). Parameters r_i that are affine in clip space divide into
+// The mathematics (Heckbert & Moreton 1991, §3.2). Parameters r_i that are affine in clip space
+// divide into
 //
 //   s_i = r_i / w,   s_{n+1} = 1 / w,
 //
@@ -16,8 +17,8 @@
 // Steps 1 to 3 and the scan conversion are those of internal/polygon_drawing.h.
 //
 // Error of rational-linear, first order, u = 2^-53 (rounding to float32, once, comes on top).
-// |δs_i| <= 11 u max|s_i|
-// and what the places contribute (polygon_drawing.h), so of the quotients
+// |δs_i| <= 11 u max|s_i|, plus the contribution of the places (polygon_drawing.h), so quotients
+// have
 //
 //   |δr_i| <= (|δs_i| + |r_i| |δs_{n+1}|) / s_{n+1} + u |r_i|, that is
 //
@@ -26,36 +27,38 @@
 // The second term grows towards the horizon, where s_{n+1} is small against the greatest 1/w.
 //
 // Error of rational-linear-float, u = 2^-24. Positions and clipping are as above. So that nothing
-// overflows, r_i and 1/w are multiplied with powers of two that make the greatest |r_i| and the
-// greatest 1/w of the polygon's vertices 1 to 2. What underflows then is off by 2^-150 of the
-// greatest 1/w, less than 2^-24 g scale ULP of r_i in all, g = max(1/w) / s_{n+1}. Each s_i has a
-// rounding at the vertex, and along an edge and along a span a rounding of each weight, which is a
-// quotient of differences in double, of each product, and of the sum. All weights are positive, and
-// so is 1/w: what is off of s_{n+1} is off relative to itself, and nothing grows towards the
-// horizon. Vertex, products and sums: 5 u of N and 5 u of D, hence 10 u M, M = max|r_i|. Weights: a
-// mean of two ends with shares p and 1 − p of s_{n+1} changes by p (1 − p) 2 u |r_a − r_b| <= u M
-// if each weight is off by u, and N and D have the same weights: 2 u M. Together 12 u M <= 12 scale
-// ULP; the quotient adds a half, the power of two of a result below 2^-126 another. 1/64 is for
-// products of roundings, and for those of double.
+// overflows, r_i and 1/w are multiplied by powers of two that bring the greatest |r_i| of the
+// polygon's vertices to 1…2 and the greatest 1/w to 1/2…1. An underflow then causes an error of at
+// most 2^-149 of the greatest 1/w. For r_i this is less than 2^-24 g scale ULP in all, where g =
+// max(1/w) / s_{n+1}. Each s_i is rounded at the vertex. Along an edge, and again along a span,
+// each weight (a quotient of differences in double), each product and the sum are rounded. All
+// weights are positive, and so is 1/w, so the relative error of s_{n+1} does not grow towards the
+// horizon. The roundings at the vertex, of products and of sums cost 5 u of N = s_i and 5 u of D =
+// s_{n+1}, hence 10 u M, M = max|r_i|. N and D share their weights. If each weight has an error of
+// u, a mean of two ends with shares p and 1 − p of s_{n+1} changes by p (1 − p) 2 u |r_a − r_b| <=
+// u M; for edge and span that is 2 u M. Together these are 12 u M <= 12 scale ULP. The quotient
+// adds half an ULP, and so does multiplying a result below 2^-126 by its power of two. The last
+// 1/64 covers products of roundings, and the roundings of double.
 //
-// Error of rational-linear-incremental. A span has ends as above, 4 u of the greatest |s_i|, and
-// begins with 3 u more, at its first sample. With S = M max(1/w), the step d = (s_right − s_left) /
-// width is off by 3 u |d|, of which n steps, no more than fit between the ends, make 3 u
-// |s_right − s_left|: 6 u S of a numerator and 3 u S / M of 1/w, which is positive. Each addition
-// rounds to u S. So
+// Error of rational-linear-incremental. The ends of a span have errors as above, 4 u of the
+// greatest |s_i|; the value at its first sample has 3 u more. With S = M max(1/w), the step d =
+// (s_right − s_left) / width has an error of 3 u |d|. Over n steps, at most as many as fit between
+// the ends, this adds up to 3 u |s_right − s_left|: 6 u S for a numerator and 3 u S / M for 1/w,
+// which is positive. Each addition has a rounding error of u S. So
 //
 //   |δs_i| <= (13 + n) u S,   |δs_{n+1}| <= (10 + n) u S / M,   |δr| <= c (23 + 2 n) u g M
 //
-// with c = 1/(1 − ε), ε = (10 + n) u g what 1/w may be off relative to itself. Towards the horizon
-// that has no bound, so r is held to the range of the polygon's vertices, and |δr| <= 2 M there:
-// with ε > 1/2 that is less than 2 (23 + 2 n) u g M, so that c = 2 serves everywhere.
+// with c = 1/(1 − ε), where ε = (10 + n) u g is the relative error of 1/w. Towards the horizon this
+// has no bound, so r is clamped to the range of the polygon's vertices, which makes |δr| <= 2 M. If
+// ε > 1/2, 2 M is less than 2 (23 + 2 n) u g M, so c = 2 is valid everywhere.
 //
 // Measured on random triangles (tests/rasterizer/methods/rational_linear_variants_test.cpp):
-// float32 is off by 3 scale ULP, whether w goes to 1.5 or to 2^20; increments, w up to 4, by 19 in
-// rows of 64 pixels and by 3661 in rows of 8192.
+// rational-linear-float has errors of 3 scale ULP, with w up to 1.5 as well as up to 2^20. With w
+// up to 4, rational-linear-incremental has errors of 19 scale ULP in rows of 64 pixels, and of 3661
+// in rows of 8192.
 //
-// What they do not do, besides what polygon_drawing.h does not: seed 002's reciprocal and products
-// in place of the n divisions per pixel. They cost a rounding more.
+// Not done here, besides the limits of polygon_drawing.h: replacing the n divisions per pixel by a
+// reciprocal and n products, as Heckbert & Moreton 1991 do, which would cost one more rounding.
 //
 // Operations for two attributes, and the divisions among them:
 //   rational-linear: 17 (5) per pixel, 30 (6) per row, 3 (3) per vertex
@@ -91,11 +94,11 @@ class RationalLinear : public LinearFormula<T> {
   std::size_t parameter_count() const override { return this->count_ + 1; }
 };
 
-/// Numbers of float32, or numbers that count.
+/// float in place of double; otherwise the counting number type T itself.
 template <class T>
 using Single = std::conditional_t<std::is_same_v<T, double>, float, T>;
 
-/// A place between two others, its weights rounded to float32.
+/// The weights of a place between two others, rounded to float32.
 template <class T>
 class SingleWeights {
  public:
@@ -109,7 +112,7 @@ class SingleWeights {
     of_b_ = S((place.x - place.x_a) / length);
   }
 
-  /// Equal ends give exactly their value.
+  /// Returns the value at the place. If a and b are equal, returns exactly that value.
   S mean(S a, S b) const { return a == b || is_point_ ? a : of_a_ * a + of_b_ * b; }
 
  private:
@@ -118,8 +121,8 @@ class SingleWeights {
   S of_b_{};
 };
 
-/// What both methods in float32 have in common: all but the spans. Of a T only what fits a
-/// Single<T> is used.
+/// The common part of both methods in float32: everything except the spans. Values of type T always
+/// fit a Single<T>.
 template <class T>
 class SingleFormula : public ScanFormula<T> {
  public:
@@ -159,7 +162,7 @@ class SingleFormula : public ScanFormula<T> {
   using S = Single<T>;
 
  private:
-  /// Times a power of two, which is no arithmetic to count.
+  /// Multiplies by a power of two, which does not count as arithmetic.
   static T scaled(T value, int exponent) {
     return T(std::ldexp(static_cast<double>(value), exponent));
   }
@@ -178,7 +181,7 @@ class RationalLinearFloat : public SingleFormula<T> {
     for (std::size_t i = 0; i < this->count_; ++i) {
       s[i] = T(weights.mean(S(ends.left[i]), S(ends.right[i])));
     }
-    // Not 0, which g > 2^149 would make it.
+    // Not below the least positive float: with g > 2^149, 1/w would be rounded to 0.
     const auto reciprocal_w = weights.mean(S(ends.left[this->count_]), S(ends.right[this->count_]));
     const S least(std::numeric_limits<float>::denorm_min());
     s[this->count_] = T(reciprocal_w < least ? least : reciprocal_w);
@@ -200,7 +203,8 @@ class RationalLinearIncremental : public SingleFormula<T> {
       }
     }
   }
-  /// `ends.left` becomes what is at `ends.left_u`, the first sample, `ends.right` the step.
+  /// Replaces `ends.left` by the values at the first sample, `ends.left_u`, and `ends.right` by the
+  /// step.
   void set_span(SpanEnds<T>& ends, T first) const override {
     const SingleWeights<T> weights({first, ends.left_u, ends.right_u});
     const auto width = static_cast<S>(ends.right_u - ends.left_u);
@@ -217,7 +221,7 @@ class RationalLinearIncremental : public SingleFormula<T> {
       for (std::size_t i = 0; i <= this->count_; ++i) {
         ends.left[i] = T(S(ends.left[i]) + S(ends.right[i]));
       }
-      // The loop's counter, no arithmetic to count.
+      // The loop's counter does not count as arithmetic.
       ends.left_u = T(static_cast<double>(ends.left_u) + 1);
     }
     std::copy_n(ends.left.begin(), this->count_ + 1, s.begin());
@@ -225,7 +229,7 @@ class RationalLinearIncremental : public SingleFormula<T> {
   void values(const Parameters<T>& s, std::span<T> r) const override {
     SingleFormula<T>::values(s, r);
     for (std::size_t i = 0; i < this->count_; ++i) {
-      if (!(r[i] > least_[i])) r[i] = least_[i];  // or no number
+      if (!(r[i] > least_[i])) r[i] = least_[i];  // also replaces NaN
       if (r[i] > greatest_[i]) r[i] = greatest_[i];
     }
   }
@@ -235,8 +239,8 @@ class RationalLinearIncremental : public SingleFormula<T> {
   std::array<T, kMaxAttributes> greatest_{};
 };
 
-// The derivations above. Centres that are not covered are what rational-linear makes them, in all
-// three.
+// Derived above. In all three methods, centres that are not covered get the values of
+// rational-linear.
 constexpr double kPerHorizon = kScannedPerspectiveBound.per_horizon;
 
 Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
@@ -257,7 +261,7 @@ Promise promise_incremental(const State& state, const Mesh& /*mesh*/, const Targ
 }
 
 const MethodRegistration kRegistration({.name = "rational-linear",
-                                        .source = "seed 002 §3.5 (Heckbert and Moreton, 1991)",
+                                        .source = "Heckbert & Moreton 1991, §3.5",
                                         .fails = "samples within roundings of an edge; triangles "
                                                  "whose plane all but passes through the eye",
                                         .draw = &scan_triangles_by<RationalLinear>,
@@ -266,7 +270,7 @@ const MethodRegistration kRegistration({.name = "rational-linear",
                                         .draw_polygon = &scan_polygon_by<RationalLinear>});
 
 const MethodRegistration kFloat({.name = "rational-linear-float",
-                                 .source = "seed 002 §3.5, in float32",
+                                 .source = "Heckbert & Moreton 1991, §3.5, in float32",
                                  .fails = "towards the horizon, where 1/w has lost its digits",
                                  .draw = &scan_triangles_by<RationalLinearFloat>,
                                  .promise = &promise_float,
@@ -275,7 +279,7 @@ const MethodRegistration kFloat({.name = "rational-linear-float",
 
 const MethodRegistration kIncremental(
     {.name = "rational-linear-incremental",
-     .source = "seed 002 §3.1, §3.5, in float32",
+     .source = "Heckbert & Moreton 1991, §3.1, §3.5, in float32",
      .fails = "at the end of long rows: roundings add up with every step",
      .draw = &scan_triangles_by<RationalLinearIncremental>,
      .promise = &promise_incremental,

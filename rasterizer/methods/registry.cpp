@@ -8,8 +8,8 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Sorted by name. A function's static, so that it is there before the first registration whatever
-/// the order in which files are initialised.
+/// All methods, sorted by name. A static variable of a function, so that it exists before the first
+/// registration, whatever the order in which files are initialised.
 std::vector<Method>& registered() {
   static std::vector<Method> methods;
   return methods;
@@ -48,7 +48,8 @@ TraceResult trace_sample_by(std::string_view method, const State& state, const M
   if (found == nullptr) return {Error::unknown_method, std::nullopt};
   const auto trace = [found](const State& s, const Mesh& m, const TargetSize& t,
                              const SamplePlace& a) {
-    // All of the mesh, as what a method does of one triangle may depend on what it promises of all.
+    // Draws all of the mesh, because how a method draws one triangle may depend on its promise for
+    // all triangles.
     MethodTap tap(a);
     Fragments fragments;
     found->draw(s, m, t, fragments, &tap);

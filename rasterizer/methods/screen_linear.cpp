@@ -1,42 +1,44 @@
-// screen-linear and screen-linear-barycentric: interpolation that is affine on the screen, "rubber
-// sheet" or inconsistent with the geometry (seed 000, A 6.3; seed 001, pp. 3–5; seed 002, §2).
+// screen-linear and screen-linear-barycentric: interpolation that is affine on the screen, called
+// "rubber sheet" or inconsistent with the geometry (Appendix 5, A 6.3; Rasterization slides, pp.
+// 3–5; Heckbert & Moreton 1991, §2).
 //
 // The mathematics. With window positions (u_i, v_i) = (X_i, Y_i)/w_i the coefficients of r = a u +
 // b v + c solve
 //
 //   [u_0 v_0 1] [a]   [r_0]
-//   [u_1 v_1 1] [b] = [r_1]                                            (seed 001, p. 4)
+//   [u_1 v_1 1] [b] = [r_1]                                         (Rasterization slides, p. 4)
 //   [u_2 v_2 1] [c]   [r_2]
 //
 // by the inverse's rows
 //
 //   A_i = v_j − v_k,   B_i = u_k − u_j,   C_i = u_j v_k − u_k v_j,   det = C_0 + C_1 + C_2,
 //
-// (i, j, k) in cyclic order: (a, b, c) = Σ r_i (A_i, B_i, C_i) / det. The barycentric form (seed
-// 001, p. 5) evaluates λ_i = (A_i u + B_i v + C_i)/det at each place instead, and r = Σ λ_i r_i; it
-// takes longer, and its weights serve any number of attributes.
+// (i, j, k) in cyclic order: (a, b, c) = Σ r_i (A_i, B_i, C_i) / det. The barycentric form
+// (Rasterization slides, p. 5) evaluates λ_i = (A_i u + B_i v + C_i)/det at each place instead, and
+// then r = Σ λ_i r_i. This takes longer, but the same weights serve any number of attributes.
 //
-// What it is off by. It is the exact affine function up to roundings, and that is what it claims;
-// against what a perspective view shows it is off by up to
+// Approximation error. The method claims the exact affine function up to roundings; its distance
+// from a perspective view is up to
 //
 //   (√ρ − 1)/(√ρ + 1) · (max r_i − min r_i),      ρ = max w_i / min w_i:
 //
 // the perspective weights are b_i = (λ_i/w_i)/Σ(λ_j/w_j), and Σ (b_i − λ_i) r_i is at most the
-// range of the r_i times the sum of the positive b_i − λ_i. Those i taken together are one point of
-// weight λ whose 1/w is a mean of theirs, the others another: on a line with w from 1 to ρ' <= ρ,
+// range of the r_i times the sum of the positive b_i − λ_i. The vertices i with positive b_i − λ_i
+// act as one point of weight λ whose 1/w is a mean of their 1/w_i, and the other vertices act as a
+// second point. On a line between two such points, with w from 1 to ρ' <= ρ,
 //
-//   b − λ = λ (1 − λ)(ρ' − 1) / (λ ρ' + 1 − λ)      (of the end that is nearer the eye)
+//   b − λ = λ (1 − λ)(ρ' − 1) / (λ ρ' + 1 − λ)      (for the end nearer the eye)
 //
 // is greatest at λ = 1/(√ρ' + 1), where it is (√ρ' − 1)/(√ρ' + 1). An edge with the two extreme w
 // attains it.
 //
-// Roundings (internal/point_drawing.h), u = 2^-53. u_i is off by 4 u |X|_i/|w_i|: A_i and B_i by 5
-// u and C_i by 10 u of their terms' magnitudes, det by 12 u of Σ|C|_i <= Σ|E|_i. The sums over i
-// add 3 u, the division 1 u, and the evaluation 3 u: n = 17, d = 12. The barycentric form has the
-// same operations in another order: evaluation 3 u, division 1 u, sums 3 u.
+// Roundings (internal/point_drawing.h), u = 2^-53. u_i has an error of 4 u |X|_i/|w_i|; A_i and B_i
+// of 5 u and C_i of 10 u times their terms' magnitudes, det of 12 u Σ|C|_i <= 12 u Σ|E|_i. The sums
+// over i add 3 u, the division 1 u, and the evaluation 3 u: n = 17, d = 12. The barycentric form
+// has the same operations in another order: evaluation 3 u, division 1 u, sums 3 u.
 //
-// What it does not do: draw anything in perspective; make sense where some w_i <= 0, where window
-// positions of vertices are none.
+// The result is not perspective. It is meaningless if some w_i <= 0, because such vertices have no
+// window positions.
 //
 // Operations for two attributes, and the divisions among them:
 //   screen-linear: 8 per pixel, 2 (2) per vertex, 53 (6) per polygon
@@ -133,15 +135,16 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
   return {.claims = Claim::affine, .smooth = point_bound(17, 12, kDoubleRoundoff)};
 }
 
-const MethodRegistration kPlane({.name = "screen-linear",
-                                 .source = "seeds 000 A 6.3, 001 pp. 3–5, 002 §2",
-                                 .fails = "in perspective; has no meaning where some w <= 0",
-                                 .draw = &draw_by_formula<Plane, double>,
-                                 .promise = &promise,
-                                 .operations = &count_formula<Plane>});
+const MethodRegistration kPlane(
+    {.name = "screen-linear",
+     .source = "Appendix 5, A 6.3; Rasterization slides, pp. 3–5; Heckbert & Moreton 1991, §2",
+     .fails = "in perspective; has no meaning where some w <= 0",
+     .draw = &draw_by_formula<Plane, double>,
+     .promise = &promise,
+     .operations = &count_formula<Plane>});
 
 const MethodRegistration kBarycentric({.name = "screen-linear-barycentric",
-                                       .source = "seed 001 p. 5",
+                                       .source = "Rasterization slides, p. 5",
                                        .fails = "in perspective; has no meaning where some w <= 0",
                                        .draw = &draw_by_formula<Barycentric, double>,
                                        .promise = &promise,

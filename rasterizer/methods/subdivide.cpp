@@ -1,73 +1,77 @@
-// subdivide-2, -4, -8, -16 and subdivide-adaptive: a triangle is cut into smaller ones, whose new
-// vertices have clip positions and parameters by linear interpolation, and each of which is affine
-// in the window: what the SGI VGX did for textures (seed 002 §2.1; seed 004, slide 15).
+// subdivide-2, -4, -8, -16 and subdivide-adaptive: cut a triangle into smaller pieces, whose new
+// vertices have linearly interpolated clip positions and parameters, and draw each piece affine in
+// the window, as the SGI VGX did for textures (Heckbert & Moreton 1991, §2.1; MIT 6.837 2000,
+// lecture 18, slide 15).
 //
 // The mathematics. With barycentrics (b_0, b_1, b_2) linear in clip space, the new vertices are
 //
-//   p_ij = ((n − i − j) p_0 + i p_1 + j p_2)/n,     r_ij alike,     i, j >= 0, i + j <= n,
+//   p_ij = ((n − i − j) p_0 + i p_1 + j p_2)/n,     r_ij likewise,     i, j >= 0, i + j <= n,
 //
 // and the n² pieces have the corners (i, j), (i+1, j), (i, j+1), or (i+1, j+1), (i, j+1), (i+1, j).
-// With β_m a place's barycentrics in its piece, w = Σ β_m w_m, and each β_m/w is affine in the
-// window. So the piece's window-space barycentrics are β_m w_m/w, and what is affine on it is
+// Let β_m be a place's barycentrics in its piece. Then w = Σ β_m w_m, and each β_m/w is affine in
+// the window. So the piece's window-space barycentrics are β_m w_m/w, and its affine function is
 //
 //   r = Σ β_m w_m r_m / Σ β_m w_m.
 //
-// Which piece. The projective map takes clip-space lines to lines of the window: where the w_m of a
-// piece are positive its image is the triangle of its vertices' images, which are the places with
-// all β_m >= 0. So a place's piece follows from its own b, found from the weights E_i (RULES §1):
-// i = floor(n b_1), j = floor(n b_2), and which of the two pieces the sum of the fractions says.
-// Scan conversion of pieces one by one draws the same one, but for places on an edge between two,
-// and those within roundings of it. There it does not matter which: the functions of both pieces
-// are affine along the edge and have the same ends. Coverage is the whole triangle's, as the pieces
-// leave no gap between them.
+// Which piece. The projective map takes clip-space lines to lines of the window: if the w_m of a
+// piece are positive, its image is the triangle of its vertices' images, the places with all
+// β_m >= 0. So a place's piece follows from its own b, found from the weights E_i (RULES §1):
+// i = floor(n b_1), j = floor(n b_2), and the sum of the fractions selects one of the two pieces.
+// Scan conversion of pieces one by one would draw the same piece, except for places on an edge
+// between two pieces or within roundings of it. There the choice does not matter: the functions of
+// both pieces are affine along the edge and have the same ends. Coverage is that of the whole
+// triangle, because the pieces leave no gap between them.
 //
-// A piece that the eye's plane cuts, with some w_m <= 0, has no three window positions, and what is
-// left of it at w > 0 reaches to infinity. It has one value, the mean of its corners'.
+// A piece cut by the eye's plane, with some w_m <= 0, has no three window positions, and its part
+// at w > 0 reaches to infinity. Such a piece gets one value, the mean of its corners'.
 //
-// Places outside the triangle, as extrapolated centres are, belong to no piece. They have the value
-// of the rational formula, Σ r_i E_i / Σ E_i: how far a continued piece is off has no bound.
+// Places outside the triangle, such as extrapolated centres, belong to no piece. They get the value
+// of the rational formula, Σ r_i E_i / Σ E_i, because the error of a continued piece has no bound.
 //
-// What it is off by. On a piece whose w are in the ratio ρ_p, as screen_linear.cpp derives,
+// Approximation error. On a piece whose w have the ratio ρ_p, as screen_linear.cpp derives, it is
 //
 //   f(ρ_p) (max r_m − min r_m),     f(ρ) = (√ρ − 1)/(√ρ + 1) = (ρ − 1)/(√ρ + 1)².
 //
-// Along edges of pieces r and w change by an n-th of what they change along the triangle's: the
-// range is R/n, R = max r_i − min r_i, and with all w_i > 0, ρ = max w_i/min w_i,
+// Along an edge of a piece, r and w change by 1/n of their change along the parallel edge of the
+// triangle. So the range is R/n, R = max r_i − min r_i, and if all w_i > 0, with ρ = max w_i/min
+// w_i,
 //
 //   ρ_p = 1 + (max w_m − min w_m)/min w_m <= 1 + (ρ − 1)/n.
 //
-// So a triangle is off by at most R f(1 + (ρ − 1)/n)/n; attained where the least and the greatest w
-// are at the ends of an edge with the extreme r, in the piece at the least. For large n this is
-// R (ρ − 1)/(4 n²), a fourth for twice as many. With some w_i <= 0 there is no bound of ρ_p, but
-// what is drawn in a piece is a mean of its r_m with weights >= 0, and so is the exact value: they
-// are within R/n of each other.
+// So a triangle has an error of at most R f(1 + (ρ − 1)/n)/n. It is attained, in the piece at the
+// vertex of least w, if one edge joins the vertices of least and greatest w and these also have the
+// extreme r. For large n this is R (ρ − 1)/(4 n²): twice as many pieces per edge give a fourth of
+// the error. With some w_i <= 0, ρ_p has no bound, but a drawn value is a mean of its piece's r_m
+// with weights >= 0, and so is the exact value. So the two are within R/n of each other.
 //
-// Adaptive. The pieces of n = 1, 2, 4, …, kFinest are nested. A piece is split in four where its
-// f(ρ_p)/n, or 1/n where some w_m <= 0, is above kTolerance, and n < kFinest: the budget is
-// kFinest² pieces. Pieces side by side that are not of the same n may differ along their edge, by
-// what both are off. A triangle is off by kTolerance of R at most where no piece of kFinest is
-// above it, else by that of these; and by f(ρ) in any case.
+// Adaptive. The pieces of n = 1, 2, 4, …, kFinest are nested. A piece is split in four if its
+// f(ρ_p)/n, or 1/n if some w_m <= 0, is above kTolerance, and n < kFinest: the budget is kFinest²
+// pieces. Adjacent pieces of different n may differ along their edge, by the sum of their errors. A
+// triangle has an error of at most the greater of R kTolerance and the error of the finest pieces,
+// and never more than R f(ρ), or R if some w_i <= 0.
 //
-// Roundings (internal/point_drawing.h), u = 2^-53. E_i is off by 11 u |E|_i and their sum by 13 u
-// Σ|E|, so that |δb_1| + |δb_2| <= 25 u K; twice that takes in what is of higher order where 13 u K
-// <= 1/2. n b_i and the fraction of it are exact, n being a power of two, and the β_m cost 3 u.
-// Then the formula is that of the place which has these β_m, divided by their sum, in the piece
-// found: negative ones, by at most what they are off, are 0. That place's b are off by at most 103
-// u K therefore, and as the exact r is linear in b, it is off by 103 u K R <= 206 u K M from that
-// of the place asked for, M = max|r_i|. To this come, besides what the piece is off, the roundings
-// of w_ij and r_ij, 3 u each where the w_i are positive, and of r: less than 20 u M. The rational
-// formula's n + d = 14 + 13. Where some w_i <= 0, a w_ij may be off by any share of itself, which
-// changes nothing as long as the weights are >= 0. Only the adaptive method relies on it: a piece
-// that it does not split, n < kFinest, has f(ρ_p) < 1/16, and so w_m which are more than the n-th
-// of the w_i's differences, and more than max|w_i|/10: off by 30 u, which is nothing beside what
-// the share is rounded up by.
+// Roundings (internal/point_drawing.h), u = 2^-53. E_i has an error of 11 u |E|_i and the sum of
+// all of 13 u Σ|E|, so |δb_1| + |δb_2| <= 25 u K; twice that covers higher orders if 13 u K <= 1/2.
+// n b_i and its fraction are exact, n being a power of two, and the β_m cost 3 u. A negative β_m is
+// set to 0 (it is negative only by its error). Apart from later roundings, the formula then gives
+// the result for a nearby place: the place whose barycentrics in the chosen piece are β_m / Σ β_m.
+// The b of that place differ from those of the requested place by at most 103 u K. As the exact r
+// is linear in b, r there is within 103 u K R <= 206 u K M of r at the requested place, M =
+// max|r_i|. The piece's approximation error comes on top, and so do the roundings of w_ij and r_ij,
+// 3 u each if the w_i are positive, and of r: less than 20 u M. The rational formula has n + d = 14
+// + 13.
 //
-// Operations are those of drawing the pieces one by one by screen-linear; of the adaptive ones,
-// those that the triangle with w = 1, 2, 4 takes, with three new vertices for each split. To find a
-// place's piece takes the place of their scan conversion, and is not among them.
+// With some w_i <= 0, a w_ij may have any relative error, which does no harm as long as the weights
+// are >= 0. Only the adaptive method relies on w_ij. A piece with n < kFinest that it does not
+// split has f(ρ_p) <= 1/16. So its w_m are more than 1/n of the differences of the w_i, and more
+// than max|w_i|/10: their error of 30 u is negligible beside the rounding up of the share.
 //
-// What it does not do: snap the new vertices' window positions to a grid, which opens gaps where
-// pieces that are split differently meet.
+// Operations are counted as if screen-linear drew the pieces one by one. For the adaptive method
+// the triangle has w = 1, 2, 4, and each split makes three new vertices. Finding a place's piece
+// replaces the pieces' scan conversion, and is not counted.
+//
+// Window positions of new vertices are not snapped to a grid, because that would open gaps between
+// pieces that are split differently.
 //
 // Operations for two attributes, and the divisions among them:
 //   subdivide-16: 8 per pixel, 2 (2) per vertex, 18,368 (2,586) per polygon
@@ -91,32 +95,35 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Of the adaptive method: pieces per edge, a power of two, and a share of the values' range.
+/// For the adaptive method: the maximum number of pieces per edge, a power of two; and the
+/// tolerated error, as a share of the values' range.
 constexpr int kFinest = 32;
 constexpr double kTolerance = 0x1p-8;
 
-/// Roundings, as above.
+/// Bound of the roundings, derived above.
 constexpr MethodBound kRoundings{.constant = 0.5 + 20 * 0x1p-29, .per_condition = 206 * 0x1p-29};
 
-/// What is linear in clip space at (i, j) of n: s_0, s_1, s_2 at the triangle's vertices.
+/// Interpolates s_0, s_1, s_2, the values at the vertices, linearly in clip space to the point (i,
+/// j) of the lattice with n pieces per edge.
 template <class T>
 T at_lattice(const std::array<T, 3>& s, int i, int j, int n) {
   return (T(n - i - j) * s[0] + T(i) * s[1] + T(j) * s[2]) / T(n);
 }
 
-/// f(ρ): how far affine interpolation is off, as a share of the values' range.
+/// Returns f(ρ): the error of affine interpolation, as a share of the values' range.
 double affine_share(double ratio) {
   const double root = std::sqrt(ratio) + 1;
   return (ratio - 1) / (root * root);
 }
 
-/// The same of a piece with these w, n pieces per edge, of the triangle's range.
+/// Returns the error in a piece with these w, of n pieces per edge, as a share of the triangle's
+/// range.
 double share_of(const std::array<double, 3>& w, int n) {
   const auto [least, greatest] = std::minmax_element(w.begin(), w.end());
   return (*least > 0 ? affine_share(*greatest / *least) : 1) / n;
 }
 
-/// One of n² pieces: a place's β in it, of the corners (i, j).
+/// One of n² pieces, given by its corners (i, j), and the β of a place in it.
 struct Piece {
   struct Corner {
     int i = 0;
@@ -127,7 +134,7 @@ struct Piece {
   std::array<double, 3> beta;
 };
 
-/// The piece of a place; b_1, b_2 >= 0 and b_1 + b_2 <= 1 but for roundings.
+/// Returns the piece that contains a place; up to roundings, b_1, b_2 >= 0 and b_1 + b_2 <= 1.
 Piece piece_at(double b1, double b2, int n) {
   const double x = n * b1;
   const double y = n * b2;
@@ -143,7 +150,7 @@ Piece piece_at(double b1, double b2, int n) {
 
 class Subdivision : public PointFormula {
  public:
-  /// At least and at most that many pieces per edge, powers of two.
+  /// The minimum and maximum number of pieces per edge; powers of two.
   Subdivision(int coarsest, int finest) : coarsest_(coarsest), finest_(finest) {}
 
   void set(const std::array<PointVertex, 3>& vertices, std::size_t count) override {
@@ -219,10 +226,10 @@ DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size, Fr
   return draw_points(state, mesh, size, formula, fragments, tap);
 }
 
-// --- What is promised ---------------------------------------------------------------------------
+// --- The promise ---------------------------------------------------------------------------------
 
-/// f(1 + (ρ − 1)/n)/n of a triangle with these w, 1/n where some are not positive; 0 of one that is
-/// not drawn.
+/// Returns f(1 + (ρ − 1)/n)/n for a triangle with these w; 1/n if some w are not positive; 0 if the
+/// triangle is not drawn.
 double greatest_share(const std::array<double, 3>& w, int n) {
   const auto [least, greatest] = std::minmax_element(w.begin(), w.end());
   if (!std::isfinite(w[0] + w[1] + w[2]) || *greatest <= 0) return 0;
@@ -245,7 +252,7 @@ Promise promise(const State& /*state*/, const Mesh& mesh, const TargetSize& /*si
     share = std::max(share, greatest_share(w, kCoarsest, kMost));
   }
   Promise promised{.smooth = kRoundings};
-  // Rounded up: it is handed on as a float.
+  // Rounded up, because it is passed on as a float.
   promised.smooth.range_share = share * (1 + 0x1p-20);
   return promised;
 }
@@ -261,7 +268,7 @@ Operations operator*(std::size_t times, const Operations& each) {
   return {times * each.additions, times * each.multiplications, times * each.divisions};
 }
 
-/// A new vertex: position but for z, and two attributes.
+/// Counts the operations of a new vertex: position without z, and two attributes.
 Operations new_vertex() {
   const std::array<Counted, 3> s{Counted(1), Counted(2), Counted(4)};
   return 5 * count_operations([&] { static_cast<void>(at_lattice(s, 1, 1, 4)); });
@@ -282,7 +289,7 @@ OperationCounts uniform_operations() {
   return count_pieces(kEdge * kEdge, (kEdge + 1) * (kEdge + 2) / 2 - 3);
 }
 
-/// How many pieces of n per edge the adaptive method splits.
+/// Returns how many pieces the adaptive method splits at the level of n pieces per edge.
 std::size_t splits(const std::array<double, 3>& w, int n) {
   std::size_t count = 0;
   for (int i = 0; i < n; ++i) {
@@ -308,12 +315,13 @@ OperationCounts adaptive_operations() {
 
 template <int n>
 MethodRegistration uniform(std::string_view name) {
-  return MethodRegistration({.name = name,
-                             .source = "seeds 002 §2.1, 004 slide 15",
-                             .fails = "in the pieces next to the eye, where w changes most",
-                             .draw = &draw<n, n>,
-                             .promise = &promise<n, n>,
-                             .operations = &uniform_operations<n>});
+  return MethodRegistration(
+      {.name = name,
+       .source = "Heckbert & Moreton 1991, §2.1; MIT 6.837 2000, lecture 18, slide 15",
+       .fails = "in the pieces next to the eye, where w changes most",
+       .draw = &draw<n, n>,
+       .promise = &promise<n, n>,
+       .operations = &uniform_operations<n>});
 }
 
 const MethodRegistration kTwo = uniform<2>("subdivide-2");
@@ -322,7 +330,7 @@ const MethodRegistration kEight = uniform<8>("subdivide-8");
 const MethodRegistration kSixteen = uniform<16>("subdivide-16");
 const MethodRegistration kAdaptive(
     {.name = "subdivide-adaptive",
-     .source = "seed 002 §2.1",
+     .source = "Heckbert & Moreton 1991, §2.1",
      .fails = "in the pieces that its budget leaves too large: those next to the eye",
      .draw = &draw<1, kFinest>,
      .promise = &promise<1, kFinest>,

@@ -1,5 +1,4 @@
-// compare.html: what a comparison found as one page that needs nothing else: no files beside it,
-// and no scripts.
+// compare.html: the findings of a comparison as a single self-contained page, without scripts.
 
 #include <fmt/format.h>
 
@@ -21,7 +20,7 @@
 namespace rastercheck::reports::compare_html_format {
 namespace {
 
-/// What a browser is told to load and to run: nothing.
+/// The content security policy: a browser may load and run nothing.
 constexpr std::string_view kPolicy =
     "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 

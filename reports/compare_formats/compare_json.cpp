@@ -1,4 +1,4 @@
-// compare.json: what a comparison found, for other programs.
+// compare.json: the findings of a comparison, for other programs.
 //
 //   {"format": "rastercheck-comparison", "version": 1, "baseline": "FILE", "current": "FILE",
 //    "regression": true, "expired": ["…"], "unused": ["…"],
@@ -27,9 +27,9 @@
 //                   "commands": ["rastercheck replay …"]}],
 //      "gone_laws": [], "new_laws": []}]}
 //
-// "changed" has the entries that are not the same; "stages" those of laws that split errors of
-// which a stage's part grew. "stratum", "allowed_because", "name", "kind", "before", "after" and
-// what else there may not be are left out then.
+// "changed" has the entries that are not the same. "stages" has the entries of laws that split
+// errors, if a stage's part grew. Optional members are left out if they do not exist: "stratum",
+// "allowed_because", "name", "kind", "before", "after" and others.
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// compare.md: what a comparison found, on one page for a pull request or a CI job's summary.
+// compare.md: the findings of a comparison on one page, for a pull request or a CI job's summary.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kMostEntries = 50;
 constexpr std::size_t kMostStages = 5;
 
-/// A row for each figure that changed, of entries that changed so.
+/// All changed figures, better or worse, of the first kMostEntries entries that changed in this
+/// way.
 std::string table_of(const records::Comparison& comparison, records::Change change) {
   if (count_of(comparison, change) == 0) return "";
   std::string text = fmt::format(

@@ -3,7 +3,8 @@
 //   {"LAW on BACKEND: KIND, STRATUM": {"worst": {"value": 0.5, "lower_value": 0.49999999,
 //                                                "upper_value": 0.5}, "p99": {…}, …}}
 //
-// Values are the upper ends of what is certified, and both ends stand beside them.
+// "value" is the upper end of the certified range. "lower_value" and "upper_value" are both ends of
+// that range.
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 //
 //   [{"name": "LAW on BACKEND: KIND, STRATUM, worst", "unit": "scale ULP", "value": 0.5}, …]
 //
-// Values are the upper ends of what is certified.
+// Values are the upper ends of certified ranges.
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
-// cases.jsonl: what each case gave, an object a line (records/case_record_json.h), for tools that
-// read such files: `jq`, pandas, DuckDB. Of runs that kept it.
+// cases.jsonl: the result of each case, one object per line (records/case_record_json.h), for tools
+// such as jq, pandas and DuckDB. Only runs that kept these results have it.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,12 +1,13 @@
-// junit.xml: the form of test results that CI servers read. A suite is a backend, a test a law.
+// junit.xml: the format of test results that CI servers read. A suite is a backend, a test a law.
 //
-//   failure   the law is violated: by class, with the command that replays each counterexample
+//   failure   the law is violated; shown by class, with a command that replays each counterexample
 //   error     a label that had to be reached was not: the law did not test what it claims to
-//   skipped   the law checked nothing, or nothing was judged of a scene, which is a test, too; why
+//   skipped   the law checked nothing, or nothing of a scene was judged, and why (a scene
+//             is a test, too)
 //
-// Violations that are known of a driver are no failures; a test's output tells of them. Only the
-// properties depend on machine and time: no test has a duration. reports/schema/junit.xsd describes
-// it.
+// Known violations of a driver are not failures; the test's output mentions them. Only the
+// suite's properties depend on machine and time; tests have no duration. reports/schema/junit.xsd
+// describes the format.
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ using records::LawSummary;
 using records::LawVerdict;
 using records::Run;
 
-/// What becomes of tests, counted.
+/// The numbers of tests by outcome.
 struct Outcomes {
   std::size_t tests = 0;
   std::size_t failures = 0;
@@ -55,7 +56,8 @@ struct Outcomes {
   }
 };
 
-/// What a reader of a failed test wants first: where, by how much, and how to see it again.
+/// The first things that a reader of a failed test needs: where it failed, by how much, and how to
+/// repeat it.
 std::string failure_text(const Run& run, const LawSummary& row) {
   std::string text;
   for (const records::Counterexample& counterexample : run.counterexamples) {
@@ -112,7 +114,8 @@ std::string test_of(const Run& run, const LawSummary& row) {
   return text + "</testcase>\n";
 }
 
-/// The scene as a test: skipped where nothing of it was judged. What is wrong of it fails the laws.
+/// The scene as a test, which is skipped if nothing of the scene was judged. Errors of the scene
+/// fail the tests of laws.
 std::string test_of(const records::SceneResult& scene) {
   const std::string sentence = html(records::scene_sentence(scene));
   return fmt::format(

@@ -1,5 +1,5 @@
-// report.html: a run as one page that needs nothing else: no files beside it, and for all but the
-// viewer of what was inspected no scripts.
+// report.html: a run as a single self-contained page. Its scripts sort tables, enhance histograms,
+// follow links and show inspections.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ std::string pictures_of(const Run& run) {
   return text + "</div>\n</section>\n";
 }
 
-/// What is known of the drivers, and how often it was seen.
+/// Lists the drivers' known defects, and how often each was seen.
 std::string known_of(const Run& run) {
   if (run.known.empty()) return "";
   std::string text =

@@ -1,5 +1,6 @@
-// results.sarif: SARIF 2.1.0, for code scanning. A rule is a law, a result a counterexample; its
-// location is the case file, relative to the run's folder, and its fingerprint what it is one of.
+// results.sarif: SARIF 2.1.0, for code scanning. A rule is a law, and a result is a counterexample.
+// The location of a result is the case file, relative to the run's folder. Its fingerprint is the
+// kind of failure: law, backend, verdict and special words.
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -50,7 +50,7 @@ std::string counts_of(const LawSummary& total) {
       grouped(counts.undecided));
 }
 
-/// What each level of the oracle decided, as a paragraph; nothing where that is not known.
+/// The share that each level of the oracle decided, as a paragraph; empty if unknown.
 std::string levels_of(const LawSummary& total) {
   const std::string decided = records::decided_sentence(total.levels, total.counts.undecided);
   return decided.empty() ? "" : "\n" + decided + "\n";
@@ -79,7 +79,7 @@ std::string precision_of(const std::vector<LawSummary>& rows) {
   return text;
 }
 
-/// What is known of the drivers, and how often it was seen.
+/// Lists the drivers' known defects, and how often each was seen.
 std::string known_of(const Run& run) {
   if (run.known.empty()) return "";
   std::string text =
@@ -137,6 +137,7 @@ std::string write(const Run& run) {
   for (std::size_t i = 0; i < run.causes.size(); ++i) {
     const records::Cause& cause = run.causes[i];
     text += fmt::format("\n### Cause {}: {}\n\n", i + 1, markdown(cause_line(run, cause)));
+    if (cause.hint) text += fmt::format("Hint: {}.\n\n", markdown(hint_text(cause)));
     for (const std::string& tried : cause.tried) text += fmt::format("- It {}.\n", markdown(tried));
     for (const std::uint64_t place : cause.counterexamples) {
       text += counterexample_text(run, run.counterexamples[static_cast<std::size_t>(place)]);

@@ -1,13 +1,13 @@
 #pragma once
 
-// What the pictures of a framebuffer have in common.
+// Code shared by all pictures of a framebuffer.
 
 #include "cases/case.h"
 
 namespace rastercheck::reports {
 
-/// The row that shows a row of pixels: window y points up in OpenGL, down elsewhere; row 0 of an
-/// image is on top.
+/// The image row for a row of pixels. Window y points up in OpenGL and down elsewhere, and row 0 of
+/// an image is at the top.
 constexpr int row_of(int y, int height, cases::Rules rules) {
   return rules == cases::Rules::opengl ? height - 1 - y : y;
 }

@@ -16,15 +16,16 @@
 namespace rastercheck::reports {
 namespace {
 
-/// Entries that have a section, and those that have a line.
+/// The most entries with a section, and the most with a row in the table.
 constexpr std::size_t kMostSections = 16;
 constexpr std::size_t kMostRows = 60;
-/// Of these so many are seen at once.
+/// The number of rows that are visible at first.
 constexpr std::size_t kFirstRows = 8;
-/// Sections that stand open.
+/// The number of sections that are expanded at first.
 constexpr std::size_t kMostOpen = 2;
 
-/// What came out wrong more often, and by how much the largest error grew.
+/// The sort key of an entry: how much its wrong samples or values, and its largest error,
+/// increased.
 struct Growth {
   bool is_refused = false;
   std::uint64_t wrong = 0;
@@ -54,7 +55,7 @@ bool comes_before(const records::EntryChange* a, const records::EntryChange* b) 
   return rank(a) > rank(b);
 }
 
-/// Those of its figures that changed so, a sentence each.
+/// A sentence for each figure of the entry that changed in this way.
 std::string figures_that(records::Change change, const records::EntryChange& entry) {
   std::string text;
   for (const records::FigureChange& figure : entry.figures) {
@@ -76,7 +77,7 @@ constexpr std::string_view kWorseStart =
     "<th class=\"number\">p99<br><small>ULP</small></th><th class=\"number\">misrounded</th>"
     "<th>other figures</th><th>policy</th></tr></thead>\n<tbody>\n";
 
-/// "0.5 → 2.3"; a dash of a figure that is the same.
+/// "0.5 → 2.3"; a dash if the figure did not change.
 std::string change_text(const records::EntryChange& entry, records::Figure figure) {
   for (const records::FigureChange& change : entry.figures) {
     if (change.figure != figure) continue;
@@ -90,7 +91,7 @@ std::string change_text(const records::EntryChange& entry, records::Figure figur
   return std::string(kNothing);
 }
 
-/// Counts that grew: of what was violated or drawn wrongly.
+/// The counts that grew: violations and mismatches.
 std::string wrong_text(const records::EntryChange& entry) {
   std::string text;
   for (const records::FigureChange& change : entry.figures) {
@@ -101,7 +102,7 @@ std::string wrong_text(const records::EntryChange& entry) {
   return text.empty() ? std::string(kNothing) : text;
 }
 
-/// `name` is HTML.
+/// Returns a row of the table of worse entries. `name` is HTML.
 std::string worse_row(const records::EntryChange& entry, const std::string& name) {
   return "<tr>" + cell(name) +
          number_cell("worst, ULP", change_text(entry, records::Figure::worst)) +
@@ -137,7 +138,7 @@ std::string share_cell(std::string_view name, const std::optional<double>& share
   return number_cell(name, share ? fmt::format("{:.1f}%", *share * 100) : std::string(kNothing));
 }
 
-/// What each stage made of the errors, and which one's part grew.
+/// The contribution of each stage to the errors, and the stage whose part grew.
 std::string stages_of(const records::EntryChange& entry) {
   if (entry.stages.empty()) return "";
   std::string text =

@@ -1,6 +1,6 @@
 #pragma once
 
-// The entries of a comparison that are worse, and those that are better, for compare.html.
+// The worse and better entries of a comparison, for compare.html.
 
 #include <cstddef>
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace rastercheck::reports {
 
-/// Those that are worse: what no policy allows first, and of these first what came out wrong, then
-/// what grew most in scale ULP. Of equals in their order.
+/// The worse entries in this order: first those that no policy allows, then those with wrong
+/// samples or values, then by growth in scale ULP. Equal entries keep their order.
 std::vector<const records::EntryChange*> worse_entries(const records::Comparison& comparison);
 
-/// The id of an entry's section; `number` is that of the comparison on the page.
+/// The id of an entry's section; `number` is the comparison's number on the page.
 std::string entry_id(const records::Comparison& comparison, std::size_t number,
                      const records::EntryChange& entry);
 
-/// A line for each, as a table whose rows link to the sections that entry_sections makes.
+/// A table with one row per worse entry, linked to the sections of entry_sections().
 std::string worse_table(const records::Comparison& comparison, std::size_t number);
 
-/// Of the first of them both distributions, figures and stages.
+/// For each of the first worse entries, a section with both distributions, figures and stages.
 std::string entry_sections(const records::Comparison& comparison, std::size_t number);
 
-/// What is better, new and gone; empty where nothing is.
+/// The better, new and gone entries; empty if there are none.
 std::string other_entries(const records::Comparison& comparison);
 
 }  // namespace rastercheck::reports

@@ -69,7 +69,7 @@ std::string largest_growth(const Gate& gate, std::size_t number) {
 
 std::string taken_text(const records::Taken& taken) {
   std::string text = html(taken.version.empty() ? "–" : taken.version);
-  // As git shortens it; compare.json has the whole.
+  // Shortened as git does it; compare.json has the whole hash.
   constexpr std::size_t kShort = 12;
   if (!taken.commit.empty()) text += ", <code>" + html(taken.commit.substr(0, kShort)) + "</code>";
   for (const std::string& more : {taken.instruction_set, taken.compiler}) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The first screen of compare.html: whether it got worse, of what, and where most.
+// The first screen of compare.html: whether anything got worse, what did, and where most.
 
 #include <cstddef>
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace rastercheck::reports {
 
-/// "Regression on 1 of 3 backends."; of one comparison its own sentence.
+/// "Regression on 1 of 3 backends."; for a single comparison, that comparison's own sentence.
 std::string compare_headline(const Gate& gate);
 
-/// One comparison's outcome: figures, the largest growth, what was compared, what to do about it.
+/// Describes the outcome of one comparison: figures, the largest growth, what was compared, and
+/// what to do.
 std::string compare_front(const Gate& gate, std::size_t number);
 
-/// What the policy allows no more, or need not allow; empty where there is nothing to say.
+/// Lists the lines of the policy that have expired or are unused; empty if there are none.
 std::string policy_section(const records::PolicyReview& review);
 
 }  // namespace rastercheck::reports

@@ -23,7 +23,7 @@ using records::CloserLook;
 using records::WorstError;
 
 constexpr std::size_t kLongestExact = 80;  ///< characters
-/// Sections that stand open.
+/// The number of sections that are expanded at first.
 constexpr std::size_t kMostOpenGrowths = 2;
 
 std::string actual_text(float actual) {
@@ -54,7 +54,7 @@ std::string grown_value_name(const records::Inspection& inspection) {
                   : fmt::format("attribute {}", *inspection.attribute);
 }
 
-/// The largest error of the case, then and now.
+/// The case's largest error, before and now.
 std::string errors_of(const records::CaseGrowth& growth) {
   std::string text =
       "<table class=\"worst-of\">\n<thead><tr><th>largest error</th><th>where</th><th>exact</th>"
@@ -70,7 +70,7 @@ std::string errors_of(const records::CaseGrowth& growth) {
   return text + "</tbody>\n</table>\n";
 }
 
-/// Which pixel and value of a part is looked at, and what came of it there.
+/// The inspected pixel and value, and the result there.
 std::string subject_of(const CloserLook& look) {
   const records::Inspection& inspection = look.inspection;
   std::string text = fmt::format("<p>Pixel ({}, {}), sample {}, of triangle {}: {}",
@@ -103,8 +103,8 @@ std::string commands_of(const Gate& gate, const records::Comparison& comparison,
   return text;
 }
 
-/// Largest errors of the case in the baseline, of the kind and stratum that is shown; nothing where
-/// none is known, as perhaps none was judged.
+/// The case's largest error in the baseline, of the kind and stratum shown; empty if unknown, for
+/// example because no error was judged.
 std::optional<records::Enclosure> reach_of(const records::CaseGrowth& growth) {
   if (!growth.after || !growth.before) return std::nullopt;
   return growth.before->error;
@@ -115,7 +115,7 @@ std::string start_of(const std::string& id, const std::string& title, bool is_op
                      is_open ? " open" : "", title);
 }
 
-/// The section of the entry that the growth is of.
+/// A link to the section of the entry to which the growth belongs.
 std::string entry_link(const records::Comparison& comparison, std::size_t number,
                        const records::CaseGrowth& growth) {
   const auto entry =
@@ -162,7 +162,7 @@ std::string growth_section(const Gate& gate, std::size_t number, std::size_t i) 
          "</details>\n";
 }
 
-/// Parts that the baseline kept and that are other pixels now.
+/// The crops that the baseline kept and whose pixels have changed.
 std::string kept_sections(const Gate& gate, std::size_t number) {
   const records::Comparison& comparison = gate.comparisons[number];
   std::string text;

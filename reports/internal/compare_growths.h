@@ -1,6 +1,6 @@
 #pragma once
 
-// The cases of a comparison that came out worse, looked at, for compare.html.
+// The cases of a comparison that got worse, inspected, for compare.html.
 
 #include <cstddef>
 #include <string>
@@ -10,11 +10,12 @@
 
 namespace rastercheck::reports {
 
-/// The id of a grown case's section; `number` is that of the comparison on the page.
+/// The id of a grown case's section; `number` is the comparison's number on the page.
 std::string growth_id(std::size_t number, std::size_t growth);
 
-/// Each grown case: values, where they are, what made the error, old and new pixels, and what
-/// checks it again. Then parts whose pixels are others than those that the baseline kept.
+/// A section for each grown case: values, places, the stages that made the error, old and new
+/// pixels, and commands that check the case again. Then the crops whose pixels differ from those of
+/// the baseline.
 std::string growth_sections(const Gate& gate, std::size_t number);
 
 }  // namespace rastercheck::reports

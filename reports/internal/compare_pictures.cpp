@@ -23,16 +23,16 @@ namespace {
 
 using records::Inspection;
 
-/// Colours of the scale, two to an octave.
+/// The number of colours per octave of the scale.
 constexpr int kStepsPerOctave = 2;
-/// Pixels that are listed.
+/// The most pixels that are listed.
 constexpr std::size_t kMostListed = 5;
 
 int steps() {
   return kStepsPerOctave * (ulp_scale().greatest_exponent - ulp_scale().least_exponent);
 }
 
-/// The class of an error's colour.
+/// The CSS class for the colour of an error.
 std::string step_class(double error) {
   const int most = steps();
   if (!(error > 0)) return "c0";
@@ -44,10 +44,10 @@ std::string step_class(double error) {
 
 std::string size_text(double size) { return fmt::format("{:.3g}", size); }
 
-/// How one pixel of a picture is shown.
+/// How a picture shows one pixel.
 struct ShownPixel {
-  std::string style;  ///< its class; empty: nothing is shown
-  std::string text;   ///< in words
+  std::string style;  ///< its class; empty if the pixel is invisible
+  std::string text;   ///< description in words
   bool has_cross = false;
 };
 
@@ -74,7 +74,7 @@ ShownPixel shown_change(const CropCell& cell) {
 
 // --- Pictures ------------------------------------------------------------------------------------
 
-/// Where window pixels are in a picture.
+/// Maps window pixels to a picture.
 class Frame {
  public:
   explicit Frame(const Inspection& inspection) : inspection_(&inspection) {}
@@ -96,7 +96,7 @@ class Frame {
   const Inspection* inspection_;
 };
 
-/// The triangle's outline, and the pixel that is looked at.
+/// The outline of the triangle, and a mark at the inspected pixel.
 std::string marks_of(const Frame& frame) {
   const Inspection& inspection = frame.inspection();
   std::string text;
@@ -133,7 +133,7 @@ std::string picture(const Frame& frame, const std::vector<CropCell>& cells,
          fmt::format("</svg><figcaption>{}</figcaption></figure>\n", caption);
 }
 
-/// The largest of some of the cells' numbers that is finite; nothing where there is none.
+/// The largest finite number of all cells; empty if no cell has one.
 template <typename Number>
 std::optional<double> largest(const std::vector<CropCell>& cells, const Number& number) {
   std::optional<double> most;
@@ -148,7 +148,7 @@ std::string up_to(const std::optional<double>& most) {
   return most ? fmt::format("up to {} ULP", size_text(*most)) : std::string("no number to show");
 }
 
-/// "12 of 80 pixels that are drawn changed; 1 is drawn in one only".
+/// "12 of 80 pixels that are drawn changed; 1 drawn in one of them only".
 std::string change_summary(const std::vector<CropCell>& cells) {
   const auto count = [&cells](const auto& is_counted) {
     return static_cast<std::uint64_t>(std::count_if(cells.begin(), cells.end(), is_counted));
@@ -176,7 +176,7 @@ std::string kept_pictures(const Frame& frame, const std::vector<CropCell>& cells
                  "Difference of new and old: " + changes, &shown_change);
 }
 
-/// Without the old pixels: the new ones, and what is certain of the change.
+/// Pictures for a baseline without pixels: the new errors, and the certain part of the change.
 std::string certain_pictures(const Frame& frame, const std::vector<CropCell>& cells,
                              const std::optional<records::Enclosure>& worst_before) {
   const auto after = largest(cells, [](const CropCell& c) { return c.error_after; });

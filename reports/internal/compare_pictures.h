@@ -1,6 +1,6 @@
 #pragma once
 
-// A part of a drawing as it was, as it is, and what changed, as pictures for compare.html.
+// Pictures of a part of a drawing, before and now, and of the changes, for compare.html.
 
 #include <optional>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace rastercheck::reports {
 
-/// Pictures of old errors, new errors and changes, with what they show as text, and the pixels that
-/// changed most as a table. Where the baseline kept nothing of it, that is said, and the picture of
-/// changes is of what is certain: of each pixel the least change, |new error| − r with r the
-/// `worst_before` of the case, its largest error of the same kind and stratum in the baseline;
-/// nothing: not known, and so no such picture.
+/// Pictures of old errors, new errors and changes, described in text, and a table of the pixels
+/// that changed most. If the baseline kept no pixels, the result says so, and shows only the
+/// certain part of the changes. This is, for each pixel, the least possible change, |new error| −
+/// r. Here r is `worst_before`, the largest error of the case in the baseline, of the same kind and
+/// stratum. If `worst_before` is empty, r is unknown and this picture is left out.
 std::string compare_pictures(const records::CloserLook& look,
                              const std::optional<records::Enclosure>& worst_before);
 
-/// What the colours of these pictures mean.
+/// A legend for the colours of these pictures.
 std::string picture_legend();
 
-/// Style sheet of the classes that they use.
+/// The style sheet for the classes that these pictures use.
 std::string picture_style();
 
 }  // namespace rastercheck::reports

@@ -4,8 +4,8 @@
 
 namespace rastercheck::reports {
 
-/// What compare.html has beyond the style of report.html: distributions over each other, and
-/// pictures whose pixels are seen.
+/// The styles that compare.html adds to those of report.html: for overlaid distributions, and for
+/// pictures whose pixels are visible.
 inline constexpr std::string_view kCompareStyle = R"css(
 .worse { font-size: .88rem; }
 .worse th, .worse td { padding: .3rem .5rem; }

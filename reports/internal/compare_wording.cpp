@@ -18,9 +18,9 @@ namespace {
 using records::Enclosure;
 
 constexpr int kErrorDigits = 6;
-constexpr int kMostDigits = 17;  // tell any two doubles apart
+constexpr int kMostDigits = 17;  // enough to tell any two doubles apart
 
-/// The certain digits of both, of so many that they differ.
+/// The certain digits of both sizes, with enough digits to differ.
 OldAndNew sizes_text(const Enclosure& before, const Enclosure& after) {
   OldAndNew texts;
   for (int digits = kErrorDigits; digits <= kMostDigits; ++digits) {
@@ -31,8 +31,8 @@ OldAndNew sizes_text(const Enclosure& before, const Enclosure& after) {
   return {ends(before), ends(after)};
 }
 
-/// "none" where no error but 0 is known of before: laws that draw twice judge values only where the
-/// two differ, so that it need not have been 0.
+/// The old error is "none" if no nonzero error is known for the baseline. It need not have been 0:
+/// laws that draw twice judge values only where the drawings differ.
 OldAndNew old_and_new_errors(const records::CaseGrowth& growth, const records::WorstError& after) {
   const Enclosure is = records::magnitude(after.error);
   if (!growth.before) return {"none", records::to_decimal(is, kErrorDigits)};
@@ -65,7 +65,7 @@ bool is_same_place(const records::WorstError& a, const records::WorstError& b) {
          a.place.sample == b.place.sample && a.attribute == b.attribute;
 }
 
-/// A run as commands want it, of the current side.
+/// A run with the settings of the current side, for making commands.
 records::Run as_run(const records::Comparison& comparison) {
   records::Run run;
   run.plan = comparison.plan;

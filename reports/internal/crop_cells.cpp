@@ -16,7 +16,7 @@ using records::InspectedSample;
 using records::InspectedValue;
 using records::Inspection;
 
-/// The largest magnitude that the value has at the triangle's vertices: what scale ULP are of.
+/// The largest magnitude of the value at the triangle's vertices, which defines scale ULP.
 float magnitude_of(const Inspection& inspection) {
   const cases::Case& c = inspection.source;
   if (!inspection.attribute) {
@@ -54,12 +54,12 @@ std::optional<double> change_of_cell(const CropCell& cell, double spacing) {
   if (!cell.before || !cell.after) return kInfinite;
   if (is_same(*cell.before, *cell.after)) return 0.0;
   if (!std::isfinite(*cell.before) || !std::isfinite(*cell.after)) return kInfinite;
-  // The other zero is another value, though no distance away.
+  // Zeros of different sign are different values, although their distance is 0.
   const double size = distance(*cell.before, *cell.after, spacing);
   return size > 0 ? size : std::numeric_limits<double>::denorm_min();
 }
 
-/// The value of a sample that is looked at; nullptr where it has none.
+/// The inspected value of a sample; nullptr if it has none.
 const InspectedValue* value_of(const InspectedSample& sample,
                                std::optional<std::uint32_t> attribute) {
   const std::size_t at = attribute ? std::size_t{1} + *attribute : 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a baseline kept of a part of a drawing beside the part as it is drawn now, pixel by pixel.
+// Compares, pixel by pixel, the crop that a baseline kept with the same part as it is drawn now.
 
 #include <cstdint>
 #include <optional>
@@ -10,23 +10,26 @@
 
 namespace rastercheck::reports {
 
-/// One value of one sample, then and now. Sizes are magnitudes in scale ULP, to be shown: their
-/// relative error is below 2^-20.
+/// One value of one sample, before and now. Sizes are magnitudes in scale ULP, for display only,
+/// with a relative error below 2^-20.
 struct CropCell {
   cases::SamplePlace place = {};
-  std::optional<double> exact;  ///< the nearest double; nothing where it has no value
-  std::optional<float> before;  ///< nothing: not drawn, or not kept; may be no number
-  std::optional<float> after;   ///< nothing: not drawn; may be no number
-  /// Against the exact value; nothing where there is none, or no number was drawn.
+  std::optional<double> exact;  ///< the nearest double; empty if there is no exact value
+  std::optional<float> before;  ///< empty if not drawn or not kept; may be NaN
+  std::optional<float> after;   ///< empty if not drawn; may be NaN
+  /// Errors against the exact value. Empty if there is no exact value, or if NaN or nothing was
+  /// drawn.
   std::optional<double> error_before;
   std::optional<double> error_after;
-  /// From the one drawing to the other: 0 for the same bits only; infinite where it is drawn in one
-  /// only, or either is no number. Nothing where it is drawn in neither, or nothing was kept.
+  /// The difference between the two drawings: 0 only if the bits are the same, infinite if only one
+  /// has the sample or either value is NaN. Empty if neither has the sample, or if nothing was
+  /// kept.
   std::optional<double> change;
 };
 
-/// Of each pixel of the part that is looked at, by y and x, the sample whose value changed most, or
-/// of equals that which is farther off now, or the first. The value is the one looked at, or depth.
+/// For each pixel of the inspected part, by y and x, the sample whose value changed most. Among
+/// equal changes, the sample with the larger error now is chosen, or else the first. The value is
+/// the inspected value, or depth.
 std::vector<CropCell> crop_cells(const records::CloserLook& look);
 
 }  // namespace rastercheck::reports

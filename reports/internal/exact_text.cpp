@@ -11,7 +11,8 @@
 namespace rastercheck::reports {
 namespace {
 
-/// "0.333333333" of "1/3", to float32's digits; empty where it is no fraction or beyond doubles.
+/// "0.333333333" for "1/3", with the digits of float32. Empty if the text is not a fraction, or if
+/// its value is beyond the range of doubles.
 std::string decimal_of(const std::string& fraction) {
   if (fraction.find_first_not_of("-0123456789/") != std::string::npos) return "";
   const std::size_t slash = fraction.find('/');

@@ -5,8 +5,9 @@
 
 namespace rastercheck::reports {
 
-/// An exact value, a fraction or a range of two, with decimals where they help to read it. It takes
-/// at most `most` characters without these (elided); 0: as many as a message may.
+/// Formats an exact value, which is a fraction or a range between two, and adds decimals if they
+/// help. Takes at most `most` characters, not counting the decimals, by eliding. If `most` is 0,
+/// takes as many as a message may have.
 std::string exact_text(const std::string& exact, std::size_t most = 0);
 
 }  // namespace rastercheck::reports

@@ -4,9 +4,9 @@
 
 namespace rastercheck::reports {
 
-/// What the gallery's page has on top of the report's style sheet (report_style.h): a picture and
-/// its errors side by side, on a phone one below the other; curves; strips of frames. What moves
-/// stands still below the pointer, on paper, and for readers who ask for that.
+/// The styles that the gallery's page adds to the report's style sheet (report_style.h): for a
+/// picture beside its errors (above them on a phone), for curves, and for strips of frames.
+/// Animations stop under the pointer, in print, and for readers who ask for less motion.
 inline constexpr std::string_view kGalleryStyle = R"css(:root {
   --curve-0: #1d2327; --curve-1: #b3202c; --curve-2: #c2660c; --curve-3: #2b6cb0; --curve-4: #1f7a4d;
 }

@@ -18,7 +18,7 @@ namespace {
 
 using records::Histogram;
 
-// The drawing, in units of its view box.
+// The layout of the drawing, in units of its view box.
 constexpr double kHistogramWidth = 420;
 constexpr double kHistogramHeight = 150;
 constexpr double kHistogramLeft = 6;
@@ -30,12 +30,13 @@ constexpr double kLeastBetweenLabels = 34;
 
 struct Bar {
   std::uint64_t count = 0;
-  int exponent = 0;   ///< of its upper border 2^exponent; of those without one 0
-  std::string sizes;  ///< what it counts, for its tooltip
-  std::string label;  ///< below its right border; empty for none
+  int exponent = 0;   ///< the bar's upper border is 2^exponent; 0 if it has none
+  std::string sizes;  ///< the sizes that the bar counts, for its tooltip
+  std::string label;  ///< shown below the right border; may be empty
 };
 
-/// Octave k holds magnitudes up to 2^(kLeastExponent + k), above half of that; octave 0 all below.
+/// Octave k holds magnitudes in (2^(kLeastExponent + k − 1), 2^(kLeastExponent + k)]. Octave 0 also
+/// holds all smaller magnitudes.
 struct Octaves {
   std::vector<std::uint64_t> counts;
 
@@ -60,7 +61,8 @@ std::string octave_text(std::size_t octave) {
                      : fmt::format("2^{} < error ≤ 2^{}", upper - 1, upper);
 }
 
-/// Bars of a histogram where another one has some: those of several have the same places then.
+/// The bars of a histogram for those buckets in which `seen` has counts, so that several histograms
+/// have their bars at the same places.
 std::vector<Bar> bars_of(const Histogram& histogram, const Histogram& seen) {
   std::vector<Bar> bars;
   const auto has = [&seen](std::size_t bucket) { return seen.count_in(bucket) > 0; };
@@ -95,7 +97,7 @@ double step_of(const std::vector<Bar>& bars) {
                   kWidestBar);
 }
 
-/// One count is a bar that is seen: the scale starts at half of it.
+/// The height of a bar. The scale starts at half a count, so that a single count is visible.
 double height_of(std::uint64_t count, std::uint64_t most) {
   if (count == 0) return 0.0;
   return (kHistogramBottom - kHistogramTop) * (drawn_log2(static_cast<double>(count)) + 1) /
@@ -110,7 +112,7 @@ std::string svg_start(std::string_view title, std::uint64_t most) {
       counted(most, "value", "values"));
 }
 
-/// A bar as "x, y, width and height" of a <rect>.
+/// The "x, y, width and height" attributes of a bar's <rect>.
 std::string rectangle(std::size_t i, double step, std::uint64_t count, std::uint64_t most) {
   const double height = height_of(count, most);
   return fmt::format(R"(x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}")",
@@ -118,14 +120,15 @@ std::string rectangle(std::size_t i, double step, std::uint64_t count, std::uint
                      kHistogramBottom - height, step - 1, height);
 }
 
-/// Labels where there is room for them, each after the bar that it is of.
+/// Writes labels after their bars, where they fit.
 class Labels {
  public:
   explicit Labels(double step) : step_(step) {}
 
   std::string of(std::size_t i, const Bar& bar) {
     const double x = kHistogramLeft + static_cast<double>(i) * step_;
-    // An octave's label stands at its upper border, that of exactly 0 below its bar.
+    // An octave's label stands at its upper border, the label of exactly 0 below the middle of its
+    // bar.
     const double at = bar.label == "0" ? x + step_ / 2 : x + step_;
     if (at - last_ < kLeastBetweenLabels || at > kHistogramRight) return "";
     last_ = at;
@@ -148,7 +151,7 @@ std::string axis_and_end() {
       kHistogramHeight - 4);
 }
 
-/// Where the limit lies among the bars; nothing where it lies beyond them.
+/// The position of the limit among the bars; empty if it lies beyond them.
 std::optional<double> place_of_limit(const Limit& limit, const std::vector<Bar>& bars,
                                      double step) {
   for (std::size_t i = 0; i < bars.size(); ++i) {

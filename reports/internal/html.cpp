@@ -6,7 +6,7 @@ namespace rastercheck::reports {
 
 namespace {
 
-/// U+FFFE and U+FFFF, which XML does not have, as U+FFFD.
+/// Replaces U+FFFE and U+FFFF, which XML does not allow, by U+FFFD.
 std::string without_noncharacters(std::string text) {
   for (const std::string_view one : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) {
     for (std::size_t at = 0; (at = text.find(one, at)) != std::string::npos;) {
@@ -20,7 +20,7 @@ std::string without_noncharacters(std::string text) {
 
 std::string html(std::string_view text) {
   using nlohmann::json;
-  // The JSON text knows which bytes are UTF-8; parsed again it is the text itself.
+  // Writing JSON replaces bytes that are not UTF-8; parsing it returns the text.
   const std::string valid =
       json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
   std::string escaped;

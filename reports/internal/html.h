@@ -5,8 +5,9 @@
 
 namespace rastercheck::reports {
 
-/// A text as HTML and as the value of a quoted attribute: markup characters as entities, control
-/// characters but line breaks and tabs, and bytes that are not UTF-8, as U+FFFD.
+/// Returns a text as HTML, also for use as the value of a quoted attribute. Markup characters
+/// become entities. Control characters except line breaks and tabs, and bytes that are not UTF-8,
+/// become U+FFFD.
 std::string html(std::string_view text);
 
 }  // namespace rastercheck::reports

@@ -23,15 +23,15 @@ using records::InspectedSample;
 using records::InspectedValue;
 using records::Inspection;
 
-constexpr int kDataDigits = 6;  ///< significant, of what is certified
+constexpr int kDataDigits = 6;  ///< significant digits of enclosed numbers
 constexpr std::size_t kAllDigits = std::numeric_limits<std::size_t>::max();
 
 /// How much of an inspection is kept.
 struct DataExtent {
-  std::size_t most_digits;  ///< of a whole number
-  std::uint32_t reach;      ///< pixels around the sample that was looked for
+  std::size_t most_digits;  ///< for each whole number
+  std::uint32_t reach;      ///< pixels around the inspected sample
 };
-/// From what is tried first to what has to do.
+/// Tried in this order until the data fits.
 constexpr std::array<DataExtent, 5> kExtents{
     {{kAllDigits, records::kMostInspected}, {60, 32}, {30, 32}, {16, 32}, {16, 8}}};
 
@@ -39,7 +39,8 @@ json certain(const std::optional<Enclosure>& number) {
   return number ? json(records::to_decimal(*number, kDataDigits)) : json();
 }
 
-/// Each whole number of a fraction, or of two, with "…" for its middle where it has more digits.
+/// Shortens each whole number of one or two fractions that has more than `most_digits` digits, by
+/// replacing its middle with "…".
 std::string shortened(std::string_view fraction, std::size_t most_digits) {
   std::string text;
   for (std::size_t at = 0; at < fraction.size();) {
@@ -60,7 +61,7 @@ json points(const std::vector<records::WindowPoint>& all) {
   return array;
 }
 
-/// A rounded sum is off by less than the step to its neighbours.
+/// Adds with outward rounding: a rounded sum is off by less than the step to its neighbours.
 Enclosure sum_of_two(const Enclosure& a, const Enclosure& b) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto end = [](double x, double y, double towards) {
@@ -118,7 +119,7 @@ json inspection_json(const Inspection& inspection, std::size_t most_digits) {
   for (const InspectedSample& sample : inspection.samples) {
     samples.push_back(sample_data(sample, inspection, most_digits));
   }
-  // Of a sample that was to be looked at for its coverage no attribute was, nor its depth.
+  // For a sample that was inspected for its coverage, the value is neither an attribute nor depth.
   const bool is_of_value = !inspection.splits.empty();
   json value;
   if (inspection.attribute) {
@@ -144,7 +145,8 @@ json inspection_json(const Inspection& inspection, std::size_t most_digits) {
           {"samples", std::move(samples)}};
 }
 
-/// The pixels in common of `size` from `first` on and of those around another.
+/// Intersects the `size` pixels from `first` on with those within `reach` of `place`; returns first
+/// and size of the result.
 std::pair<std::uint32_t, std::uint32_t> around(std::uint32_t first, std::uint32_t size,
                                                std::uint32_t place, std::uint32_t reach) {
   if (size == 0) return {first, size};
@@ -153,7 +155,7 @@ std::pair<std::uint32_t, std::uint32_t> around(std::uint32_t first, std::uint32_
   return {from, std::min(first + size, place + reach + 1) - from};
 }
 
-/// The part of an inspection that is close to what was looked for.
+/// The part of an inspection that is near the inspected sample.
 Inspection within(const Inspection& whole, std::uint32_t reach) {
   Inspection part = whole;
   std::tie(part.left, part.width) = around(whole.left, whole.width, whole.place.x, reach);
@@ -165,7 +167,7 @@ Inspection within(const Inspection& whole, std::uint32_t reach) {
   return part;
 }
 
-/// JSON that no HTML parser takes for markup.
+/// Returns JSON that no HTML parser mistakes for markup.
 std::string embedded(const json& data) {
   const std::string text = data.dump(-1, ' ', true, json::error_handler_t::replace);
   std::string safe;
@@ -196,7 +198,7 @@ std::vector<std::string> inspection_data(const std::vector<Inspection>& inspecti
     }
     if (bytes <= most) break;
   }
-  // What even so is too large is left out.
+  // Inspections that are still too large get empty texts.
   data.resize(inspections.size());
   return data;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// An inspection as the viewer of report.html reads it (reports/viewer/inspection.js): JSON that is
-// a fraction of run.json's, with numbers as their certain digits and samples as arrays.
+// An inspection for the viewer of report.html (reports/viewer/inspection.js), as JSON that is much
+// smaller than that of run.json. Numbers have only their certain digits, and samples are arrays.
 //
 //   {"rules": "vulkan", "attributes": [["u", "smooth"]], "pattern": [[0.5, 0.5]],
 //    "triangle": 0, "x": 3, "y": 5, "sample": 0, "value": 1, "q": [["1/2", "0", "-3/4"], …],
@@ -11,9 +11,9 @@
 //                 [[attribute or -1, exact, nearest, actual, scale error, local error, excess,
 //                   κ, κ_D], …]], …]}
 //
-// "value" is the attribute looked for, -1 for depth, null for coverage; "q" null where there is no
-// such matrix, "shortened" whether digits of fractions were left out here. In samples null stands
-// for what there is not. Places of samples are those of the part.
+// "value" is the inspected attribute, -1 for depth, null for coverage. "q" is null if there is no
+// q-matrix. "shortened" tells whether digits of fractions were left out here. In samples, null
+// stands for a missing value. Their x and y count from "left" and "top".
 
 #include <cstddef>
 #include <string>
@@ -23,10 +23,10 @@
 
 namespace rastercheck::reports {
 
-/// Each inspection as text that may stand in an HTML script element: ASCII, without "<". All
-/// together have `most` bytes and one inspection more, at most: as many digits of exact fractions
-/// are left out as that takes, but for those of the sample that was looked for, then the pixels
-/// farther from it than 8. Where that is not enough the last texts are empty.
+/// Returns each inspection as text that may stand in an HTML script element: ASCII, without "<".
+/// Together the texts have at most `most` bytes plus one inspection. To fit, digits of exact
+/// fractions are left out, except for those of the inspected sample; then pixels more than 8 away
+/// from that sample. If that is not enough, the last texts are empty.
 std::vector<std::string> inspection_data(const std::vector<records::Inspection>& inspections,
                                          std::size_t most);
 

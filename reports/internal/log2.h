@@ -4,19 +4,19 @@
 
 namespace rastercheck::reports {
 
-/// The binary logarithm, for scales to draw on: exact at powers of two, linear between them (at
-/// most 0.09 below the true one), increasing. `value` is positive and finite. frexp is exact, so
-/// that pictures are the same to the bit wherever they are drawn, which std::log2 does not promise.
+/// The binary logarithm for scales in drawings: exact at powers of two, linear between them (at
+/// most 0.09 below the true value), and increasing. `value` must be positive and finite. frexp is
+/// exact, so pictures are the same to the bit on every machine; std::log2 does not promise that.
 inline double drawn_log2(double value) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);  // in [1/2, 1)
   return exponent - 1 + (2 * fraction - 1);
 }
 
-/// The binary logarithm for curves, where corners of the above would be seen: within 2^-40 of the
-/// true one, by sums, products and quotients alone. With m in [1, 2) and z = (m − 1)/(m + 1) < 1/3,
-/// ln m = 2 (z + z^3/3 + z^5/5 + …); 12 terms leave less than 3^-25. `value` is positive and
-/// finite.
+/// The binary logarithm for curves, in which the corners of drawn_log2() would be visible. It is
+/// within 2^-40 of the true value and computed only with sums, products and quotients. With m in
+/// [1, 2) and z = (m − 1)/(m + 1) < 1/3, ln m = 2 (z + z^3/3 + z^5/5 + …); the terms after the
+/// first 12 sum to less than 3^-25. `value` must be positive and finite.
 inline double curve_log2(double value) {
   constexpr double kTwoOverLn2 = 2.8853900817779268;
   constexpr int kTerms = 12;

@@ -5,10 +5,10 @@
 
 namespace rastercheck::reports {
 
-/// A text that Markdown shows as it is, on one line and within a table's cell.
+/// Escapes a text so that Markdown shows it unchanged, on one line and within a table's cell.
 std::string markdown(std::string_view text);
 
-/// A command in a block of its own. No text can end the block, as line breaks are escaped.
+/// A command as a block of code. No text can end the block early, as line breaks are escaped.
 std::string command_block(std::string_view command);
 
 }  // namespace rastercheck::reports

@@ -16,7 +16,7 @@ void add(std::vector<Metric>& metrics, const Metric& metric) {
   if (std::isfinite(metric.value.lo) && std::isfinite(metric.value.hi)) metrics.push_back(metric);
 }
 
-/// The enclosure of |min| or |max|, whichever is greater.
+/// An enclosure of the greater of |min| and |max|.
 records::Enclosure worst_of(const records::Precision& precision) {
   const records::Enclosure below{-precision.min.hi, -precision.min.lo};
   return below.hi > precision.max.hi ? below : precision.max;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The figures of a run that services which track performance draw over time: how large errors were,
-// by law, backend, kind of value and stratum. Smaller is better of all of them.
+// The figures of a run that performance-tracking services plot over time: sizes of errors by law,
+// backend, kind of value and stratum. For every figure, smaller is better.
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct MeteredEntry {
   std::vector<Metric> metrics;
 };
 
-/// Of every kind and stratum that has values; what is not finite is left out.
+/// The figures of every kind and stratum that has values. Figures that are not finite are left out.
 std::vector<MeteredEntry> metered_entries(const records::Run& run);
 
 }  // namespace rastercheck::reports

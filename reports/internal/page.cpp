@@ -16,7 +16,7 @@ std::string cell_html(std::string_view style, std::string_view name, const std::
   return fmt::format("<td class=\"{}{}\" data-name=\"{}\">{}</td>", style, none, name, content);
 }
 
-/// As application/x-www-form-urlencoded, which is what links of the viewer are written in.
+/// Encodes a text as application/x-www-form-urlencoded, the syntax of the viewer's links.
 std::string url_encoded(std::string_view text) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789*-._";

@@ -11,7 +11,7 @@ namespace rastercheck::reports {
 
 std::string picture_figure(const records::Picture& picture) {
   constexpr int kEnlarged = 320;
-  // Pixels of those are what is to be seen.
+  // A small picture is enlarged, because its single pixels matter.
   const std::string_view style = picture.width < kEnlarged ? " class=\"small\"" : "";
   return fmt::format(
       "<figure><img{} src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\">"

@@ -6,8 +6,8 @@
 
 namespace rastercheck::reports {
 
-/// A picture of a run with its sentence, as HTML; whatever it needs is in it. One that is narrower
-/// than 320 pixels is enlarged.
+/// A picture of a run with its caption, as self-contained HTML. Pictures narrower than 320 pixels
+/// are enlarged.
 std::string picture_figure(const records::Picture& picture);
 
 }  // namespace rastercheck::reports

@@ -28,7 +28,7 @@ using records::Inspection;
 using records::Run;
 
 constexpr std::size_t kLongestValue = 160;    ///< characters
-constexpr std::size_t kMostData = 3'500'000;  ///< bytes of all inspections in the page
+constexpr std::size_t kMostData = 3'500'000;  ///< for the inspections in the page, in bytes
 
 std::string shortened_value(std::string_view text) {
   return "<span class=\"value\">" + html(elided(text, kLongestValue)) + "</span>";
@@ -43,7 +43,7 @@ std::string name_of(const Inspection& inspection, const std::optional<std::uint3
              : fmt::format("attribute {}", *attribute);
 }
 
-/// The place that was looked for, for a sentence.
+/// Names the inspected place, for use in a sentence.
 std::string place_of(const Inspection& inspection) {
   return fmt::format("Pixel ({}, {}){} of triangle {}", inspection.place.x, inspection.place.y,
                      inspection.pattern.size() > 1
@@ -70,7 +70,7 @@ std::string coverage_sentence(const Inspection& inspection, const InspectedSampl
   return text + ".</p>\n";
 }
 
-/// What the largest part of an error comes from; empty where it is not known.
+/// The cause of the largest part of an error; empty if unknown.
 std::string cause_of(const Inspection& inspection, const std::optional<std::uint32_t>& attribute) {
   for (const records::ErrorSplit& split : inspection.splits) {
     if (split.attribute != attribute) continue;
@@ -107,7 +107,7 @@ std::string value_sentence(const Inspection& inspection, const InspectedValue& v
   return text + cause_of(inspection, value.attribute) + ".</p>\n";
 }
 
-/// What was looked for, in a sentence.
+/// Describes the inspected sample in a sentence.
 std::string sentence_of(const Inspection& inspection) {
   const InspectedSample* const sample = inspected_sample(inspection);
   if (sample == nullptr) return "";
@@ -120,7 +120,7 @@ std::string sentence_of(const Inspection& inspection) {
   return coverage_sentence(inspection, *sample);
 }
 
-/// The error of what was looked for, else of each value, by stage.
+/// The error of the inspected value, or of each value, by stage.
 std::string splits_of(const Inspection& inspection) {
   std::string text;
   for (const records::ErrorSplit& split : inspection.splits) {
@@ -132,7 +132,7 @@ std::string splits_of(const Inspection& inspection) {
   return text.empty() ? "" : "<div class=\"splits\">\n" + text + "</div>\n";
 }
 
-/// An inspection of the run, and what the viewer shows of it.
+/// An inspection of the run, with its data for the viewer.
 struct Shown {
   const Inspection* inspection;
   std::size_t index;
@@ -141,7 +141,7 @@ struct Shown {
 
 std::string inspection_of(const Shown& shown) {
   std::string text = sentence_of(*shown.inspection) + splits_of(*shown.inspection);
-  // Without the sample itself there is nothing to point at first.
+  // Without the inspected sample, the viewer has nothing to select at first.
   if (shown.data.empty() || inspected_sample(*shown.inspection) == nullptr) return text;
   return text +
          fmt::format(
@@ -149,7 +149,7 @@ std::string inspection_of(const Shown& shown) {
              shown.data);
 }
 
-/// The beginning of a finding's section. `title` is HTML.
+/// The start of a finding's section. `title` is HTML.
 std::string section_start(const Shown* shown, std::string_view sign, const std::string& title,
                           bool is_open) {
   std::string attributes;
@@ -193,7 +193,8 @@ std::string violations_of(const Counterexample& counterexample) {
   return text + "</tbody>\n</table>\n";
 }
 
-/// The picture of characters: for those without scripts where the viewer shows the same.
+/// The picture made of characters. If the viewer shows the same, it is only for readers without
+/// scripts.
 std::string close_up_of(const Counterexample& counterexample, bool has_viewer) {
   if (counterexample.close_up.empty()) return "";
   std::string text = has_viewer ? "<pre class=\"unscripted\">" : "<pre>";
@@ -201,7 +202,7 @@ std::string close_up_of(const Counterexample& counterexample, bool has_viewer) {
   return text + "</pre>\n";
 }
 
-/// State, vertices and triangles, as a terminal shows them.
+/// The state, vertices and triangles, written as on a terminal.
 std::string case_of(const cases::Case& source) {
   return "<details class=\"case\"><summary>The case: state, vertices, triangles</summary>\n<pre>" +
          html(case_text(source)) + "</pre></details>\n";
@@ -218,7 +219,7 @@ std::string counterexample_section(const Run& run, const Counterexample& counter
                   html(found.law), html(found.backend), html(way), found.index % records::kRedrawn),
       is_open);
   if (!counterexample.source.name.empty()) {
-    // The name is that of the case it was made of, which need not show in it any more.
+    // The name is that of the original case, and may no longer describe this one.
     text += fmt::format("<p>{}“{}”</p>\n", counterexample.is_shrunk() ? "Made smaller from " : "",
                         html(counterexample.source.name));
   }
@@ -230,11 +231,12 @@ std::string counterexample_section(const Run& run, const Counterexample& counter
                             html(replay_command(run, records::file_of(counterexample))));
 }
 
-/// What some counterexamples have in common, and what was tried of the first.
+/// Says what some counterexamples have in common, and what was tried on the first of them.
 std::string cause_heading(const Run& run, std::size_t index) {
   const records::Cause& cause = run.causes[index];
   std::string text =
       fmt::format("<h3>Cause {}: {}</h3>\n", index + 1, html(cause_line(run, cause)));
+  if (cause.hint) text += "<p><b>Hint:</b> " + html(hint_text(cause)) + ".</p>\n";
   if (cause.tried.empty()) return text;
   text += "<p>Of the first:</p>\n<ul>\n";
   for (const std::string& tried : cause.tried) text += "<li>it " + html(tried) + "</li>\n";

@@ -6,8 +6,8 @@
 
 namespace rastercheck::reports {
 
-/// What was found, to be looked at: each counterexample, each worst case. Those that were inspected
-/// have the data of the viewer with them (internal/inspection_data.h). Empty where there are none.
+/// The findings to look at: each counterexample and each worst case. Findings that were inspected
+/// include the viewer's data (internal/inspection_data.h). Empty if there are no findings.
 std::string findings_of(const records::Run& run);
 
 }  // namespace rastercheck::reports

@@ -24,13 +24,14 @@ using records::LawSummary;
 using records::LawVerdict;
 using records::Run;
 
-/// The words of the table below, for who meets them here.
+/// Explains the terms in the table below.
 constexpr std::string_view kJudgedSentence =
     "A backend is a rasterizer or driver, a case some triangles to draw, a sample a place of a "
     "pixel that a triangle covers or not, a law what is true of every right drawing. Whatever was "
     "drawn has been judged in exact arithmetic.";
 
-/// What asks for a look comes first; else the order of the laws.
+/// Sorts the rows that need attention to the front. Rows of equal urgency keep the order of the
+/// laws.
 std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
   const auto rank = [](const LawSummary& row) {
     switch (row.verdict) {
@@ -53,7 +54,7 @@ std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
 }
 
 std::string table_of(const Run& run, const std::vector<LawSummary>& rows) {
-  // One backend is in the heading.
+  // If the run has a single backend, the heading names it, so rows need not.
   std::string text = fmt::format("<table class=\"verdicts sortable{}\">\n",
                                  run.plan.backends.size() == 1 ? " of-one" : "");
   text +=
@@ -76,7 +77,7 @@ std::string table_of(const Run& run, const std::vector<LawSummary>& rows) {
   return text + "</tbody>\n</table>\n";
 }
 
-/// How many answers each level of the oracle gave; nothing where none is known to have.
+/// How many answers each level of the oracle gave; empty if no such counts are known.
 std::string levels_of(const LawSummary& total) {
   const std::uint64_t undecided = total.counts.undecided;
   std::string text;
@@ -92,7 +93,7 @@ std::string levels_of(const LawSummary& total) {
   return text;
 }
 
-/// All rows of a backend together, the largest of their errors included.
+/// The sum of a backend's rows, with their largest error.
 struct BackendFigures {
   std::string backend;
   std::vector<LawSummary> rows;
@@ -126,7 +127,7 @@ std::string figure(std::string_view term, const std::string& number, const std::
   return definition(term, fmt::format("<strong>{}</strong> <small>{}</small>", number, of));
 }
 
-/// What each of several backends came to.
+/// The result of each backend, if there are several.
 std::string backends_table(const std::vector<BackendFigures>& all) {
   std::string text =
       "<table class=\"backends\">\n<thead><tr><th>backend</th><th>verdict</th>"
@@ -146,7 +147,7 @@ std::string backends_table(const std::vector<BackendFigures>& all) {
   return text + "</tbody>\n</table>\n";
 }
 
-/// The figures that a reader wants first, large.
+/// The most important figures, in large type.
 std::string run_figures(const Run& run, const std::vector<LawSummary>& rows,
                         const LawSummary& total) {
   const records::Counts& counts = total.counts;
@@ -179,7 +180,7 @@ std::string facts_of(const LawSummary& total) {
          levels_of(total) + "</dl>\n";
 }
 
-/// Why cases were not judged by a law, with how many where there are several reasons.
+/// The reasons why a law did not judge cases, with counts if there are several.
 std::string reasons_text(const LawSummary& row) {
   const auto reasons = records::reasons_of(row);
   if (reasons.size() == 1 && row.cases.checked == 0) return reasons.front().second;
@@ -190,7 +191,7 @@ std::string reasons_text(const LawSummary& row) {
   return text;
 }
 
-/// Laws that held, but on too few cases to say much; empty where there is none.
+/// Lists laws that held, but on too few cases to say much; empty if there are none.
 std::string thin_of(const std::vector<LawSummary>& rows) {
   std::string text;
   for (const LawSummary& row : rows) {
@@ -207,8 +208,8 @@ std::string thin_of(const std::vector<LawSummary>& rows) {
       html(records::thin_sentence(rows)), text);
 }
 
-/// What was not done: cases that were not checked, labels that were not reached, laws that say
-/// nothing of what there was.
+/// Lists what was not done: cases that were not checked, labels that were not reached, laws that
+/// did not apply to any case.
 std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
   std::string text;
   const auto add = [&text](const std::string& sentence) {
@@ -219,7 +220,7 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
     add(records::unreached_sentence(label));
   for (const records::UnexpectedPass& pass : run.unexpected)
     add(records::unexpected_sentence(pass));
-  // Several laws for the same reasons are one line.
+  // Laws with the same reasons share a line.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> laws;
   for (const LawSummary& row : rows) {
     if (row.verdict != LawVerdict::not_checked) continue;
@@ -240,7 +241,7 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
   return "<section>\n<h2>Not checked</h2>\n<ul class=\"gaps\">\n" + text + "</ul>\n</section>\n";
 }
 
-/// What became of the scene, with a first look at what was drawn; nothing where there was none.
+/// The scene's result, with a preview of the drawing; empty if the run has no scene.
 std::string scene_of(const Run& run) {
   if (run.scenes.empty()) return "";
   std::string text = "<section>\n<h2>The scene</h2>\n";
@@ -256,7 +257,7 @@ std::string scene_of(const Run& run) {
   return text + "</section>\n";
 }
 
-/// How to do it again, and what it was done with.
+/// Says how to repeat the run, and what it ran on.
 std::string again(const Run& run) {
   std::string text = fmt::format(
       "<section>\n<h2>To do it again</h2>\n<p><code>{}</code></p>\n<dl class=\"facts\">\n{}",

@@ -30,7 +30,7 @@ std::string histogram_figure(const records::SizeSummary& sizes, std::string_view
       histogram_svg(sizes.histogram, caption, limit));
 }
 
-/// Where the worst error is, and what it is of.
+/// The place of the worst error, and its value.
 std::string worst_text(const records::SizeSummary& sizes) {
   if (!sizes.worst_at) return "";
   const records::WorstError& worst = *sizes.worst_at;
@@ -82,7 +82,8 @@ std::string labels_of(const LawSummary& row) {
   return text + counted_spans(row.labels) + "</p>\n";
 }
 
-/// Which known defects its violations are of, and why it says nothing of other cases.
+/// Lists the known defects that explain the law's violations, and the reasons why the law did not
+/// apply to other cases.
 std::string reasons_list(const LawSummary& row) {
   std::string text;
   const auto add = [&text](std::string_view title,
@@ -95,8 +96,8 @@ std::string reasons_list(const LawSummary& row) {
   return text;
 }
 
-/// What errors of a row are compared with: of a violated law the bound that was exceeded, which the
-/// contract may give each triangle another of; else what no correctly rounded value exceeds.
+/// The reference for a row's errors. For a violated law it is the bound that was exceeded, which
+/// may differ between triangles; otherwise it is the greatest error of a correctly rounded value.
 Limit limit_of(const records::Run& run, const LawSummary& row) {
   std::optional<records::Enclosure> bound;
   for (const records::Counterexample& counterexample : run.counterexamples) {
@@ -132,7 +133,7 @@ std::string backend_section(const records::Run& run, const LawSummary& row) {
          labels_of(row) + "</section>\n";
 }
 
-/// One law: its rows, which follow each other.
+/// The section of one law, which is given by its consecutive rows.
 std::string law_section(const records::Run& run, const LawSummary* first, const LawSummary* last) {
   std::string verdicts;
   bool is_violated = false;
@@ -142,7 +143,7 @@ std::string law_section(const records::Run& run, const LawSummary* first, const 
         fmt::format(" <span class=\"{}\">{}</span> <small>{}</small>", verdict_class(row->verdict),
                     verdict_sign(row->verdict), html(row->backend));
   }
-  // Tables and commands know it by its id.
+  // The heading also shows the law's id, which tables and commands use.
   const std::string& sentence = records::sentence_of(run, first->law);
   const std::string id =
       sentence == first->law ? "" : fmt::format(" <code>{}</code>", html(first->law));

@@ -8,7 +8,8 @@
 
 namespace rastercheck::reports {
 
-/// report.html, law by law: what was found on each backend. Violated laws are open.
+/// The part of report.html with the findings of each law on each backend. Violated laws are
+/// expanded.
 std::string laws_of(const records::Run& run, const std::vector<records::LawSummary>& rows);
 
 }  // namespace rastercheck::reports

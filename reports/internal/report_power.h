@@ -7,8 +7,8 @@
 
 namespace rastercheck::reports {
 
-/// report.html, what the run would have noticed of drawings that are wrong; empty where none was
-/// made wrong.
+/// The part of report.html that says which wrong drawings the run would have noticed. Empty if no
+/// drawing was made wrong.
 std::string power_of(const std::vector<records::LawSummary>& rows);
 
 }  // namespace rastercheck::reports

@@ -4,8 +4,8 @@
 
 namespace rastercheck::reports {
 
-/// The style sheet of report.html. Tables become cards on a phone; colours follow the reader's
-/// choice of light or dark; nothing is loaded.
+/// The style sheet of report.html. Tables become cards on a phone. Colours follow the reader's
+/// light or dark mode. Nothing is loaded from elsewhere.
 inline constexpr std::string_view kReportStyle = R"css(:root {
   --paper: #fbfbf9; --card: #ffffff; --ink: #1d2327; --muted: #5d666d; --line: #dcdfe0;
   --accent: #3a6ea5; --good: #1f7a4d; --bad: #b3202c;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The members of run.json, in the order of the file. Those of pictures and labels, which it has as
-// single lines, are in the alphabetical order of all its lines.
+// The members of run.json, in the order of the file, except those of pictures and labels: run.json
+// writes each picture and label on a single line, with keys in alphabetical order.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,7 +23,7 @@
 
 namespace rastercheck::reports {
 
-/// Bytes as text.
+/// Bytes as Base64 text.
 template <typename T>
 struct Base64Text {
   T& bytes;
@@ -72,12 +72,23 @@ void members(Archive& archive, T& scene) {
   });
 }
 
+template <typename Archive, cases::Either<Hint> T>
+void members(Archive& archive, T& hint) {
+  archive.required("change", hint.change);
+  archive.required("right", hint.right);
+  archive.required("wrong", hint.wrong);
+  archive.check([&](const cases::JsonNode& node) {
+    if (hint.right > hint.wrong) node["right"].refuse("must not be more than were wrong");
+  });
+}
+
 template <typename Archive, cases::Either<Cause> T>
 void members(Archive& archive, T& cause) {
   archive.required("backend", cause.backend);
   archive.required("sentence", cause.sentence);
   archive.required("needs", cause.needs);
   archive.required("tried", cause.tried);
+  archive.optional("hint", cause.hint);
   archive.required("counterexamples", cause.counterexamples);
 }
 
@@ -94,7 +105,7 @@ void members(Archive& archive, T& label) {
 template <typename Archive, cases::Either<Run> T>
 void members(Archive& archive, T& run) {
   archive.format("rastercheck-run", kRecordsVersion);
-  archive.added("rules_version", run.rules_version, 1);  // files from before are of the first
+  archive.added("rules_version", run.rules_version, 1);  // older files follow version 1
   archive.required("plan", run.plan);
   archive.optional("sentences", run.sentences);
   archive.optional("shard", run.shard);

@@ -12,13 +12,13 @@
 namespace rastercheck::reports {
 namespace {
 
-constexpr double kSplitWidth = 200;  ///< of a bar's box, in its own units
+constexpr double kSplitWidth = 200;  ///< width of a bar's box, in its own units
 constexpr double kSplitHeight = 14;
-constexpr double kLeastBar = 1.5;  ///< so that the smallest is seen
+constexpr double kLeastBar = 1.5;  ///< keeps the smallest bar visible
 
 double middle(const records::Enclosure& error) { return error.lo / 2 + error.hi / 2; }
 
-/// From errors to places in a bar's box.
+/// Maps errors to places in the box of a bar.
 struct Scale {
   double least = 0;
   double greatest = 0;

@@ -17,10 +17,10 @@ namespace {
 using records::Stage;
 using records::StageMean;
 
-constexpr double kStageWidth = 100;  ///< of a bar, in its own units
+constexpr double kStageWidth = 100;  ///< width of a bar, in its own units
 constexpr double kStageHeight = 10;
 
-/// What a part adds to the errors of its kind and stratum, on the whole; 0 where that is not known.
+/// The total that a part adds to the errors of its kind and stratum; 0 if unknown.
 double weight_of(const StageMean& part) {
   if (!part.mean) return 0;
   return (part.mean->lo / 2 + part.mean->hi / 2) * static_cast<double>(part.values);

@@ -1,20 +1,20 @@
 #pragma once
 
-// What report.html is brought to life with, as the build puts it here: reports/viewer/ and d3.
+// The scripts and styles of report.html's viewer, which the build embeds: reports/viewer/ and d3.
 
 #include <string>
 #include <string_view>
 
 namespace rastercheck::reports {
 
-/// Style sheets of the page and the viewer.
+/// The style sheets of the page and of the viewer.
 extern const std::string_view kViewerStyle;
 
-/// The page's scripts, at its end: d3 and the modules of reports/viewer/ as one.
+/// The scripts at the end of the page: d3, and the modules of reports/viewer/ joined into one.
 std::string viewer_scripts();
 
-/// What a browser is told to run and to load: these scripts, pictures within the page, nothing
-/// else from anywhere. The content of a Content-Security-Policy.
+/// The content of a Content-Security-Policy. It lets a browser run and load only these scripts, and
+/// pictures within the page; nothing from anywhere else.
 std::string viewer_policy();
 
 }  // namespace rastercheck::reports

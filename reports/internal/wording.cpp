@@ -21,12 +21,12 @@ double to_double(std::string_view text) {
   return value;
 }
 
-/// A positive finite number in `digits` significant digits, rounded up.
+/// A positive finite number with `digits` significant digits, rounded up.
 std::string rounded_up(double value, int digits) {
   const std::string text = fmt::format("{:.{}e}", value, digits - 1);
   const double nearest = to_double(text);
   if (nearest >= value) return fmt::format("{:.{}g}", nearest, digits);
-  // The next decimal of so many digits: one unit in the last of them.
+  // The next decimal with that many digits is one unit in the last digit higher.
   int exponent = 0;
   const std::size_t mark = text.find('e') + 1;
   const char* const sign_skipped = text.data() + mark + (text[mark] == '+' ? 1 : 0);
@@ -91,13 +91,13 @@ std::string elided(std::string_view text, std::size_t most) {
 
   const std::size_t of_end = (most - 1) / 2;
   const std::size_t of_start = most - 1 - of_end;
-  std::size_t start = 0;  // where the part left out begins
+  std::size_t start = 0;  // where the omitted part begins
   for (std::size_t i = 0; i < of_start; ++i) {
     do {
       ++start;
     } while (continues(start));
   }
-  std::size_t end = text.size();  // and where it ends
+  std::size_t end = text.size();  // where it ends
   for (std::size_t i = 0; i < of_end; ++i) {
     do {
       --end;
@@ -140,7 +140,7 @@ std::string not_judged_share(const records::Judged& judged) {
   const double percent = 100 * judged.share_not_judged();
   if (percent == 0) return "–";
   if (percent < 1) return "< 1%";
-  // Never all of what some was judged of.
+  // Rounded down: "100%" would mean that nothing was judged.
   return fmt::format("{}%", static_cast<int>(percent));
 }
 

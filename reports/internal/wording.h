@@ -1,6 +1,6 @@
 #pragma once
 
-// What the reports that people read have in common: how numbers, commands and the verdict are put.
+// Shared wording of the reports for people: numbers, commands and the verdict.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace rastercheck::reports {
 
-/// What the numbers of a table mean, one sentence each.
+/// Sentences that explain the numbers of a table.
 inline constexpr std::string_view kUnitSentence =
     "Errors are in scale ULP: 1 is the spacing of float32 numbers at the largest of the "
     "triangle's three values of the attribute (or at the exact value, where that is larger), so "
@@ -33,7 +33,7 @@ inline constexpr std::string_view kPrecisionSentence =
     "clipped, near horizon (the greatest w is over 16 times the least), sliver (less high than "
     "1/64 of the longest edge), multisampled, ordinary.";
 
-/// Stands for a number that there is not.
+/// Stands for a number that does not exist.
 inline constexpr std::string_view kNothing = "–";
 
 /// 1234567 as "1,234,567".
@@ -42,18 +42,18 @@ std::string grouped(std::uint64_t number);
 /// "1 case", "2 cases".
 std::string counted(std::uint64_t number, std::string_view singular, std::string_view plural);
 
-/// The certain digits of an enclosed number, or a dash.
+/// The certain digits of an enclosed number; a dash if there is none.
 std::string number_text(const std::optional<records::Enclosure>& number);
 
-/// The upper end in three significant digits, rounded up: "≤ 0.459". Of a zero "0", without a
-/// number a dash.
+/// The upper end with three significant digits, rounded up: "≤ 0.459"; "0" for zero; a dash if
+/// there is no number.
 std::string at_most_text(const std::optional<records::Enclosure>& number);
 
-/// The certain digits of a mean, a few at most. One that is certain in no digit, as around 0, is
-/// given by what its magnitude does not exceed: "± 4.7e-10".
+/// The certain digits of a mean, at most a few. If no digit is certain, as may happen near 0, a
+/// bound on its magnitude: "± 4.7e-10".
 std::string mean_text(const std::optional<records::Enclosure>& mean);
 
-/// The cells of a table of precision, after those that say of what the values are.
+/// The columns of a table of precision, after those that identify the values.
 inline constexpr std::array<std::string_view, 8> kPrecisionColumns{
     "values", "min", "mean", "max", "p50", "p99", "p99.9", "misrounded"};
 std::array<std::string, kPrecisionColumns.size()> precision_cells(
@@ -62,8 +62,9 @@ std::array<std::string, kPrecisionColumns.size()> precision_cells(
 /// The stratum's word, or "all".
 std::string_view stratum_text(const records::Precision& precision);
 
-/// A text of at most `most` characters (at least 16): what is longer has "…" for its middle. Exact
-/// fractions may have hundreds of digits; run.json has all of them. Characters of UTF-8 stay whole.
+/// Shortens a text to at most `most` characters (at least 16) by replacing its middle with "…".
+/// Exact fractions may have hundreds of digits; run.json has all of them. UTF-8 characters stay
+/// whole.
 std::string elided(std::string_view text, std::size_t most);
 
 /// "Violated: 2 of 12 checks." A check is one law on one backend.
@@ -72,20 +73,20 @@ std::string verdict_sentence(const std::vector<records::LawSummary>& rows);
 /// "violated in 3 cases", "known in 2 cases", "held", "not checked".
 std::string verdict_text(const records::LawSummary& row);
 
-/// "12%" of fragments and values, "< 1%", or a dash where all were judged.
+/// "12%" or "< 1%" of fragments and values; a dash if all were judged.
 std::string not_judged_share(const records::Judged& judged);
 
-/// All rows together; of sizes and labels nothing.
+/// The sum of all rows, without sizes and labels.
 records::LawSummary totals(const std::vector<records::LawSummary>& rows);
 
-/// Whether any row has a table of precision.
+/// True if any row has a table of precision.
 bool has_precision(const std::vector<records::LawSummary>& rows);
 
-/// "triangle 0, pixel (3, 5), sample 0, attribute u"; "–" where it has none.
+/// "triangle 0, pixel (3, 5), sample 0, attribute u"; "–" if there is no place.
 std::string place_text(const records::Violation& violation, const cases::Case& source);
 
-/// Class, place, what is exact and what was drawn, by how much it is off: on one line where the
-/// law's note is. Long values are elided.
+/// The class, the place, the exact and the drawn value, the error, and the law's note. If there is
+/// no place, only the class and the note. On one line if the note is. Long values are elided.
 std::string violation_text(const records::Violation& violation, const cases::Case& source);
 
 }  // namespace rastercheck::reports

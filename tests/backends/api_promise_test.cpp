@@ -52,13 +52,13 @@ TEST(ApiPromise, OfPositionsIsThatOfFiveOperations) {
   // 10^-5 (4 · 16 + 2 · 32) pixels, 256 units each.
   const cases::Contract contract = api_promise(case_of(kPlain), kEightBits, kSpec);
   EXPECT_NEAR(contract.coverage->position_error, 1e-5 * 128 * 256 * 1.01, 1e-6);
-  // Planes that do not cut do not matter: besides the position error a new vertex is
-  // rounded.
+  // Planes that do not cut do not matter. A new vertex is also rounded, in addition to the position
+  // error.
   EXPECT_NEAR(contract.clip_tolerance, 1, 1e-6);
 }
 
-// A side is less than a part of the viewport's grid away; where origin and size are rounded each
-// for itself, the far one is less than two.
+// A side moves by less than one unit of the viewport's grid. If origin and size are rounded
+// separately, the far side moves by less than two.
 TEST(ApiPromise, LeavesOpenHowViewportsAreRounded) {
   const auto error = [](const cases::Viewport& viewport, int bits) {
     cases::Case c = case_of(kPlain);
@@ -71,19 +71,20 @@ TEST(ApiPromise, LeavesOpenHowViewportsAreRounded) {
   EXPECT_EQ(error({0, 0.5F, 64, 63.5F, 0, 1}, 0), 2);
   EXPECT_EQ(error({0, 0.5F, 64, 63.5F, 0, 1}, 1), 0);
   EXPECT_EQ(error({0, 0.25F, 64, 64, 0, 1}, 1), 0.5);
-  // Turned round it begins at 8.5.
+  // Turned, the viewport begins at 8.5.
   EXPECT_EQ(error({40, 0, -31.5F, 64, 0, 1}, 0), 2);
 }
 
-/// By hand, of a right-angled triangle with legs of 32 pixels and w = 1 whose vertices are not
-/// moved: about the corners of its box Σ s_i is 5, 8, 8 and 11 times 32², D is 32².
+/// Computed by hand for a right-angled triangle with legs of 32 pixels and w = 1, whose vertices
+/// are not moved: about the corners of its bounding box, Σ s_i is 5, 8, 8 and 11 times 32², and D
+/// is 32².
 TEST(ApiPromise, OfValuesIsThatOfPlanesOverTheTriangle) {
   const WindowTriangle triangle{{0, 32, 0}, {0, 0, 32}, {1, 1, 1}};
   const PlaneError error = plane_error(triangle, {.operation = 1e-6});
   EXPECT_NEAR(error.affine, 31 * 11e-6 / (1 - 5 * 11e-6), 1e-12);
   EXPECT_NEAR(error.constant, 2e-6, 1e-15);
   EXPECT_NEAR(error.per_horizon, 68 * 11e-6 / (1 - 38 * 11e-6), 1e-12);
-  // With w from 1 to 2 the greatest 1/w is twice the least.
+  // With w from 1 to 2, the greatest 1/w is twice the least.
   const PlaneError in_depth = plane_error({{0, 32, 0}, {0, 0, 32}, {1, 1, 2}}, {.operation = 1e-6});
   EXPECT_NEAR(in_depth.per_horizon, 68 * 11e-6 / (1 - 5 * 11e-6 - 33 * 11e-6 * 2), 1e-12);
 }
@@ -95,7 +96,7 @@ TEST(ApiPromise, OfValuesIsNothingWithoutArea) {
 }
 
 TEST(ApiPromise, OfDepthIsThatOfThePlane) {
-  // What moves the vertices takes little of the area: K is 11 · 32²/2 or a little more.
+  // The error of positions reduces the area only a little: K is 11 · 32²/2 or slightly more.
   const cases::Contract contract = api_promise(case_of(kPlain), kEightBits, kSpec);
   ASSERT_EQ(contract.triangles.size(), 1U);
   const WindowTriangle window{{16, 48, 32}, {16, 16, 48}, {1, 1, 1}};
@@ -108,8 +109,8 @@ TEST(ApiPromise, OfDepthIsThatOfThePlane) {
 }
 
 TEST(ApiPromise, OfNewVerticesDependsOnTheLeastW) {
-  // The near plane z = 0 cuts where w is 1/4 · 1 + 3/4 · 0.2 = 0.4; the greatest |y| is 1/4, w
-  // is 1.
+  // The near plane z = 0 cuts where w is 1/4 · 1 + 3/4 · 0.2 = 0.4. The greatest |y| is 1/4, and
+  // the greatest w is 1.
   const std::array<cases::ClipVertex, 3> near{{{0, 0.25F, 0.75F, 1},
                                                {-0.0625F, -0.0625F, -0.25F, 0.2F},
                                                {0.0625F, -0.0625F, -0.25F, 0.2F}}};
@@ -133,7 +134,7 @@ TEST(ApiPromise, OfVerticesBesideTheViewportCountsAsOfNewOnes) {
 }
 
 TEST(ApiPromise, OfWhatReachesTheEyeIsNothing) {
-  // All of the clipped triangle's edge through the eye is left: w comes down to 0 there.
+  // The clipped triangle keeps its whole edge through the eye, where w falls to 0.
   const std::array<cases::ClipVertex, 3> through{{{0, 0, 0, 0}, {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}}};
   const cases::Case c = case_of(through);
   EXPECT_FALSE(cases::promises_all_of(api_promise(c, kEightBits, kSpec), c));
@@ -145,7 +146,7 @@ TEST(ApiPromise, OfWhatIsSeenEdgeOnAndCutIsNothing) {
       {{0.5F, 0.25F, 0.5F, 1}, {-0.5F, -0.25F, -0.5F, -1}, {0, 0.5F, 0.5F, 1}}};
   const cases::Case c = case_of(opposite);
   EXPECT_FALSE(cases::promises_all_of(api_promise(c, kEightBits, kSpec), c));
-  // Whole, it only loses its values.
+  // A triangle that is not cut only loses the promise about its values.
   const std::array<cases::ClipVertex, 3> thin{
       {{-0.5F, 0, 0.5F, 1}, {0.5F, 0, 0.5F, 1}, {0, 0, 0.5F, 1}}};
   EXPECT_LT(api_promise(case_of(thin), kEightBits, kSpec).clip_tolerance, 2);
@@ -164,8 +165,8 @@ TEST(ApiPromise, OfNumbersWhoseProductsAreTooLargeIsNothing) {
   EXPECT_TRUE(cases::promises_all_of(api_promise(c, kEightBits, kSpec), c));
 }
 
-/// Arithmetic each of whose results is off by a share of itself: by 10^-5, one way or the other, or
-/// by what rounding to float32 does.
+/// Arithmetic in which each result has a relative error: either 10^-5 in a random direction, or
+/// that of rounding to float32.
 class Arithmetic {
  public:
   Arithmetic(bool is_float32, unsigned seed) : is_float32_(is_float32), random_(seed) {}
@@ -180,7 +181,7 @@ class Arithmetic {
   std::mt19937 random_;
 };
 
-/// A vertex as an implementation has it: window position, 1/w and value.
+/// A vertex as the implementation computes it: window position, 1/w and value.
 struct Seen {
   double x = 0;
   double y = 0;
@@ -188,10 +189,11 @@ struct Seen {
   double value = 0;
 };
 
-/// The forms that values may be evaluated in.
+/// The forms in which values may be evaluated.
 enum class Form { weights, pivot, gradient };
 
-/// Evaluates what is linear in the window and f_i at the vertices, about the point (p_x, p_y).
+/// Evaluates, about the point (p_x, p_y), the function that is linear in the window and f_i at the
+/// vertices.
 double linear(const std::array<Seen, 3>& v, const std::array<double, 3>& f, double p_x, double p_y,
               double x, double y, Form form, Arithmetic& op) {
   std::array<double, 3> u{};
@@ -232,7 +234,7 @@ double linear(const std::array<Seen, 3>& v, const std::array<double, 3>& f, doub
   return op(op(op(weight[0] * f[0]) + op(weight[1] * f[1])) + op(weight[2] * f[2]));
 }
 
-/// A smooth value.
+/// Evaluates a smooth value.
 double interpolate(const std::array<Seen, 3>& v, double p_x, double p_y, double x, double y,
                    Form form, Arithmetic& op) {
   std::array<double, 3> n{};
@@ -249,7 +251,7 @@ struct Promised {
   cases::DriverPromise promise = kSpec;
   Form form = Form::weights;
   int samples = 1;
-  float size = 1;              ///< of the triangles, as a share of the window
+  float size = 1;              ///< size of the triangles, relative to the window
   bool has_fractions = false;  ///< the viewport's sides lie between pixels
 };
 
@@ -262,7 +264,7 @@ std::string name_of(const testing::TestParamInfo<Promised>& info) {
 
 class ApiPromiseHolds : public testing::TestWithParam<Promised> {};
 
-/// The viewport that may be drawn by: numbers that are no whole ones are rounded either way.
+/// A viewport that may be used for drawing: numbers that are not integers are rounded up or down.
 cases::Viewport in_whole_pixels(cases::Viewport viewport, Arithmetic& op) {
   for (float* const number : {&viewport.x, &viewport.y, &viewport.width, &viewport.height}) {
     *number = op.coin() ? std::floor(*number) : std::ceil(*number);
@@ -270,9 +272,9 @@ cases::Viewport in_whole_pixels(cases::Viewport viewport, Arithmetic& op) {
   return viewport;
 }
 
-/// Random triangles as an implementation may draw them: positions are computed, rounded to either
-/// neighbour on the grid, and values evaluated in a form, about a point of the bounding box or, as
-/// `ieee` lets it be, the window's origin. All may be off by no more than is promised.
+/// Draws random triangles as an implementation may: positions are computed and rounded to either
+/// neighbour on the grid. Values are evaluated in a given form, about a point of the bounding box
+/// or, as `ieee` allows, the window's origin. All errors must be within the promise.
 TEST_P(ApiPromiseHolds, OfWhatRoundedArithmeticDraws) {
   const Promised param = GetParam();
   const bool is_ieee = param.promise == cases::DriverPromise::ieee;
@@ -307,7 +309,7 @@ TEST_P(ApiPromiseHolds, OfWhatRoundedArithmeticDraws) {
       const auto snapped = [&op](double at) {
         return (op.coin() ? std::floor(at * 256) : std::ceil(at * 256)) / 256;
       };
-      // Vulkan's y points down, as the case's does.
+      // Vulkan's y points down, and so does the case's.
       seen[i] = {snapped(in_window(p.x, drawn_by.x, drawn_by.width)),
                  snapped(in_window(p.y, drawn_by.y, drawn_by.height)), inverse_w,
                  double{c.attribute_values[i]}};
@@ -343,9 +345,9 @@ TEST_P(ApiPromiseHolds, OfWhatRoundedArithmeticDraws) {
   RecordProperty("worst share", std::to_string(worst));
 }
 
-/// The same with exact positions and nothing left open between placements, so that the bound alone
-/// makes up for all errors. Kills: a bound that only holds because placements hide what it lacks,
-/// and one of another size altogether than the errors.
+/// Like the test above, but with exact positions and only one placement, so that the bound alone
+/// must cover all errors. Kills: a bound that is too small but holds because several placements
+/// hide that; a bound that is far larger than the errors.
 TEST_P(ApiPromiseHolds, OfEvaluationAloneAndIsOfItsSize) {
   const Promised param = GetParam();
   const bool is_ieee = param.promise == cases::DriverPromise::ieee;
@@ -393,8 +395,8 @@ TEST_P(ApiPromiseHolds, OfEvaluationAloneAndIsOfItsSize) {
     }
   }
   EXPECT_GT(judged, 2000);
-  // Each operation of the sloppy arithmetic is off by all of δ, one of float32 by half of it on
-  // average; and the bound of `ieee` is for the corner of the framebuffer that is farthest away.
+  // In the sloppy arithmetic, each operation is off by the whole δ; in float32, by half of δ on
+  // average. And the bound of `ieee` is for the corner of the framebuffer that is farthest away.
   EXPECT_GT(worst, is_ieee ? 0.0025 : 0.01);
   RecordProperty("worst share", std::to_string(worst));
 }

@@ -1,4 +1,4 @@
-// Fragments that come as records, by a driver that is made up.
+// Tests fragments that are appended as records, with a fake driver.
 
 #include "backends/appended_drawing.h"
 
@@ -18,8 +18,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Triangles side by side, of which number t has t + 1 fragments: pixels (i, t) with the depth
-/// i/8 and the attributes 10 t + i and −i.
+/// Triangles side by side. Triangle t has t + 1 fragments: pixels (i, t) with the depth i/8 and the
+/// attributes 10 t + i and −i.
 cases::Case fan(std::size_t triangles) {
   cases::Case c;
   c.framebuffer = {8, 8, 1};
@@ -30,16 +30,16 @@ cases::Case fan(std::size_t triangles) {
   return c;
 }
 
-/// Gives records in the reverse order.
+/// A driver that returns records in reverse order.
 class FakeDriver {
  public:
   explicit FakeDriver(std::vector<RecordLayout> layouts) : layouts_(std::move(layouts)) {}
 
-  std::size_t most = 1000;  ///< words
-  /// Changes a record: its layout, triangle, index of the fragment.
+  std::size_t most = 1000;  ///< words that fit into the buffer
+  /// Changes a record, given its layout, its triangle and the index of its fragment.
   std::function<void(std::size_t, std::size_t, std::size_t, std::vector<std::uint32_t>&)> change;
-  std::vector<std::size_t> counts;           ///< of triangles, of all draws
-  std::vector<std::size_t> drawn_in_layers;  ///< how many triangles at a time
+  std::vector<std::size_t> counts;           ///< numbers of triangles in all draws
+  std::vector<std::size_t> drawn_in_layers;  ///< numbers of triangles drawn together
 
   AppendingDriver driver() {
     return {most,
@@ -77,7 +77,7 @@ class FakeDriver {
     if (had > room) words_.clear();
     return had;
   }
-  /// Knows triangles by the x of their first vertex: see numbered().
+  /// Identifies triangles by the x of their first vertex: see numbered().
   Result<cases::Fragments> draw_in_layers(const cases::Case& c) {
     drawn_in_layers.push_back(c.triangles.size());
     cases::Fragments drawn;
@@ -106,7 +106,7 @@ class FakeDriver {
   std::vector<std::uint32_t> words_;
 };
 
-/// The fan with vertices that tell triangles apart.
+/// The fan, with vertices by which triangles can be told apart.
 cases::Case numbered(std::size_t triangles) {
   cases::Case c = fan(triangles);
   for (std::size_t t = 0; t < triangles; ++t) c.triangles[t][0] = static_cast<std::uint32_t>(t);
@@ -135,18 +135,18 @@ TEST(AppendedDrawing, SortsRecordsByTriangleAndPixel) {
   EXPECT_THAT(driver.counts, ElementsAre(3));
 }
 
-// Kills: values of the second draw put to other fragments than those of the first.
+// Kills: giving values of the second draw to other fragments than those of the first.
 TEST(AppendedDrawing, TakesAttributesOfSeveralDraws) {
   FakeDriver driver(kOneEach);
   const cases::Fragments all = drawn(numbered(3), driver, kOneEach).value();
   EXPECT_THAT(all.attributes, ElementsAre(0, 0, 10, 0, 11, -1, 20, 0, 21, -1, 22, -2));
 }
 
-// Kills: records beyond the room taken for those that there are; a triangle that is drawn twice, or
-// left out, where the range is split.
+// Kills: reading records beyond the room; drawing a triangle twice, or leaving it out, where the
+// range of triangles is split.
 TEST(AppendedDrawing, SplitsWhatThereIsNoRoomFor) {
   FakeDriver driver(kBoth);
-  driver.most = 5 * 9;  // nine records
+  driver.most = 5 * 9;  // room for nine records
   const cases::Fragments all = drawn(numbered(6), driver, kBoth).value();
   FakeDriver roomy(kBoth);
   const cases::Fragments expected = drawn(numbered(6), roomy, kBoth).value();
@@ -158,14 +158,14 @@ TEST(AppendedDrawing, SplitsWhatThereIsNoRoomFor) {
 
 TEST(AppendedDrawing, DrawsATriangleIntoALayerThatIsTooLargeAlone) {
   FakeDriver driver(kBoth);
-  driver.most = 5 * 4;  // triangles 4 and 5 have five and six
+  driver.most = 5 * 4;  // triangles 4 and 5 have five and six fragments
   const cases::Fragments all = drawn(numbered(6), driver, kBoth, false).value();
   EXPECT_EQ(all.size(), 21U);
   EXPECT_TRUE(std::is_sorted(all.triangle.begin(), all.triangle.end()));
   EXPECT_THAT(driver.drawn_in_layers, ElementsAre(1, 1));
 }
 
-// Kills: records that get lost, and values that differ, in silence.
+// Kills: not noticing that records are lost or that values differ.
 TEST(AppendedDrawing, HoldsSomeTrianglesAgainstLayers) {
   for (const int what : {0, 1, 2}) {
     FakeDriver driver(kBoth);
@@ -183,13 +183,13 @@ TEST(AppendedDrawing, HoldsSomeTrianglesAgainstLayers) {
     EXPECT_EQ(all.y, expected.y) << what;
     EXPECT_EQ(all.attributes, expected.attributes) << what;
     EXPECT_THAT(driver.drawn_in_layers, ElementsAre(4, 4)) << what;
-    // Asked for, appending gives what was appended.
+    // If appending is requested, the result is what was appended.
     const cases::Fragments appended = drawn(numbered(4), driver, kBoth, false).value();
     EXPECT_TRUE(appended.attributes != all.attributes || appended.y != all.y) << what;
   }
 }
 
-// Kills: a fragment that comes twice, in an order that is another each time.
+// Kills: a fragment that appears twice, in an order that may differ each time.
 TEST(AppendedDrawing, SortsRecordsOfOnePixelByTheirBits) {
   for (const bool is_turned : {false, true}) {
     FakeDriver driver(kBoth);
@@ -205,7 +205,7 @@ TEST(AppendedDrawing, SortsRecordsOfOnePixelByTheirBits) {
   }
 }
 
-// Kills: what a shader sees of a depth taken for what a buffer holds.
+// Kills: using the depth that a shader sees as the depth that a buffer holds.
 TEST(AppendedDrawing, TakesDepthsBeyondTheRangeFromLayers) {
   for (const float beyond : {std::numeric_limits<float>::quiet_NaN(), -0.5F, 1.5F, -0.0F}) {
     FakeDriver driver(kBoth);
@@ -243,7 +243,7 @@ TEST(AppendedDrawing, RefusesOtherSamplesInASecondDraw) {
   EXPECT_THAT(all.error().reason, HasSubstr("covers other samples"));
 }
 
-// A fragment beside the target is the judge's to see.
+// Only the judge decides about a fragment outside the target.
 TEST(AppendedDrawing, KeepsFragmentsOutsideTheTarget) {
   FakeDriver driver(kBoth);
   driver.change = [](std::size_t, std::size_t t, std::size_t i,

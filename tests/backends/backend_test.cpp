@@ -5,7 +5,7 @@
 namespace rastercheck::backends::backend_test {
 namespace {
 
-/// Promises a guard band of its own, and draws nothing.
+/// A backend that promises a guard band of its own and draws nothing.
 class DrawsNothing : public Backend {
  public:
   cases::Contract promise(const cases::Case& /*c*/) const override {
@@ -31,8 +31,8 @@ TEST(Backend, CanDoNothingBesidesUnlessItSaysSo) {
   EXPECT_FALSE(backend.is_lost().has_value());
 }
 
-// Kills: terms that are applied to one of contract() and draw() only, that take away what they say
-// nothing of, or that stay when they are taken back.
+// Kills: terms that affect only contract() or only draw(); terms that change what they do not
+// mention; terms that stay after they are removed.
 TEST(Backend, IsHeldToTermsUntilToldOtherwise) {
   cases::ContractTerms terms;
   terms.guard_band = 64;

@@ -33,7 +33,7 @@ Ends make_ends() {
 
 constexpr std::uint64_t kPlenty = 1U << 30U;
 
-/// What the other end gets of a message, and gives back.
+/// The message that the other end receives and sends back.
 std::optional<std::string> echoed(const std::string& message) {
   const Ends ends = make_ends();
   std::thread other([&ends] {
@@ -59,7 +59,7 @@ TEST(Channel, BringsMessagesOfAnyLength) {
   }
 }
 
-// The beats stand behind the longest part. Kills: a part that overwrites them.
+// The counter of beats lies after the longest part. Kills: a part that overwrites the counter.
 TEST(Channel, CountsBeatsOfTheOtherEndBesideMessages) {
   const Ends ends = make_ends();
   EXPECT_EQ(ends.ours.beats(), 0U);
@@ -92,7 +92,8 @@ TEST(Channel, EndsWhereWaitingDoes) {
   EXPECT_FALSE(ends.ours.receive(kPlenty, [] { return false; }));
 }
 
-/// What a header of the other end's own making brings: sizes of a part and of the rest.
+/// The message that is read after the other end forged a header: the sizes of a part and of the
+/// rest.
 std::optional<std::string> forged(std::uint64_t size, std::uint64_t rest) {
   const Ends ends = make_ends();
   EXPECT_TRUE(ends.theirs.send("", {}));
@@ -104,7 +105,7 @@ std::optional<std::string> forged(std::uint64_t size, std::uint64_t rest) {
   return ends.ours.receive(kPlenty, {});
 }
 
-// Kills: a reader that copies what the other end says is there.
+// Kills: a reader that copies as many bytes as the other end claims.
 TEST(Channel, BelievesNoHeader) {
   EXPECT_EQ(forged(3, 0), std::string(3, '\0'));
   EXPECT_FALSE(forged(Channel::memory_size(), 0));

@@ -1,4 +1,4 @@
-// The rasterizer behind the backend interface, held against the oracle under its own contract.
+// The rasterizer behind the backend interface, judged by the oracle under its own contract.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using oracle::Fragment;
 using oracle::TriangleTruth;
 using Place = std::tuple<std::size_t, int, int, int>;  // triangle, x, y, sample
 
-/// The corpus cases, as drawn from rounded clip positions, each triangle alone.
+/// The cases of the corpus as they are drawn: with rounded clip positions, and each triangle alone.
 std::vector<cases::Case> corpus() {
   std::vector<cases::Case> all;
   const std::filesystem::path folder = RASTERCHECK_SOURCE_DIR "/cases/corpus";
@@ -156,13 +156,13 @@ TEST(Method, TracesWhatItDraws) {
   }
 }
 
-// Kills: tiles of other threads left out, or drawn into one another.
+// Kills: leaving out the tiles of other threads, or drawing them over each other.
 TEST(Cpu, DrawsTheSameOnSeveralThreads) {
   const auto one = make_backend("cpu:output=framebuffer").value();
   const auto several = make_backend("cpu:output=framebuffer,threads=3").value();
   std::size_t drawn = 0;
   for (cases::Case c : corpus()) {
-    // Several tiles.
+    // Large enough for several tiles.
     c.framebuffer.width = 320;
     c.framebuffer.height = 200;
     c.viewport.width = 320;
@@ -183,7 +183,7 @@ TEST(Cpu, DrawsTheSameOnSeveralThreads) {
   EXPECT_GT(drawn, 100'000U);
 }
 
-// Kills: a depth buffer that begins with something else, "less or equal" against it.
+// Kills: a depth buffer that begins with another value; comparing with it by "less or equal".
 TEST(Cpu, DrawsWhatIsNearerThanTheBeginningOfTheDepthBuffer) {
   cases::Case c;
   c.framebuffer = {4, 4, 1};
@@ -225,8 +225,8 @@ TEST(Cpu, SaysWhatItsOptionsAre) {
   EXPECT_TRUE(make_backend("cpu:threads=2,output=framebuffer"));
 }
 
-// Every kind of vectors that this machine has draws what `cpu` draws; others are listed with why
-// not.
+// Every kind of vectors that this machine supports draws what `cpu` draws. The other kinds are
+// listed with a reason.
 TEST(Cpu, DrawsTheSameOnAllVectors) {
   std::size_t drawn = 0;
   int kinds = 0;
@@ -269,7 +269,7 @@ TEST(Cpu, NamesBackendsThatDrawTheSame) {
   EXPECT_TRUE(make_backend("method:rational-linear").value()->about().same_as.empty());
 }
 
-// Kills: a case's arrays read before anything is checked.
+// Kills: reading a case's arrays before anything is checked.
 TEST(Cpu, RefusesIndicesAndArraysThatDoNotFit) {
   const cases::Case good =
       cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
@@ -354,7 +354,7 @@ TEST(Cpu, TransformsByItsVertexStage) {
   EXPECT_GT(with_camera, 0U);
 }
 
-// A matrix that is nothing like its transpose, by positions with and without w = 1.
+// A matrix that is very different from its transpose, applied to positions with and without w = 1.
 TEST(Cpu, ReadsMatricesRowByRow) {
   cases::Case c;
   c.camera.emplace();

@@ -1,8 +1,9 @@
 #pragma once
 
-// Tests of drivers, which not every machine has: such a test is skipped where its driver cannot
-// run, or fails where the environment says that it has to. RASTERCHECK_REQUIRE_BACKENDS is `all` or
-// a comma-separated list of specifications without further options: `gl:llvmpipe,vulkan:lavapipe`.
+// Support for tests of drivers, which not every machine has. If a test's driver cannot run, the
+// test is skipped, or fails if the environment requires the driver. RASTERCHECK_REQUIRE_BACKENDS is
+// `all` or a comma-separated list of specifications without further options:
+// `gl:llvmpipe,vulkan:lavapipe`.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,8 @@
 
 namespace rastercheck::backends {
 
-/// Whether a list as above names the specification, whatever options follow it.
+/// True if `list`, a value of RASTERCHECK_REQUIRE_BACKENDS, names the specification, whatever
+/// options follow it.
 inline bool is_required(std::string_view list, std::string_view specification) {
   if (list == "all") return true;
   while (!list.empty()) {
@@ -32,7 +34,7 @@ inline bool is_required(std::string_view list, std::string_view specification) {
   return false;
 }
 
-/// Skips the test whose SetUp() calls this, or fails it.
+/// Skips or fails the test whose SetUp() calls this function.
 inline void skip_or_fail(const std::string& specification, const Error& why) {
   const char* const list = std::getenv("RASTERCHECK_REQUIRE_BACKENDS");
   const bool may_skip = why.failure == Failure::unavailable &&
@@ -41,8 +43,8 @@ inline void skip_or_fail(const std::string& specification, const Error& why) {
   GTEST_SKIP() << to_string(why);
 }
 
-/// A backend that draws in a process of its own, as it does in a campaign. The parameter is its
-/// specification; the program has to have RASTERCHECK_PROGRAM defined.
+/// A test with a backend that draws in a process of its own, as in a campaign. The test's parameter
+/// is the backend's specification. The program must have RASTERCHECK_PROGRAM defined.
 class DriverTest : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
@@ -59,7 +61,7 @@ class DriverTest : public testing::TestWithParam<const char*> {
   std::unique_ptr<Backend> backend_;
 };
 
-/// "gl:llvmpipe" as the name of a test: "gl_llvmpipe".
+/// "gl:llvmpipe" as part of a test's name: "gl_llvmpipe".
 inline std::string test_name(const testing::TestParamInfo<const char*>& info) {
   std::string name = info.param;
   for (char& c : name) {

@@ -48,8 +48,8 @@ TEST(BackendFactory, HoldsWhatItMakesToItsTerms) {
   EXPECT_EQ(make_backend("cpu").value()->contract(c).guard_band, 32768);
 }
 
-// Kills: foreign code in this process in spite of a factory that keeps it out, and a backend that
-// somebody else made, listed without what it says of itself, or held to nothing.
+// Kills: running foreign code in this process although the factory isolates it; listing a backend
+// without its own description, or holding it to no terms, if another function makes it.
 TEST(BackendFactory, LeavesForeignBackendsToWhoMakesThem) {
   const BackendKind kind{"foreign", [](const std::string&) { return make_backend("cpu"); },
                          [] {
@@ -78,7 +78,7 @@ TEST(BackendFactory, LeavesForeignBackendsToWhoMakesThem) {
   EXPECT_EQ(row_of(listings, "foreign:b")->summary, "two");
   EXPECT_EQ(row_of(listings, "foreign:c")->unavailable_because, "no file");
   EXPECT_EQ(factory.make("foreign:a").value()->terms(), factory.terms);
-  EXPECT_NE(make_backend("foreign:a").value()->picture_drawer(), nullptr);  // cpu
+  EXPECT_NE(make_backend("foreign:a").value()->picture_drawer(), nullptr);  // the backend `cpu`
 }
 
 }  // namespace

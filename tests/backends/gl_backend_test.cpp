@@ -1,5 +1,5 @@
-// The backend `gl` on drivers that this machine has: that what a case asks for is what is drawn, on
-// fragments that are known by hand. How precise a driver is, campaigns find out.
+// Tests the backend `gl` with the drivers that this machine has: the drawing must be what the case
+// asks for, shown by fragments that are known by hand. Campaigns find out how precise a driver is.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 #include "tests/backends/drivers.h"
 #include "tests/backends/ways.h"
 
-// Mesa's threads end while LeakSanitizer looks at them, at which its tracer crashes now and then.
+// Mesa's threads end while LeakSanitizer inspects them, and its tracer then crashes now and then.
 extern "C" int __lsan_is_turned_off() { return 1; }
 
 namespace rastercheck::backends::gl_backend_test {
@@ -26,8 +26,8 @@ using cases::Interpolation;
 using cases::Location;
 using testing::HasSubstr;
 
-/// Attributes have values up to 16 here, and what planes of float32 are off by stays far below
-/// this; a wrong corner, row or qualifier is off by more.
+/// Attributes have values up to 16 here. The errors of planes in float32 stay far below this
+/// tolerance, while a wrong corner, row or qualifier causes a larger difference.
 constexpr float kTolerance = 0x1p-10F;
 
 constexpr float kSide = 16;
@@ -37,7 +37,7 @@ cases::ClipVertex at(float u, float v, float z = 0, float w = 1) {
   return {(u / (kSide / 2) - 1) * w, (v / (kSide / 2) - 1) * w, z * w, w};
 }
 
-/// 16 × 16 pixels, without triangles.
+/// A case of 16 × 16 pixels without triangles.
 cases::Case empty_case(cases::Rules rules = cases::Rules::opengl) {
   cases::Case c;
   c.rules = rules;
@@ -46,7 +46,7 @@ cases::Case empty_case(cases::Rules rules = cases::Rules::opengl) {
   return c;
 }
 
-/// Adds a triangle; `values`: one for each attribute and vertex, [vertex][attribute].
+/// Adds a triangle. `values` are its attributes, [vertex][attribute].
 void add(cases::Case& c, const std::vector<cases::ClipVertex>& corners,
          const std::vector<float>& values = {}) {
   const auto first = static_cast<std::uint32_t>(c.positions.size());
@@ -55,12 +55,13 @@ void add(cases::Case& c, const std::vector<cases::ClipVertex>& corners,
   c.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// All of the window, and more.
+/// A triangle that covers the whole window and more.
 std::vector<cases::ClipVertex> everything(float z = 0) {
   return {at(0, 0, z), at(2 * kSide, 0, z), at(0, 2 * kSide, z)};
 }
 
-/// All to the left of a vertical line: counter-clockwise where window y points up.
+/// A triangle that covers everything to the left of a vertical line. It is counter-clockwise if
+/// window y points up.
 std::vector<cases::ClipVertex> left_of(float u) { return {at(u, -24), at(u, 40), at(-100, 8)}; }
 
 using Pixels = std::set<std::pair<int, int>>;
@@ -81,7 +82,7 @@ class GlBackend : public DriverTest {
     EXPECT_TRUE(drawn) << to_string(drawn.error());
     return drawn.value_or(cases::Fragments());
   }
-  /// Where fragments are; each no more than once.
+  /// The pixels of the fragments. Expects at most one fragment per pixel.
   static Pixels pixels(const cases::Fragments& drawn) {
     Pixels all;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -114,7 +115,8 @@ TEST_P(GlBackend, DrawsWhatATriangleCovers) {
     cases::Case c = empty_case(rules);
     add(c, everything());
     add(c, left_of(5));
-    // Above a horizontal line, as OpenGL displays it: the rows of greater y in both.
+    // Above a horizontal line, as OpenGL displays it. With both rules, these are the rows of
+    // greater y.
     add(c, {at(-24, 11), at(40, 11), at(8, 100)});
     const cases::Fragments drawn = draw(c);
     std::array<Pixels, 3> covered;
@@ -136,7 +138,7 @@ TEST_P(GlBackend, DrawsNothingOfNothing) {
   EXPECT_EQ(draw(c).size(), 0U);
 }
 
-// More triangles than there are layers, in order.
+// There are more triangles than layers, and they come in order.
 TEST_P(GlBackend, NumbersManyTriangles) {
   cases::Case c = empty_case();
   c.attributes = {{"number", Interpolation::flat, Location::sample}};
@@ -158,7 +160,7 @@ TEST_P(GlBackend, NumbersManyTriangles) {
 }
 
 TEST_P(GlBackend, CopiesFlatValuesToTheBit) {
-  // Not subnormal ones, which drivers may flush.
+  // Without subnormal values, which drivers may flush.
   const std::vector<float> first = {-0.0F, FLT_MAX, 0.1F, -0x1p-126F, 1};
   const std::vector<float> last = {0x1.fffffep-1F, -FLT_MAX, 1e-30F, 7, -1e30F};
   for (const auto rules : {cases::Rules::opengl, cases::Rules::vulkan}) {
@@ -196,7 +198,7 @@ TEST_P(GlBackend, InterpolatesAsDeclared) {
   const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), 256U);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    // The second vertex, of value 1 and w 3, has this weight in the window.
+    // The second vertex, with value 1 and w = 3, has this weight in the window.
     const float weight = (static_cast<float>(drawn.x[i]) + 0.5F) / (2 * kSide);
     EXPECT_NEAR(drawn.attributes_of(i)[0], weight / (3 - 2 * weight), kTolerance);
     if (count > 1) {
@@ -224,7 +226,7 @@ TEST_P(GlBackend, HasEveryOfManyAttributes) {
 }
 
 TEST_P(GlBackend, MapsDepth) {
-  // In OpenGL z = 0 is half way, in Vulkan near.
+  // In OpenGL, z = 0 is half way; in Vulkan, it is at the near plane.
   for (const auto& [rules, near, far, depth] :
        {std::tuple{cases::Rules::opengl, 0.0F, 1.0F, 0.625F},
         {cases::Rules::opengl, 0.75F, 0.25F, 0.4375F},
@@ -253,7 +255,7 @@ TEST_P(GlBackend, KeepsTheNearestFragment) {
   c.attributes = {{"number", Interpolation::flat, Location::sample}};
   c.depth_test = cases::DepthTest::less;
   add(c, everything(1), {0, 0, 0});  // drawn where nothing is nearer, at depth 1
-  add(c, everything(1), {1, 1, 1});  // no nearer
+  add(c, everything(1), {1, 1, 1});  // not nearer
   std::vector<cases::ClipVertex> left = left_of(6);
   for (cases::ClipVertex& corner : left) corner.z = 0.5F;
   add(c, left, {2, 2, 2});
@@ -271,7 +273,8 @@ TEST_P(GlBackend, KeepsTheNearestFragment) {
 }
 
 TEST_P(GlBackend, CullsByWhatIsDisplayed) {
-  // Counter-clockwise where y points up, as OpenGL displays it; clockwise as Vulkan does.
+  // This triangle is counter-clockwise as OpenGL displays it, with y up, and clockwise as Vulkan
+  // does.
   for (const auto rules : {cases::Rules::opengl, cases::Rules::vulkan}) {
     for (const auto front : {cases::FrontFace::ccw, cases::FrontFace::cw}) {
       cases::Case c = empty_case(rules);
@@ -291,7 +294,7 @@ TEST_P(GlBackend, CullsByWhatIsDisplayed) {
 TEST_P(GlBackend, DrawsWithinScissorAndViewport) {
   cases::Case c = empty_case();
   add(c, everything());
-  add(c, everything());  // the second layer too
+  add(c, everything());  // these vertices remain unused
   c.triangles.pop_back();
   c.scissor = cases::Scissor{-2, 3, 6, 5};
   EXPECT_EQ(pixels(draw(c)), pixels_where([](int x, int y) { return x < 4 && y >= 3 && y < 8; }));
@@ -301,7 +304,7 @@ TEST_P(GlBackend, DrawsWithinScissorAndViewport) {
             pixels_where([](int x, int y) { return x >= 2 && x < 10 && y >= 5 && y < 9; }));
 }
 
-// What a viewport of negative size shows is turned round, and so is which way it faces.
+// A negative width or height mirrors the triangle, which changes its facing; both together do not.
 TEST_P(GlBackend, DrawsWithinViewportsOfNegativeSize) {
   cases::Case c = empty_case();
   add(c, everything());
@@ -316,7 +319,7 @@ TEST_P(GlBackend, DrawsWithinViewportsOfNegativeSize) {
   EXPECT_EQ(turned_once * turned_twice, 0U);
 }
 
-// A scissor test that is on while the next layer is cleared would leave what was there.
+// If the scissor test stayed on while the next layer is cleared, old content would remain.
 TEST_P(GlBackend, ClearsAllOfEachLayer) {
   cases::Case c = empty_case();
   for (int i = 0; i < 70; ++i) add(c, everything());
@@ -330,7 +333,7 @@ TEST_P(GlBackend, ClipsByDistances) {
   cases::Case c = empty_case();
   add(c, everything());
   c.clip_distance_count = 5;
-  // The first is u − 5, the last 9 − u, along the vertices' u of 0, 32 and 0.
+  // The first distance is u − 5, the last is 9 − u, at the vertices' u of 0, 32 and 0.
   c.clip_distances = {-5, 1, 1, 1, 9, 27, 1, 1, 1, -23, -5, 1, 1, 1, 9};
   EXPECT_EQ(pixels(draw(c)), pixels_where([](int x, int) { return x >= 5 && x < 9; }));
   c.clip_distance_count = 0;
@@ -344,7 +347,8 @@ TEST_P(GlBackend, DrawsSamples) {
   c.attributes = {{"at sample", Interpolation::smooth, Location::sample},
                   {"at centre", Interpolation::smooth, Location::center},
                   {"flat", Interpolation::flat, Location::sample}};
-  // Both values are window x along an edge at x = 8.5, to whose left samples 0 and 2 are.
+  // Both smooth values are window x. The triangle ends at x = 8.5; of the pixels there, samples 0
+  // and 2 lie within it.
   add(c, left_of(8.5F), {8.5F, 8.5F, 3, 8.5F, 8.5F, 3, -100, -100, 3});
   if (is_softpipe()) return expect_unsupported(c, "samples");
   const cases::Fragments drawn = draw(c);
@@ -375,7 +379,7 @@ TEST_P(GlBackend, RefusesWhatItDoesNotDraw) {
   add(c, everything());
   expect_unsupported(c, "rules of d3d");
   c.rules = cases::Rules::opengl;
-  // Its other side, 2^-30 − 16, is no float32.
+  // Float32 cannot hold the position of its other side, 2^-30 − 16.
   c.viewport.y = 0x1p-30F;
   c.viewport.height = -kSide;
   expect_unsupported(c, "negative size");
@@ -387,7 +391,8 @@ TEST_P(GlBackend, RefusesWhatItDoesNotDraw) {
   EXPECT_EQ(draw(c).size(), 256U);
 }
 
-// Programs that a driver compiles while it draws are no leak, which is looked for now and then.
+// The check for leaks runs now and then. It must not count programs that a driver compiles while it
+// draws.
 TEST_P(GlBackend, DrawsTheSameAgainAndAgain) {
   for (int i = 0; i < 40; ++i) {
     cases::Case c = empty_case();

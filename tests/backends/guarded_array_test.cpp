@@ -30,7 +30,7 @@ TEST(GuardedArray, KnowsWhatWasWrittenBeforeIt) {
   EXPECT_FALSE(array.is_front_whole());
 }
 
-// Kills: a fault of one drawing that is held against all that come after it.
+// Kills: blaming a fault of one drawing on all later ones.
 TEST(GuardedArray, IsWholeAgainWhenItIsSetAnew) {
   GuardedArray array("array");
   ASSERT_TRUE(array.resize(5));
@@ -39,7 +39,7 @@ TEST(GuardedArray, IsWholeAgainWhenItIsSetAnew) {
   EXPECT_TRUE(array.is_front_whole());
 }
 
-/// Sanitizers have handlers of their own, which end with another status.
+/// Restores the default handler, as sanitizers have handlers that end with another status.
 void set_up() {
   ::signal(SIGSEGV, SIG_DFL);
   report_wrong_accesses();
@@ -60,7 +60,7 @@ TEST(GuardedArrayDeathTest, BeginsWhereItSays) {
       "the plugin touched output->depth before its beginning, by 3 bytes\n");
 }
 
-// Kills: an address that is none, and a process that goes on.
+// Kills: reporting an address for a signal that was sent; a process that goes on.
 TEST(GuardedArrayDeathTest, EndsWithSignalsThatAreSent) {
   EXPECT_EXIT(
       {

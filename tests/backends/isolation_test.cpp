@@ -26,7 +26,7 @@ Isolation isolation() {
   return isolation;
 }
 
-/// A process that does what a script of the shell does. The script gets the worker's arguments.
+/// A process that runs a shell script. The script gets the worker's arguments.
 Isolation script(const std::string& text) {
   Isolation isolation;
   isolation.command = {"/bin/sh", "-c", text, "worker"};
@@ -80,7 +80,7 @@ TEST(Isolation, TellsHowAProcessEndedAndWhatItSaid) {
       make_isolated_backend("some", script("echo out; echo words >&2; kill -11 $$"));
   ASSERT_FALSE(killed);
   EXPECT_EQ(killed.error().failure, Failure::unavailable);
-  // Standard output is the channel's: only what is said on the other is heard.
+  // Standard output belongs to the channel, so only text on standard error is heard.
   EXPECT_EQ(to_string(killed.error()),
             "some: its process ended by signal Segmentation fault when it was started; its last "
             "words: words");
@@ -97,7 +97,7 @@ TEST(Isolation, WaitsNoLongerThanItMay) {
               HasSubstr("was silent for 0.3 s (--timeout) when it was started"));
 }
 
-// Kills: a pipe that nobody reads from, whose writer waits for ever.
+// Kills: a pipe that nobody reads, whose writer waits forever.
 TEST(Isolation, HearsAProcessThatTalksALot) {
   const auto ended = make_isolated_backend(
       "some", script("head -c 1000000 /dev/zero | tr '\\0' 'x' >&2; echo; echo end >&2; exit 1"));
@@ -106,7 +106,7 @@ TEST(Isolation, HearsAProcessThatTalksALot) {
   EXPECT_THAT(to_string(ended.error()), testing::EndsWith("xend"));
 }
 
-/// A triangle over a framebuffer of n × n pixels.
+/// A triangle over the whole framebuffer of n × n pixels.
 cases::Case wide_case(int n) {
   cases::Case c;
   c.framebuffer = {n, n, 1};
@@ -117,8 +117,8 @@ cases::Case wide_case(int n) {
   return c;
 }
 
-/// Processes that can be ended from here: each writes its number to a file, and the next one ends
-/// by itself while there is a file that says so.
+/// Makes processes that a test can end. Each process writes its number to a file. A new process
+/// ends by itself as long as a certain file exists.
 class Mortal {
  public:
   Isolation isolation() const {
@@ -150,7 +150,7 @@ TEST(Isolation, StartsAnewAfterACrash) {
     const auto lost = (*backend)->draw(wide_case(16));
     ASSERT_FALSE(lost);
     EXPECT_EQ(lost.error().failure, Failure::crash);
-    // It may have taken a moment to end.
+    // The process may have taken a moment to end.
     EXPECT_THAT(to_string(lost.error()),
                 testing::StartsWith("cpu: its process ended by signal Killed "));
     EXPECT_FALSE((*backend)->is_lost());
@@ -168,7 +168,7 @@ TEST(Isolation, AsksANewProcessForItsContract) {
   EXPECT_TRUE((*backend)->draw(c));
 }
 
-// Kills: blaming the case that comes next, whichever it is.
+// Kills: blaming the next case, whichever that is.
 TEST(Isolation, HoldsAContractThatThereIsNotAgainstItsCaseOnly) {
   const Mortal mortal;
   const auto backend = make_isolated_backend("cpu", mortal.isolation());
@@ -197,7 +197,7 @@ TEST(Isolation, GivesUpWhatComesToNothingAgainAndAgain) {
   EXPECT_THAT(to_string(*(*backend)->is_lost()),
               HasSubstr("cpu: not drawn, after 20 crashes in a row and 0 hangs; of the last: its "
                         "process ended with exit code 5 when it was started"));
-  // It is asked all the same where someone wants to, and has not lost it any more.
+  // The backend still tries if it is asked again, and is then no longer given up.
   mortal.allow();
   EXPECT_TRUE((*backend)->draw(wide_case(16)));
   EXPECT_FALSE((*backend)->is_lost());
@@ -205,11 +205,11 @@ TEST(Isolation, GivesUpWhatComesToNothingAgainAndAgain) {
 
 TEST(Isolation, OfADrawingThatTakesTooLongIsAHang) {
   Isolation short_of_time = isolation();
-  // Enough for a busy machine to start the process.
+  // Enough time for a busy machine to start the process.
   short_of_time.timeout = std::chrono::seconds(2);
   const auto backend = make_isolated_backend("cpu", short_of_time);
   ASSERT_TRUE(backend) << to_string(backend.error());
-  // 10^5 triangles of 10^6 pixels each: days.
+  // 10^5 triangles of 10^6 pixels each, which would take days.
   cases::Case c = wide_case(1024);
   c.triangles.resize(100000, {0, 1, 2});
   const auto hung = (*backend)->draw(c);

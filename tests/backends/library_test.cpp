@@ -68,14 +68,15 @@ TEST(PluginContract, SaysWhatItSays) {
   expected.bounds.depth.constant = 5;
   EXPECT_EQ(contract_of(contract, plain_case()), expected);
 
-  // Values of the exact triangle have no other positions to come from.
+  // Values of the exact triangle cannot come from other positions.
   contract.coverage = RASTERCHECK_COVERAGE_EXACT;
   expected.coverage = std::nullopt;
   expected.basis = cases::Basis::ideal;
   EXPECT_EQ(contract_of(contract, plain_case()), expected);
 }
 
-/// What a contract that lacks everything names of a case that is plain but for one thing.
+/// Makes a plain case with one change, and returns what a contract with this bit of `lacks` says
+/// about it.
 template <typename Change>
 std::string lacking(std::uint32_t bit, const Change& change) {
   rastercheck_contract contract{};
@@ -146,8 +147,8 @@ TEST(PluginContract, LacksWhatItSaysAndNothingElse) {
             "attributes at centroids of several samples");
 }
 
-// Kills: a limit that stops what it should not. Of one sample the centre is the sample; depth is
-// not clipped where it is clamped; a vertex of no triangle is none.
+// Kills: a limit that excludes too much. With one sample, the centre is that sample; depth is not
+// clipped if it is clamped; and a vertex that belongs to no triangle does not count.
 TEST(PluginContract, LacksNothingOfWhatIsNotNeeded) {
   rastercheck_contract contract{};
   contract.lacks = RASTERCHECK_LACKS_CENTER | RASTERCHECK_LACKS_CENTROID |
@@ -157,7 +158,7 @@ TEST(PluginContract, LacksNothingOfWhatIsNotNeeded) {
   c.depth_clamp = true;
   c.positions[0].z = 5;
   EXPECT_EQ(lacks(contract, c), "");
-  // OpenGL's clip space goes further down.
+  // OpenGL's clip space extends further down.
   c.depth_clamp = false;
   c.rules = cases::Rules::opengl;
   c.positions[0].z = -1;
@@ -200,7 +201,7 @@ uint32_t draw_nothing(const rastercheck_draw* /*draw*/, rastercheck_output* /*ou
   return RASTERCHECK_OK;
 }
 
-/// A plugin, its contract, and what a later version of the interface might have after each.
+/// A plugin, its contract, and the members that a later version of the interface might add to each.
 struct Structs {
   rastercheck_contract contract{};
   std::uint64_t more_of_the_contract = ~std::uint64_t{0};
@@ -226,7 +227,7 @@ struct Structs {
   }
 };
 
-// Kills: refusing plugins of another version of the same ABI, and reading beyond what they have.
+// Kills: refusing plugins of another version of the same ABI; reading beyond the plugin's members.
 TEST(Plugin, MayHaveMoreMembersButNotFewer) {
   Structs structs;
   EXPECT_EQ(structs.problem(), "");

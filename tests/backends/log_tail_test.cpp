@@ -10,7 +10,7 @@
 namespace rastercheck::backends::log_tail_test {
 namespace {
 
-/// What is remembered of a text that was said.
+/// The last lines that are kept of a text that a process wrote.
 std::string heard(const std::string& text) {
   std::array<int, 2> ends{};
   EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK), 0);

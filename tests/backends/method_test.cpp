@@ -1,4 +1,4 @@
-// What the backends `method:NAME` promise, by hand.
+// Tests the promises of the backends `method:NAME` against results by hand.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace rastercheck::backends::method_test {
 namespace {
 
-/// A triangle into 2×2 pixels.
+/// A case with one triangle and 2×2 pixels.
 cases::Case small_case(const cases::ClipVertex& a, const cases::ClipVertex& b,
                        const cases::ClipVertex& c) {
   cases::Case made;
@@ -30,25 +30,25 @@ TEST(MethodContract, OfAnOrdinaryTriangleGrantsTheLeast) {
   const cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1});
   const cases::Contract contract = contract_of("method:rational-linear", c);
   EXPECT_EQ(contract.clip_tolerance, 1);
-  // 1/2 + 2^-22, and something of clipping, rounded up to a float.
+  // 1/2 + 2^-22, and a little for clipping, rounded up to a float.
   EXPECT_EQ(contract.bounds.smooth.constant, 0.5F + 0x1p-22F + 0x1p-24F);
   EXPECT_EQ(contract.coverage->position_error, 0x1p-8F);
   EXPECT_EQ(contract.claims, cases::Claim::perspective);
 }
 
-// By hand: of (x, y, w) = (−1/2, −2^-65, −3/2), (1, 1/4, 1), (−1, −1/2, 1) twice the second, the
-// third and twice the first are 0 but for 2^-64 along y, so that all that is left of the triangle
-// lies some 2^-65 from the eye, and doubles of ordinary size know nothing of it.
-// Kills: a tolerance of ordinary triangles for one whose plane all but passes through the eye.
+// By hand: for the vertices a = (−1/2, −2^-65, −3/2), b = (1, 1/4, 1), c = (−1, −1/2, 1), given as
+// (x, y, w), the sum 2 a + 2 b + c is 0 except for −2^-64 in y. So the part of the triangle that
+// clipping leaves lies about 2^-65 from the eye, which doubles of ordinary size cannot resolve.
+// Kills: granting the tolerance of ordinary triangles if the plane almost passes through the eye.
 TEST(MethodContract, OfATriangleAllButThroughTheEyeGrantsAnything) {
   const cases::Case c =
       small_case({-0.5F, -0x1p-65F, 0, -1.5F}, {1, 0.25F, 0, 1}, {-1, -0.5F, 0, 1});
   EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p480);
 }
 
-// On the edge from (2^78, 1) to (−2^66, −2^53) a new w = y/2^10 is the difference of products that
-// are the same in 53 digits.
-// Kills: a bounded tolerance for vertices whose w may have any sign.
+// On the edge from (2^78, 1) to (−2^66, −2^53), the w = y/2^10 of a new vertex is the difference of
+// two products that agree in 53 digits. Kills: a bounded tolerance for vertices whose w may have
+// any sign.
 TEST(MethodContract, OfATriangleOfHugeCoordinatesGrantsAnything) {
   const cases::Case c =
       small_case({-1, 0x1p100F, 0, 1}, {0x1p78F, 1, 0, 1}, {-0x1p66F, -0x1p53F, 0, 1});
@@ -63,7 +63,7 @@ TEST(MethodContract, OfAViewportWithoutAreaIsANumber) {
   EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p480);
 }
 
-// The method clips at 1024 half heights, which are few pixels here; the contract's band is as wide
+// The method clips at 1024 half heights, which are few pixels here. The contract's band is as wide
 // along y as along x.
 TEST(MethodContract, OfAVertexThatOnlyTheMethodClipsGrantsTheClipTolerance) {
   cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 0x1p30F, 0, 1});
@@ -74,7 +74,7 @@ TEST(MethodContract, OfAVertexThatOnlyTheMethodClipsGrantsTheClipTolerance) {
   EXPECT_EQ(contract.clip_tolerance, 0);
 }
 
-// One that crosses the eye's plane well away from the eye is as certain as any other.
+// A triangle that crosses the eye's plane well away from the eye is as certain as any other.
 TEST(MethodContract, OfATriangleWellPastTheEyeGrantsTheLeast) {
   const cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {0, 2, 0, -1});
   const cases::Contract contract = contract_of("method:rational-linear", c);

@@ -13,7 +13,7 @@ cases::Case case_with(const cases::Viewport& viewport) {
   return c;
 }
 
-/// Where a vertex is in the window, exactly.
+/// The exact window x of a vertex.
 double window_x(const cases::Case& c, std::size_t vertex) {
   const cases::ClipVertex& p = c.positions[vertex];
   return (double{p.x} / double{p.w} + 1) / 2 * double{c.viewport.width} + double{c.viewport.x};

@@ -7,7 +7,7 @@ namespace rastercheck::backends::vulkan::vulkan_driver_name_test {
 namespace {
 
 TEST(VulkanDriverName, IsTheProjectsWithItsVersion) {
-  // As vulkaninfo shows them.
+  // These are the names and versions that vulkaninfo shows.
   EXPECT_EQ(driver_named({VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe", "Mesa 22.3.6 (LLVM 15.0.6)", 1}),
             (Driver{"lavapipe", "Mesa 22.3.6"}));
   EXPECT_EQ(driver_named({VK_DRIVER_ID_GOOGLE_SWIFTSHADER, "SwiftShader driver", "",

@@ -8,7 +8,7 @@ namespace {
 using cases::Interpolation;
 using cases::Location;
 
-/// What lavapipe says, but for half pixels.
+/// The limits that lavapipe reports, except for half pixels.
 Limits all() {
   Limits limits;
   limits.max_width = 8192;
@@ -79,7 +79,7 @@ TEST(VulkanLimits, AreOfViewports) {
     c.viewport = beyond;
     EXPECT_EQ(lacks(all(), c), "viewports beyond -32768 to 32767 (viewportBoundsRange)");
   }
-  // How finely they are rounded is a matter of the promise.
+  // The precision of their rounding is a matter of the promise.
   for (const cases::Viewport& fine : {cases::Viewport{0.5F, 0, 64, 64}, {0, 0, 64, -63.75F}}) {
     c.viewport = fine;
     EXPECT_EQ(lacks(all(), c), "");

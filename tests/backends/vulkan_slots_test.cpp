@@ -71,7 +71,7 @@ TEST(VulkanSlots, AreThoseOfFewShaders) {
   ASSERT_EQ(all.size(), 7);
   EXPECT_EQ(all.front(), sampled);
   EXPECT_EQ(all.back(), copied);
-  // Kills: attributes of a second slot of a kind are lost.
+  // Kills: losing the attributes of a second slot of the same kind.
   const std::vector<Slot> many{{{flat, center}, {0, 1, 2, 3}}, {{flat, center}, {4}}};
   EXPECT_EQ(widened(many, 1), many);
 }

@@ -16,7 +16,8 @@ constexpr Qualifier kSmoothSample{Interpolation::smooth, Location::sample};
 constexpr Qualifier kLinearCentroid{Interpolation::noperspective, Location::centroid};
 constexpr Qualifier kFlat{Interpolation::flat, Location::center};
 
-// Words as the SPIR-V specification has them: the header, instructions of so many words.
+// The words of a shader, as in the SPIR-V specification: the header, then instructions of several
+// words each.
 const Words kHeader{0x07230203, 0x00010300, 0, 9, 0};
 const Words kShader{0x00020011, 1};
 const Words kSampleRate{0x00020011, 35};
@@ -34,7 +35,7 @@ Words joined(std::initializer_list<Words> parts) {
   return all;
 }
 
-/// Inputs 5 and 6 at locations 0 and 1; other things are decorated, too.
+/// A shader whose inputs 5 and 6 are at locations 0 and 1. It also decorates other ids.
 Words shader() {
   const Words linear_5{kDecorate3, 5, 13};
   const Words sample_5{kDecorate3, 5, 17};
@@ -59,7 +60,7 @@ TEST(VulkanSpirv, HasTheQualifiersOfTheCase) {
                                        kReturn})));
 }
 
-// Kills: a device without sampleRateShading is asked for it.
+// Kills: requiring sampleRateShading from a device without it.
 TEST(VulkanSpirv, AsksForNoSamplesWhereItNeedsNone) {
   EXPECT_THAT(
       qualified(shader(), std::vector{kFlat, kSmoothCenter}),
@@ -68,7 +69,7 @@ TEST(VulkanSpirv, AsksForNoSamplesWhereItNeedsNone) {
 }
 
 TEST(VulkanSpirv, OfBrokenWordsEndsAll) {
-  // A length of 0, and one beyond the end.
+  // An instruction of length 0, and one that extends beyond the end.
   EXPECT_EQ(qualified(joined({kHeader, {0}}), {}).size(), 6);
   EXPECT_EQ(qualified(joined({kHeader, {0x00090001}}), {}).size(), 6);
 }

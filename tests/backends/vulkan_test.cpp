@@ -1,5 +1,5 @@
-// Cases whose fragments are known by hand, drawn by drivers with the validation layer on: a message
-// of it fails the case.
+// Draws cases whose fragments are known by hand, with the validation layer on. Any message from
+// that layer fails the case.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,18 +30,19 @@ using testing::StartsWith;
 
 constexpr int kSize = 8;
 constexpr float kHalf = kSize * 0.5F;
-/// The shared triangle's right angle is window (0, 0), its legs are so long, pixels: no centre, and
-/// no sample of four, is within 1/12 pixel of its hypotenuse.
+/// The length, in pixels, of the legs of the shared triangle, whose right angle is at window (0,
+/// 0). With this length, no centre, and none of four samples, is within 1/12 pixel of the
+/// hypotenuse.
 constexpr float kLeg = 7.625F;
 constexpr std::size_t kFragments = 28;
 
-/// The NDC of a window coordinate.
+/// The NDC coordinate of a window coordinate.
 float ndc(float window) { return window / kHalf - 1; }
 
 /// A vertex at a window position.
 cases::ClipVertex at(float x, float y, float z = 0.25F) { return {ndc(x), ndc(y), z, 1}; }
 
-/// Pixels whose centre is x + y < kLeg: 28, with i + j <= 6.
+/// A triangle that covers the pixels whose centre has x + y < kLeg: the 28 pixels with i + j <= 6.
 cases::Case corner() {
   cases::Case c;
   c.framebuffer = {kSize, kSize, 1};
@@ -94,7 +95,7 @@ class Vulkan : public DriverTest {
     return drawn ? *std::move(drawn) : cases::Fragments();
   }
   std::set<Pixel> pixels(const cases::Case& c) const { return pixels_of(draw(c)); }
-  /// Why a case is not drawn; it is no fault.
+  /// The reason why a case is not drawn, which must not be a fault.
   std::string refusal(const cases::Case& c) const {
     const Result<cases::Fragments> drawn = fragments_of(backend().draw(c));
     if (drawn) return "drawn";
@@ -145,7 +146,7 @@ TEST_P(Vulkan, DrawsNothingOfNothing) {
 }
 
 TEST_P(Vulkan, DividesByWUnlessAskedNotTo) {
-  // 1/w goes from 1 to 1/4 along x, which the window shows as it is.
+  // 1/w goes linearly from 1 to 1/4 along window x.
   cases::Case c = corner();
   c.positions[1] = {4 * ndc(kLeg), -4, 1, 4};
   add_attribute(c, {"smooth"}, {0, 1, 0});
@@ -164,7 +165,7 @@ TEST_P(Vulkan, CopiesFlatValuesToTheBit) {
   for (const cases::Rules rules : {cases::Rules::vulkan, cases::Rules::opengl}) {
     cases::Case c = corner();
     c.rules = rules;
-    // Vulkan takes them from the first vertex, OpenGL from the last.
+    // Vulkan takes flat values from the first vertex, OpenGL from the last.
     const std::size_t provoking = rules == cases::Rules::vulkan ? 0 : 2;
     for (const float value : kFirst) {
       std::vector<float> values(3, 7.0F);
@@ -182,7 +183,8 @@ TEST_P(Vulkan, CopiesFlatValuesToTheBit) {
   }
 }
 
-// More than one drawing has targets for, of all qualifiers: each value comes from its own.
+// More attributes than one draw has targets for, with all qualifiers. Each value must be the right
+// one.
 TEST_P(Vulkan, DrawsThirtyTwoAttributes) {
   constexpr std::array kKinds{Interpolation::smooth, Interpolation::noperspective,
                               Interpolation::flat};
@@ -224,7 +226,7 @@ TEST_P(Vulkan, CoversSamples) {
 }
 
 TEST_P(Vulkan, EvaluatesAttributesWhereAsked) {
-  // It covers everything: centroids have the whole pixel.
+  // The triangle covers everything, so centroids may be anywhere in the pixel.
   cases::Case c = corner();
   c.framebuffer.samples = 4;
   c.positions = {at(0, 0), at(2 * kSize, 0), at(0, 2 * kSize)};
@@ -247,8 +249,8 @@ TEST_P(Vulkan, EvaluatesAttributesWhereAsked) {
 }
 
 TEST_P(Vulkan, CullsWhatIsDisplayedTheOtherWay) {
-  // Window y points down with Vulkan's rules and up with OpenGL's: the same numbers are displayed
-  // clockwise, and counter-clockwise.
+  // Window y points down with Vulkan's rules and up with OpenGL's. So the same numbers are
+  // displayed clockwise with Vulkan's rules and counter-clockwise with OpenGL's.
   for (const cases::Rules rules : {cases::Rules::vulkan, cases::Rules::opengl}) {
     for (const cases::FrontFace front : {cases::FrontFace::ccw, cases::FrontFace::cw}) {
       for (const cases::Cull cull : {cases::Cull::none, cases::Cull::back, cases::Cull::front}) {
@@ -269,7 +271,7 @@ TEST_P(Vulkan, MovesAndTurnsViewports) {
   cases::Case c = corner();
   c.viewport = {0, kSize, kSize, -kSize};
   EXPECT_EQ(pixels(c), pixels_where([](int x, int y) { return is_in_corner(x, 7 - y); }));
-  // What was displayed clockwise no longer is.
+  // The triangle that was displayed clockwise no longer is.
   c.cull = cases::Cull::back;
   EXPECT_EQ(draw(c).size(), kFragments);
   c = corner();
@@ -286,15 +288,15 @@ TEST_P(Vulkan, MapsDepth) {
     c.viewport.max_depth = far;
     c.rules = cases::Rules::vulkan;
     for (const float drawn : draw(c).depth) EXPECT_NEAR(drawn, depth, 1e-6);
-    // Of −1 to 1, where 1/4 is 5/8 of the way.
+    // In the range from −1 to 1, 1/4 is at 5/8 of the way.
     c.rules = cases::Rules::opengl;
     for (const float drawn : draw(c).depth) EXPECT_NEAR(drawn, near + 0.625F * (far - near), 1e-6);
   }
 }
 
 TEST_P(Vulkan, ClipsDepthUnlessItClamps) {
-  // z goes from −1 to 2 along x: 0 and 1 are at a third and two thirds of kLeg, 2.54 and 5.08.
-  // Centres at 2.5 are too near to that.
+  // z goes from −1 to 2 along x. It is 0 and 1 at a third and two thirds of kLeg, which are 2.54
+  // and 5.08. Centres at 2.5 are too near to 2.54 to be tested.
   cases::Case c = corner();
   c.positions = {at(0, 0, -1), at(kLeg, 0, 2), at(0, kLeg, -1)};
   std::set<Pixel> clipped = pixels(c);
@@ -328,7 +330,8 @@ TEST_P(Vulkan, HeedsScissors) {
 }
 
 TEST_P(Vulkan, ClipsByDistances) {
-  // x >= 2, of one and of five distances; of eight the last is y <= 3.
+  // The first of one or eight distances, or the last of five, keeps x >= 2. The last of eight keeps
+  // y <= 3.
   for (const std::size_t count : {std::size_t{1}, std::size_t{5}, std::size_t{8}}) {
     cases::Case c = corner();
     c.clip_distance_count = count;
@@ -346,7 +349,7 @@ TEST_P(Vulkan, ClipsByDistances) {
 }
 
 TEST_P(Vulkan, KeepsTheNearestAndTheFirst) {
-  // Over one another: 0.5, 0.25, and 0.25 again.
+  // Triangles over one another, at depths 0.5, 0.25, and 0.25 again.
   cases::Case c = corner();
   c.depth_test = cases::DepthTest::less;
   c.positions.clear();
@@ -366,7 +369,7 @@ TEST_P(Vulkan, KeepsTheNearestAndTheFirst) {
     EXPECT_EQ(drawn.attributes_of(i)[0], 2);
     EXPECT_EQ(drawn.depth[i], 0.25F);
   }
-  // Beside one another they come by triangle, whoever was drawn first.
+  // If triangles lie side by side, fragments come by triangle, in whatever order they were drawn.
   for (std::size_t i = 6; i < 9; ++i) c.positions[i].x += 0.5F;
   drawn = draw(c);
   EXPECT_TRUE(std::is_sorted(drawn.triangle.begin(), drawn.triangle.end()));
@@ -374,7 +377,7 @@ TEST_P(Vulkan, KeepsTheNearestAndTheFirst) {
   EXPECT_EQ(std::count(drawn.triangle.begin(), drawn.triangle.end(), 2U), 6 + 6);
 }
 
-// Kills: what a target is cleared to is nearer than a fragment.
+// Kills: clearing the target to a depth that is nearer than a fragment.
 TEST_P(Vulkan, KeepsWhatIsFarthest) {
   cases::Case c = corner();
   c.depth_test = cases::DepthTest::less;
@@ -383,7 +386,8 @@ TEST_P(Vulkan, KeepsWhatIsFarthest) {
 }
 
 TEST_P(Vulkan, DrawsEachTriangleAlone) {
-  // More than are drawn together, over one another, each over one pixel of its own as well.
+  // More triangles than are drawn together. They overlap, and each also covers one pixel of its
+  // own.
   constexpr std::uint32_t kCount = 200;
   cases::Case c = corner();
   c.positions.clear();
@@ -404,7 +408,7 @@ TEST_P(Vulkan, DrawsEachTriangleAlone) {
 }
 
 TEST_P(Vulkan, DrawsCasesOfChangingShapes) {
-  // Targets and pipelines are kept from one to the next.
+  // Targets and pipelines are kept from one case to the next.
   for (int i = 0; i < 2; ++i) {
     for (const int samples : {1, 4}) {
       for (const std::size_t attributes : {std::size_t{0}, std::size_t{3}, std::size_t{5}}) {
@@ -448,7 +452,7 @@ TEST_P(Vulkan, RefusesWhatItCannotDraw) {
   c = corner();
   c.framebuffer = {cases::kMaxSize, cases::kMaxSize, 1};
   EXPECT_NE(refusal(c), "drawn");
-  // And draws on.
+  // The device still draws after that.
   EXPECT_EQ(draw(corner()).size(), kFragments);
 }
 

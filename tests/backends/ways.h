@@ -1,8 +1,8 @@
 #pragma once
 
-// What every driver's ways of drawing have to show of a case that is known to need all of them:
-// more attributes than a draw has, more triangles than a record's buffer begins with room for, a
-// scissor, culling, and triangles that are clipped.
+// Tests that a driver's ways of drawing give the same result, for a case that is known to need all
+// parts of them: more attributes than a draw has, more triangles than a buffer of records initially
+// has room for, a scissor, culling, and clipped triangles.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,8 @@ inline cases::Case case_of_ways(cases::Rules rules) {
   for (int i = 0; i < 6; ++i) c.attributes.push_back({"s" + std::to_string(i)});
   c.attributes.push_back({"n", cases::Interpolation::noperspective});
   c.attributes.push_back({"f", cases::Interpolation::flat});
-  // Vertices on two spirals, some of them beside the view, of any w but behind the eye for a few.
+  // Vertices on two spirals, some of them outside the view, with various w; a few are behind the
+  // eye.
   constexpr int kVertices = 40;
   for (int i = 0; i < kVertices; ++i) {
     const float turn = static_cast<float>(i * 7 % 40) / 20 - 1;
@@ -44,7 +45,7 @@ inline cases::Case case_of_ways(cases::Rules rules) {
   return c;
 }
 
-/// The same with 0 for what is no number, as some drivers have it of noperspective attributes.
+/// Replaces NaN by 0, as some drivers return NaN for noperspective attributes.
 inline std::vector<float> with_numbers(std::vector<float> values) {
   for (float& value : values) {
     if (std::isnan(value)) value = 0;
@@ -52,8 +53,8 @@ inline std::vector<float> with_numbers(std::vector<float> values) {
   return values;
 }
 
-/// Kills: attributes of a second draw put to other fragments, records that are lost where there is
-/// no room for them, a scissor or culling that one way forgets.
+/// Kills: giving attributes of a second draw to other fragments; losing records for which there is
+/// no room; a scissor or culling that one way forgets.
 inline void expect_ways_alike(Backend& backend, cases::Rules rules) {
   WaysOfDrawing* const ways = backend.ways_of_drawing();
   ASSERT_NE(ways, nullptr);
@@ -75,7 +76,7 @@ inline void expect_ways_alike(Backend& backend, cases::Rules rules) {
   const auto preferred = backend.draw_unjudged(c);
   ASSERT_TRUE(preferred);
   EXPECT_EQ(with_numbers(preferred->attributes), with_numbers(appended->attributes));
-  // What cannot be appended is drawn all the same, unless appending is what was asked for.
+  // A case that cannot be appended is drawn in another way, unless appending is requested.
   cases::Case tested = c;
   tested.depth_test = cases::DepthTest::less;
   EXPECT_TRUE(backend.draw_unjudged(tested));

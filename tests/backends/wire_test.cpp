@@ -7,7 +7,7 @@
 namespace rastercheck::backends::wire_test {
 namespace {
 
-/// A case in which no member has its default.
+/// A case in which no member has its default value.
 cases::Case full_case() {
   cases::Case c;
   c.name = "everything";
@@ -34,6 +34,7 @@ cases::Case full_case() {
   c.clip_distance_count = 2;
   c.triangles = {{0, 1, 0}, {1, 1, 0}};
   c.essential = {"scissor", "rules"};
+  c.choices = 7;
   c.found = cases::Found{"law", "backend", "verdict", 7, 8, "depth", "tie"};
   return c;
 }
@@ -124,7 +125,7 @@ TEST(Wire, BringsDrawingsAndErrors) {
   EXPECT_EQ(greeting->about, about);
 }
 
-// Kills: a reader that believes lengths, or takes a part for the whole.
+// Kills: a reader that trusts lengths, or takes a part for the whole.
 TEST(Wire, RefusesEveryPart) {
   const std::string request = pack(Request{Question::drawing, full_case()});
   for (std::size_t size = 0; size < request.size(); ++size) {
@@ -138,12 +139,12 @@ TEST(Wire, RefusesEveryPart) {
   }
 }
 
-// Each byte in turn made 255. Refused are: whether there is a coverage, its rounding, basis, tie
-// rule, grid, claim, what depth tests compare, five promises, and whether each of five bounds is
-// there, 17; the four bytes
-// of subpixel_bits; and the last byte of each number, which is negative then: position error, guard
-// band, clip tolerance and error, 12 of bounds, four, five of textures, and two magnitudes, 27; and
-// the eight of how many triangles there are promises of.
+// Sets each byte to 255 in turn. 17 of the refused bytes are flags and enumerators: whether there
+// is a coverage, its rounding, basis, tie rule, grid, claim, depth format, five promises, and
+// whether each of five optional bounds exists. Four are the bytes of subpixel_bits. 28 are the last
+// bytes of numbers, which become negative: position error, guard band, clip tolerance, clip error,
+// viewport error, 12 numbers of bounds, four optional bounds, five numbers for textures, and two
+// magnitudes. Eight are the bytes of the number of per-triangle promises.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -155,7 +156,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
   EXPECT_EQ(refused, 17 + 4 + 28 + 8);
 }
 
-// Kills: a comparison that is true of no number.
+// Kills: a comparison that is true for NaN.
 TEST(Wire, RefusesContractsOfNoNumbers) {
   constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
   cases::Contract contract = full_contract();
@@ -167,7 +168,7 @@ TEST(Wire, RefusesContractsOfNoNumbers) {
   contract = full_contract();
   contract.coverage->subpixel_bits = 1000;
   EXPECT_FALSE(unpack_contract(pack(contract)));
-  // What clipping leaves of a triangle may be anywhere.
+  // The vertices that clipping makes may be anywhere.
   contract = full_contract();
   contract.clip_tolerance = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(unpack_contract(pack(contract)));

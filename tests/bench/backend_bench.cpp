@@ -1,6 +1,5 @@
-// backend/…: what it costs that a backend draws in a process of its own. The same case is drawn
-// here and there by turns; the counter is what the way takes more, of the draw with the median
-// difference.
+// backend/…: the cost of drawing in a process of the backend's own. The same case is drawn
+// alternately in this process and in the other one. The counter is the median of the differences.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -66,7 +65,7 @@ BENCHMARK(draw_isolated)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Until the first answer: what a crash costs.
+/// The time from a process's start to its first answer, which is the cost of a crash.
 void start_process(benchmark::State& bench) {
   backends::Isolation isolation;
   isolation.command = {RASTERCHECK_BENCH_PROGRAM, "worker"};
@@ -77,14 +76,14 @@ void start_process(benchmark::State& bench) {
 }
 BENCHMARK(start_process)->Name("backend/worker/start")->Unit(benchmark::kMicrosecond);
 
-/// A driver's drawing, the way there and back included.
+/// The time of a driver's drawing, including the transfers to and from its process.
 void draw_with_driver(benchmark::State& bench, const char* specification) {
   backends::Isolation isolation;
   isolation.command = {RASTERCHECK_BENCH_PROGRAM, "worker"};
   const auto backend = backends::make_isolated_backend(specification, isolation);
   if (!backend) return bench.SkipWithError(backend.error().reason.c_str());
   const cases::Case c = half_case(static_cast<int>(bench.range(0)), 4);
-  // Programs are compiled at the first, and the first few are looked at for leaks.
+  // The first drawing compiles programs, and the first few are checked for leaks.
   for (int i = 0; i < 20; ++i) seconds_of(**backend, c);
   for (auto _ : bench) bench.SetIterationTime(seconds_of(**backend, c));
 }

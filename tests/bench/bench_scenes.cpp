@@ -8,11 +8,11 @@
 namespace rastercheck::bench {
 namespace {
 
-/// Numbers that look random (SplitMix64).
+/// Pseudorandom numbers (SplitMix64).
 class Scatter {
  public:
   explicit Scatter(std::uint64_t seed) : state_(seed) {}
-  /// In [0, 1), a multiple of 2^-24.
+  /// A number in [0, 1) that is a multiple of 2^-24.
   float unit() {
     state_ += 0x9e3779b97f4a7c15U;
     std::uint64_t z = state_;
@@ -20,7 +20,7 @@ class Scatter {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
     return static_cast<float>((z ^ (z >> 31)) >> 40) * 0x1p-24F;
   }
-  /// A whole number in [0, end).
+  /// An integer in [0, end).
   float below(int end) {
     return static_cast<float>(static_cast<int>(unit() * static_cast<float>(end)));
   }
@@ -35,13 +35,13 @@ Scene empty_scene(const glm::ivec2& size) {
   return scene;
 }
 
-/// A window position of the scene's target as a clip position of that w.
+/// The clip position with this w of a window position in the scene's target.
 glm::vec4 clip_position(const Scene& scene, float u, float v, float depth, float w) {
   const glm::vec2 size(scene.size);
   return {(2 * u / size.x - 1) * w, (2 * v / size.y - 1) * w, depth * w, w};
 }
 
-/// A vertex with attributes of its own.
+/// Adds a vertex with random attributes.
 void add_vertex(Scene& scene, const glm::vec4& position, Scatter& scatter) {
   scene.positions.push_back(position);
   scene.attributes.push_back(scatter.unit());
@@ -64,7 +64,7 @@ void add_full_triangle(Scene& scene, float depth, Scatter& scatter) {
 
 using Polygon = std::vector<glm::dvec4>;
 
-/// Keeps what of a polygon in clip space lies where `side`, a linear form, is not negative.
+/// Keeps the part of a polygon in clip space where `side`, a linear form, is not negative.
 void cut(Polygon& polygon, double (*side)(const glm::dvec4&)) {
   Polygon rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,5 +1,5 @@
-// campaign/…: cases of each law, made, drawn and checked, in one process; and of all laws in turn,
-// as a campaign has them.
+// campaign/…: makes, draws and checks cases of each law in one process, and cases of all laws in
+// turn, as a campaign does.
 
 #include "tests/bench/campaign_bench.h"
 

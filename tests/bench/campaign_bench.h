@@ -2,8 +2,8 @@
 
 namespace rastercheck::bench {
 
-/// Adds the benchmarks campaign/…, one for each law: to be called when all have registered
-/// themselves, which is once main() runs.
+/// Adds the benchmarks campaign/…, one for each law. Call this from main(), when all laws have
+/// registered themselves.
 void register_campaigns();
 
 }  // namespace rastercheck::bench

@@ -1,7 +1,7 @@
 #pragma once
 
-// Kinds of draw that shaded frames are timed with, for both sides alike. Colours that have no
-// texture are the attributes as red and green, blue 0, and the kind's alpha.
+// The kinds of draws for which shaded frames are timed, the same for the rasterizer and for
+// drivers. Without a texture, red and green are the attributes, blue is 0, and alpha is the kind's.
 
 #include <optional>
 #include <string_view>
@@ -17,8 +17,9 @@ struct DrawKind {
   float clear_depth = 1;
   cases::Blend blend = cases::Blend::off;
   float alpha = 1;
-  std::optional<cases::Filter> filter = {};  ///< there is a texture (texture_scenes.h), repeated
-  std::optional<float> discard_below = {};   ///< fragments with less alpha are not drawn
+  /// If set, draws a repeated texture (texture_scenes.h).
+  std::optional<cases::Filter> filter = {};
+  std::optional<float> discard_below = {};  ///< if set, fragments with less alpha are not drawn
 };
 
 inline constexpr DrawKind kDrawKinds[] = {
@@ -41,7 +42,7 @@ inline constexpr DrawKind kDrawKinds[] = {
     {.name = "depth-greater", .depth_function = cases::DepthFunction::greater, .clear_depth = 0},
 };
 
-/// The kind of that name; nullptr where there is none.
+/// The kind with that name; nullptr if it does not exist.
 constexpr const DrawKind* draw_kind(std::string_view name) {
   for (const DrawKind& kind : kDrawKinds) {
     if (kind.name == name) return &kind;

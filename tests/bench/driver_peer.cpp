@@ -10,10 +10,11 @@
 namespace rastercheck::bench {
 namespace {
 
-/// `threads:T`, and what llvmpipe and lavapipe are told for it.
+/// The T of `threads:T`, and the value of LP_NUM_THREADS for llvmpipe and lavapipe.
 constexpr std::array<std::pair<const char*, const char*>, 2> kThreads{{{"1", "0"}, {"2", "2"}}};
 
-/// SwiftShader's grid is one of 2^-4 pixels: it covers 4% more of triangles of a pixel's size.
+/// SwiftShader's grid spacing is 2^-4 pixels, so it covers 4% more pixels if triangles are as small
+/// as a pixel.
 constexpr double kCoarseGrid = 0.05;
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 
-// Software drivers to compare with: Mesa's llvmpipe, the fastest there is, through OpenGL, and its
-// sister lavapipe and SwiftShader through Vulkan. A process for each configuration, as drivers read
-// their settings from the environment once.
+// Software drivers to compare with: Mesa's llvmpipe, the fastest one, through OpenGL, and its
+// sister lavapipe and SwiftShader through Vulkan. Each configuration has a process of its own, as
+// drivers read their settings from the environment only once.
 
 #include <functional>
 #include <memory>
@@ -16,26 +16,26 @@
 
 namespace rastercheck::bench {
 
-/// What a driver draws into, beside a depth of float32.
+/// The target that a driver draws into, in addition to a depth buffer of float32.
 struct PeerTarget {
-  std::string color = "rgba32f";  ///< or "rgba8"
+  std::string color = "rgba32f";  ///< "rgba32f" or "rgba8"
   int samples = 1;
-  std::string kind = {};  ///< how (draw_kinds.h); empty: attributes as colours where depth is less
+  std::string kind = {};  ///< from draw_kinds.h; empty: attributes as colours where depth is less
 };
 
-/// Pixels of a shaded picture, and how far another's may be from them.
+/// Pixels of a shaded picture, and the allowed difference of another picture's pixels.
 struct ExpectedProbes {
   Probes probes;
   int tolerance = 0;       ///< in 1/255
-  double share_apart = 0;  ///< of pixels that may be further away
+  double share_apart = 0;  ///< share of pixels that may differ by more
 };
 
-/// A driver, and how its process is started.
+/// A driver, and how to start its process.
 struct Configuration {
-  std::string driver;                 ///< "llvmpipe"
-  std::string name;                   ///< what it is called in a benchmark: "threads:1"
-  std::string program;                ///< gl_peer.cpp or vulkan_peer.cpp
-  std::vector<std::string> settings;  ///< of the environment
+  std::string driver;                 ///< such as "llvmpipe"
+  std::string name;                   ///< as in benchmarks' names, such as "threads:1"
+  std::string program;                ///< of gl_peer.cpp or vulkan_peer.cpp
+  std::vector<std::string> settings;  ///< environment variables
   double covered_tolerance = 0.01;    ///< share of covered pixels (show_the_same())
 };
 
@@ -45,16 +45,17 @@ class DriverPeer {
 
   const std::string& renderer() const { return renderer_; }
 
-  /// Makes it ready to draw this scene; an error where its picture is another than the `expected`.
+  /// Makes the driver ready to draw this scene. Fails if its picture differs from `expected`.
   Result<void> take(const std::string& scene, const PeerTarget& target, const Summary& expected);
   Result<void> take(const std::string& scene, const PeerTarget& target,
                     const ExpectedProbes& expected);
 
-  /// Seconds for one frame.
+  /// Draws one frame and returns the seconds it took.
   Result<double> draw();
 
  private:
-  /// `check`: nothing where its answer to `question` is as expected, else what is not.
+  /// `check` takes the driver's answer to `question`. It returns nothing if the answer is as
+  /// expected, or else says what is wrong.
   Result<void> take(const std::string& scene, const PeerTarget& target, const char* question,
                     const std::function<std::string(const std::string& answer)>& check);
 
@@ -62,23 +63,25 @@ class DriverPeer {
   std::unique_ptr<PeerProcess> process_;
   Error problem_;
   std::string renderer_;
-  std::string taken_;  ///< the last request, empty: it did not succeed
+  std::string taken_;  ///< the last request; empty if it failed
 };
 
-/// Threads and vectors of llvmpipe.
+/// The configurations of llvmpipe, with the number of its threads and the width of its vectors.
 ///
-/// LP_NUM_THREADS=N makes N threads that rasterize beside the one that calls, which transforms,
-/// sets up and bins; with 0 that one does it all. So `threads:1` is 0, the one setting that keeps
-/// to a core, and `threads:2` is 2, which leaves it at least the two cores that ours has: a draw is
-/// binned before it is rasterized, so that the third thread waits most of the time. `width` is that
-/// of its vectors in bits (LP_NATIVE_VECTOR_WIDTH); by default 256 where there is AVX.
+/// LP_NUM_THREADS=N makes N threads that rasterize, beside the calling thread, which transforms,
+/// sets up and bins. With N = 0, the calling thread does everything. So `threads:1` sets 0, the
+/// only value that uses a single core. `threads:2` sets 2, which gives llvmpipe at least the two
+/// cores that ours has: a draw is binned before it is rasterized, so the third thread waits most of
+/// the time. `width` is that of the vectors in bits (LP_NATIVE_VECTOR_WIDTH); the default is 256 if
+/// AVX is available.
 std::vector<Configuration> llvmpipe_configurations();
 
-/// lavapipe, which has llvmpipe's threads, and SwiftShader, which has as many as there are cores
-/// that it may run on, and is held to `threads:T` of them. Both with their default vectors.
+/// The configurations of lavapipe, which has llvmpipe's threads, and of SwiftShader, which has as
+/// many threads as there are cores that it may use, and is limited to T cores for `threads:T`. Both
+/// use their default vectors.
 std::vector<Configuration> vulkan_configurations();
 
-/// The process of a configuration: started when it is asked for first, ended with this one.
+/// The process of a configuration. It is started on first request, and ends with this process.
 DriverPeer& driver_peer(const Configuration& configuration);
 
 }  // namespace rastercheck::bench

@@ -1,24 +1,26 @@
 // raster/draw…/threads:T/SCENE, raster/llvmpipe…/threads:T/width:W/SCENE, raster/lavapipe… and
-// raster/swiftshader…/threads:T/SCENE: whole frames, cleared and drawn with a depth test, two
-// perspective attributes in float32 (frame_scenes.h). Ours by `draw`; drivers' (driver_peer.h) into
-// depth32F, in the same run, by processes of their own.
+// raster/swiftshader…/threads:T/SCENE: whole frames, cleared and drawn with a depth test, with two
+// perspective attributes in float32 (frame_scenes.h). Our frames are drawn by `draw`. Drivers
+// (driver_peer.h) draw into depth32F in the same run, in processes of their own.
 //
 //   draw             exact coverage, values in double, one sample per pixel
-//   draw-avx2        the same by vectors of 256 bits, where the processor has longer ones
+//   draw-avx2        the same with vectors of 256 bits, if the processor has longer ones
 //   draw-samples:4   four samples per pixel
-//   draw-snapped:8   coverage and values of triangles on the grid of 2^-8 pixels, as drivers' are
-//   draw-float32     Precision::float32, which framebuffers are drawn without: the same as draw
+//   draw-snapped:8   coverage and values of triangles on the grid of 2^-8 pixels, as in drivers
+//   draw-float32     Precision::float32, which does not affect framebuffers: the same as draw
 //   llvmpipe             into RGBA32F
-//   llvmpipe-rgba8       into bytes: what it is best at, while ours writes two floats per pixel
+//   llvmpipe-rgba8       into bytes: its best format, while ours writes two floats per pixel
 //   llvmpipe-samples:4   four samples per pixel, RGBA32F
 //   lavapipe, lavapipe-samples:4, swiftshader, swiftshader-samples:4     the same, by Vulkan
 //
-// raster/beside/threads:T/SCENE: `draw`, and after each frame one by each driver; the time is ours,
-// ratio_llvmpipe, ratio_lavapipe and ratio_swiftshader are the median of theirs over the median of
-// ours. The label names a driver that cannot run here, or draws another picture, and why.
+// raster/beside/threads:T/SCENE: `draw`, with one frame by each driver after each of our frames.
+// The time is ours. ratio_llvmpipe, ratio_lavapipe and ratio_swiftshader are the driver's median
+// time over our median time. The label names drivers that cannot run here or draw another picture,
+// and says why.
 //
-// fraction_of_limit of filled frames: the least time that the machine can do it in over the time
-// taken (machine_limits.h); the limit is measured before each repetition, on as many threads.
+// fraction_of_limit, for filled frames: the least time in which the machine can fill the frame
+// (machine_limits.h) over the time taken. The limit is measured before each repetition, on as many
+// threads.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -42,18 +44,21 @@
 namespace rastercheck::bench {
 namespace {
 
-/// One of our modes, beside what all frames have in common.
+/// One of our modes: the settings in which it differs from the others.
 struct Mode {
   std::string name = "draw";
   int samples = 1;
   std::optional<rasterizer::Snapping> snapping = {};
   rasterizer::Precision precision = rasterizer::Precision::float64;
   bool on_avx2 = false;
+  /// True to have no kernel draw: the viewport's origin is off the grid of 1/256 pixel.
+  bool by_fallback = false;
 };
 
 rasterizer::State state_of(const Mode& mode, const Scene& scene) {
   rasterizer::State state;
   state.viewport.size = scene.size;
+  if (mode.by_fallback) state.viewport.origin = {1.0F / 512, 0};
   state.attributes.resize(2);
   state.depth_test = rasterizer::DepthTest::less;
   state.snapping = mode.snapping;
@@ -62,14 +67,14 @@ rasterizer::State state_of(const Mode& mode, const Scene& scene) {
   return state;
 }
 
-/// Whether it could be drawn.
+/// Draws a frame. Returns false if the draw was refused.
 bool draw_frame(const rasterizer::State& state, const Scene& scene, int samples,
                 rasterizer::Picture& framebuffer, unsigned threads = 1) {
   const rasterizer::TargetSize size{scene.size.x, scene.size.y, samples};
   return !rasterizer::clear_and_draw(state, scene.mesh(), size, 1, framebuffer, threads).error;
 }
 
-/// Of our picture of a scene that can be had; drawn when it is asked for first.
+/// The summary of our picture of a scene, which must exist. Drawn on first request.
 const Result<Summary>& summary_of(const std::string& name, int samples) {
   static std::map<std::pair<std::string, int>, Result<Summary>> drawn;
   const auto known = drawn.find({name, samples});
@@ -84,7 +89,7 @@ const Result<Summary>& summary_of(const std::string& name, int samples) {
 }
 
 bool has_more_than_avx2() {
-  // Highway's targets for one processor are bits, the better the lower.
+  // Highway's targets of a processor are bits; a better target is a lower bit.
   return (hwy::SupportedTargets() & HWY_AVX2) != 0 &&
          (hwy::SupportedTargets() & (HWY_AVX2 - 1)) != 0;
 }
@@ -98,7 +103,7 @@ void draw(benchmark::State& bench, const std::string& name, const Mode& mode, un
     target.emplace(HWY_AVX2);
   }
   const bool has_limit = name.starts_with("fill") && mode.samples == 1 && !mode.snapping &&
-                         mode.precision == rasterizer::Precision::float64;
+                         !mode.by_fallback && mode.precision == rasterizer::Precision::float64;
   MachineLimits limits;
   if (has_limit) limits = measure_machine_limits(threads);
 
@@ -133,7 +138,7 @@ void draw_by(benchmark::State& bench, const std::string& name, const PeerTarget&
   time_frames_of(peer, bench, name);
 }
 
-/// A driver that stands beside ours, and its times.
+/// A driver that draws after each of our frames, and its times.
 struct Beside {
   std::string driver;
   DriverPeer* peer = nullptr;
@@ -146,11 +151,11 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The drivers that draw the scene on so many threads; of others the label says why not.
+/// The drivers that draw the scene on so many threads. The label says why other drivers do not.
 std::vector<Beside> drivers_beside(benchmark::State& bench, const std::string& name,
                                    unsigned threads, const Summary& summary) {
   std::vector<Configuration> all = llvmpipe_configurations();
-  // Of its two widths the default, which lavapipe has too.
+  // Of llvmpipe's two widths, keeps only the default, which lavapipe has as well.
   std::erase_if(all, [](const Configuration& c) { return !c.name.ends_with("width:default"); });
   for (const Configuration& configuration : vulkan_configurations()) all.push_back(configuration);
   std::vector<Beside> beside;
@@ -206,7 +211,7 @@ void add(const std::string& name, const Mode& mode) {
   }
 }
 
-/// `what` of how it draws, behind the driver's name.
+/// Adds benchmarks of drivers. `what` follows the driver's name and says how it draws.
 void add(const std::string& name, const std::string& what, const PeerTarget& target,
          const std::vector<Configuration>& configurations) {
   for (const Configuration& configuration : configurations) {
@@ -243,6 +248,7 @@ const bool kRegistered = [] {
     add(name, Mode{.name = "draw-samples:4", .samples = 4});
     add(name, Mode{.name = "draw-snapped:8", .snapping = rasterizer::Snapping{8}});
     add(name, Mode{.name = "draw-float32", .precision = rasterizer::Precision::float32});
+    add(name, Mode{.name = "draw-fallback", .by_fallback = true});
     add(name, "-samples:4", {"rgba32f", 4}, llvmpipe_configurations());
     add(name, "-samples:4", {"rgba32f", 4}, vulkan_configurations());
   }

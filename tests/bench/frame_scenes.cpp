@@ -13,7 +13,7 @@ namespace {
 constexpr glm::ivec2 kSquare{kTarget, kTarget};
 constexpr glm::ivec2 kWide{1920, 1080};
 
-/// Random triangles of that area in pixels.
+/// Random triangles, each with that area in pixels.
 Scene random_by_area(int count, float area, const glm::ivec2& size = kSquare) {
   return random_triangles(count, std::sqrt(2 * area), size);
 }
@@ -23,7 +23,7 @@ struct FrameScene {
   Result<Scene> (*make)();
 };
 
-/// As many triangles as it takes for them, and not clearing, to be most of the time.
+/// Each scene has so many triangles that drawing them, and not clearing, takes most of the time.
 constexpr FrameScene kFrameScenes[] = {
     {"fill_32_layers", [] { return Result<Scene>(layers_back_to_front(32)); }},
     {"random_1px", [] { return Result<Scene>(random_by_area(200'000, 1.3F)); }},

@@ -10,10 +10,11 @@
 
 namespace rastercheck::bench {
 
-/// Their names; what comes after an @ is the target's size where it is not kTarget × kTarget.
+/// The names of the scenes. The text after an @ is the target's size if it is not kTarget ×
+/// kTarget.
 const std::vector<std::string_view>& frame_scenes();
 
-/// The scene of that name, made when it is asked for first. Fails where there is none, or its mesh
+/// The scene with that name, made on first request. Fails if it does not exist, or if its mesh
 /// cannot be read.
 const Result<Scene>& frame_scene(std::string_view name);
 

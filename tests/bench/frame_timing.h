@@ -1,6 +1,6 @@
 #pragma once
 
-// What benchmarks of whole frames have in common.
+// Functions that the benchmarks of whole frames share.
 
 #include <benchmark/benchmark.h>
 
@@ -10,13 +10,14 @@
 
 namespace rastercheck::bench {
 
-/// drawn_area() of a frame_scene() that can be had.
+/// The drawn_area() of a frame_scene(), which must exist.
 double scene_area(const std::string& name);
 
-/// Triangles and pixels per second of a benchmark whose iterations have each drawn the scene.
+/// Sets triangles and pixels per second for a benchmark that drew the scene once in each iteration.
 void set_rates(benchmark::State& bench, const std::string& name);
 
-/// A benchmark whose iterations are frames of what the peer has taken, by the peer's own clock.
+/// Runs a benchmark whose iterations are frames of the scene that the peer has taken, timed by the
+/// peer's own clock.
 void time_frames_of(DriverPeer& peer, benchmark::State& bench, const std::string& name);
 
 }  // namespace rastercheck::bench

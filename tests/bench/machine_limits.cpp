@@ -1,5 +1,5 @@
-// The kernels are compiled once for each SIMD target; the best that the processor has is chosen at
-// run time.
+// The kernels are compiled once for each SIMD target. The best target that the processor supports
+// is chosen at run time.
 
 #include "tests/bench/machine_limits.h"
 
@@ -15,21 +15,20 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/machine_limits.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, as Highway wants it.
+// After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
-// Once for all targets.
+// Compiled only once for all targets.
 #ifndef RASTERCHECK_TESTS_BENCH_MACHINE_LIMITS
 #define RASTERCHECK_TESTS_BENCH_MACHINE_LIMITS
 namespace rastercheck::bench {
 
-/// A thread's share of memory: 12 bytes for each pixel of a tile.
+/// The memory of one thread: 12 bytes for each pixel of a tile.
 struct alignas(64) Tile {
   std::array<float, 3 * 64 * 64> values{};
 };
 
-/// As many chains as it takes to hide latency, and as registers are there for where there are
-/// sixteen of them.
+/// Enough chains to hide latency, and few enough for the registers of a processor with sixteen.
 inline constexpr std::size_t kChains = 12;
 inline constexpr int kSteps = 256;
 
@@ -42,7 +41,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Stores a whole tile; how many bytes that were.
+/// Stores a whole tile. Returns the number of bytes.
 double StoreTile(Tile& tile) {
   const hn::ScalableTag<float> d;
   const auto value = hn::Set(d, tile.values[0] + 1);
@@ -52,13 +51,13 @@ double StoreTile(Tile& tile) {
   return sizeof tile.values;
 }
 
-/// Applies `step` to chains of vectors, each again and again, and leaves their sum in the tile, so
-/// that it has to be computed; how many steps of numbers that were.
+/// Applies `step` again and again to several chains of vectors. Leaves their sum in the tile, so
+/// that it must be computed. Returns the number of steps on single numbers.
 template <typename Step>
 double RunChains(Tile& tile, const Step& step) {
   const hn::ScalableTag<double> d;
   const double first = 1.5 + static_cast<double>(tile.values[0]);
-  // All different, or they would be one.
+  // The start values must differ, or the compiler could merge the chains.
   const auto start = [&](int chain) HWY_ATTR { return hn::Set(d, first + chain); };
   auto a = start(0), b = start(1), c = start(2), e = start(3), f = start(4), g = start(5);
   auto h = start(6), i = start(7), j = start(8), k = start(9), l = start(10), m = start(11);
@@ -72,7 +71,7 @@ double RunChains(Tile& tile, const Step& step) {
   return static_cast<double>(kChains * kSteps * hn::Lanes(d));
 }
 
-/// How many operations were done.
+/// Returns the number of operations.
 double MultiplyAndAdd(Tile& tile) {
   const hn::ScalableTag<double> d;
   const auto half = hn::Set(d, 0.5);
@@ -101,7 +100,8 @@ namespace {
 
 using Kernel = std::function<double(Tile&)>;
 
-/// What a kernel does in a second on one thread: the best of a few spans, which others disturb.
+/// How much a kernel does per second on one thread: the best of a few short spans, as other
+/// processes may disturb some.
 double rate_of(const Kernel& kernel) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::duration<double> kSpan(0.002);

@@ -1,5 +1,5 @@
-// rastercheck-bench: the files beside this one register their benchmarks themselves, but for what
-// is there only when main() runs.
+// rastercheck-bench: the files in this folder register their benchmarks themselves, except those
+// that depend on other registrations, which main() adds.
 
 #include <benchmark/benchmark.h>
 

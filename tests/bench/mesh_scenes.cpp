@@ -13,18 +13,19 @@
 namespace rastercheck::bench {
 namespace {
 
-/// Where CMake has unpacked archives.
+/// The folder into which CMake has unpacked archives.
 const std::string kUnpacked = RASTERCHECK_BENCH_DATA "/";
 const std::string kModels = RASTERCHECK_BENCH_MODELS;
 
-/// `origin`: the package, and what else is to be done for it to be there.
+/// Fails if the file does not exist. `origin` names the package, and says what else must be done to
+/// get the file.
 Result<void> check_there(const std::string& file, const char* origin) {
   std::error_code unused;
   if (std::filesystem::exists(file, unused)) return {};
   return tl::unexpected(Error{file, "", std::string("not there: it comes with ") + origin});
 }
 
-/// Maps both attributes to 0…1, so that targets of bytes hold them too.
+/// Maps both attributes to 0…1, so that targets of bytes can also hold them.
 void normalize_attributes(Scene& scene) {
   for (std::size_t a = 0; a < 2; ++a) {
     float lo = scene.attributes[a];
@@ -86,8 +87,8 @@ Result<Scene> castle(const glm::ivec2& size) {
     return read_quake_level(file);
   });
   if (!level) return tl::unexpected(level.error());
-  // The eye of a player, in the game's units, z up, and where it looks, on the level. Sums and
-  // products of floats: the same bits everywhere.
+  // The eye of a player, in the game's units with z up, and its viewing direction in the level.
+  // Only sums and products of floats are used, which give the same bits everywhere.
   constexpr glm::vec3 kEye{-1984, -892, 66};
   constexpr glm::vec2 kAhead{0.8F, 0.6F};
   constexpr float kNear = 4;
@@ -98,7 +99,7 @@ Result<Scene> castle(const glm::ivec2& size) {
     const glm::vec3 to = p - kEye;
     const float ahead = to.x * kAhead.x + to.y * kAhead.y;
     const float right = to.x * kAhead.y - to.y * kAhead.x;
-    // A field of view of 90° up and down, and nothing is too far.
+    // The field of view is 90° vertically, and there is no far plane.
     scene.positions.emplace_back(right * narrow, -to.z, ahead - kNear, ahead);
   }
   for (const glm::vec2& t : level->texture_coordinates) {

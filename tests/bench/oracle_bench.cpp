@@ -1,6 +1,6 @@
-// oracle/…: the judge, level by level, beside the plain Gmpq path and beside what a conformance
-// suite does, on the same fragments. Every benchmark reports fragments (or samples, or triangles)
-// per second of one core, but for the one that names its threads.
+// oracle/…: the judge, level by level, compared with the plain Gmpq path and with a check like that
+// of a conformance suite, on the same fragments. Every benchmark reports fragments (or samples, or
+// triangles) per second on one core, except those that name their number of threads.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
@@ -44,13 +44,13 @@ cases::Case to_case(const Scene& scene, int width = kTarget, int height = kTarge
   return c;
 }
 
-/// The bunny, framed, on a target of 512 × 512.
+/// The bunny, filling a target of 512 × 512.
 cases::Case bunny() {
   const cases::Mesh mesh = cases::read_mesh(kBunny).value();
   return oracle::to_clip_case(cases::case_of_mesh(mesh, kBunny, {}).value(), kBunny).value();
 }
 
-/// A case and what a backend drew of it.
+/// A case, and the fragments that a backend drew of it.
 struct Drawn {
   cases::Case source;
   cases::Contract contract;
@@ -85,7 +85,7 @@ void judge_drawing_of(benchmark::State& bench, const MakeCase& make,
   judge(bench, draw(make, specification), options);
 }
 
-/// A figure of this process in KiB; what Linux tells in /proc.
+/// A figure of this process in KiB, as Linux reports it in /proc.
 double process_figure(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -97,12 +97,13 @@ double process_figure(const std::string& name) {
   return 0;
 }
 
-/// As judge(), and the most memory that it took at a time, beside case and framebuffer.
+/// Like judge(), but also reports the most memory that judging took at any time, without the case
+/// and the framebuffer.
 void judge_frame(benchmark::State& bench, const MakeCase& make,
                  const oracle::JudgeOptions& options) {
   const Drawn drawn = draw(make, "cpu");
   malloc_trim(0);
-  // Linux forgets the peak so far.
+  // Makes Linux reset the peak.
   std::ofstream("/proc/self/clear_refs") << '5';
   const double before = process_figure("VmRSS");
   for (auto _ : bench) {
@@ -113,7 +114,7 @@ void judge_frame(benchmark::State& bench, const MakeCase& make,
   set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
 }
 
-/// Gives what OpenGL promises of an implementation in software: Mesa's llvmpipe has 8 bits,
+/// The contract that OpenGL makes for a software driver. Mesa's llvmpipe has 8 subpixel bits,
 /// SwiftShader 4.
 cases::Contract api_contract(const cases::Case& source, int subpixel_bits) {
   backends::ApiLimits limits;
@@ -122,14 +123,14 @@ cases::Contract api_contract(const cases::Case& source, int subpixel_bits) {
   return backends::api_promise(source, limits, limits.usual_promise());
 }
 
-/// As judge(), of what `cpu` drew, held against what an API promises.
+/// Like judge(), but judges the drawing of `cpu` by the contract of an API.
 void judge_by_api(benchmark::State& bench, const MakeCase& make, int subpixel_bits) {
   Drawn drawn = draw(make, "cpu");
   drawn.contract = api_contract(drawn.source, subpixel_bits);
   judge(bench, drawn, {});
 }
 
-/// Verdicts alone, of all samples of the triangles' boxes.
+/// Computes only the verdicts, of all samples in the triangles' bounding boxes.
 void judge_coverage(benchmark::State& bench, const MakeCase& make, const std::string& specification,
                     oracle::Level first) {
   const Drawn drawn = draw(make, specification);
@@ -145,7 +146,8 @@ void judge_coverage(benchmark::State& bench, const MakeCase& make, const std::st
   set_rate(bench, "samples_per_second", samples);
 }
 
-/// The plain path: each triangle's q-matrix in Gmpq, each fragment's coverage, values and errors.
+/// The plain path: in Gmpq, each triangle's q-matrix and each fragment's coverage, values and
+/// errors.
 void judge_by_gmpq(benchmark::State& bench, const MakeCase& make) {
   const Drawn drawn = draw(make, "cpu");
   const cases::Fragments& f = drawn.framebuffer;
@@ -172,7 +174,8 @@ void judge_by_gmpq(benchmark::State& bench, const MakeCase& make) {
   set_rate(bench, "fragments_per_second", static_cast<double>(f.size()));
 }
 
-/// What conformance suites do: barycentric weights in double, differences against a tolerance.
+/// A check like that of conformance suites: barycentric weights in double, and differences compared
+/// with a tolerance.
 class Float64Check {
  public:
   explicit Float64Check(const Drawn& drawn) : drawn_(&drawn) {}
@@ -232,7 +235,7 @@ class Float64Check {
     return is_right;
   }
 
-  /// What suites take (Khronos: up to 0.0064; here of values around 1).
+  /// The tolerance of suites is up to 0.0064 (Khronos). Here, values are around 1.
   static constexpr double kTolerance = 1e-5;
 
   const Drawn* drawn_;
@@ -245,7 +248,7 @@ void check_in_float64(benchmark::State& bench, const MakeCase& make) {
   set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
 }
 
-/// Exact set-up alone: the box of every triangle.
+/// Only the exact set-up, with the bounding box of every triangle.
 void set_up(benchmark::State& bench, const MakeCase& make) {
   const Drawn drawn = draw(make, "cpu");
   const oracle::SceneTruth truth(drawn.source, drawn.contract);
@@ -277,7 +280,7 @@ oracle::JudgeOptions from(oracle::Level first, unsigned jobs = 1) {
   return options;
 }
 
-/// Makes the same case with four samples a pixel, of which attributes are centroids.
+/// Makes the same case with four samples per pixel, and with attributes at centroids.
 MakeCase centroids(int count, float side) {
   return [=] {
     cases::Case c = to_case(random_triangles(count, side));
@@ -305,7 +308,7 @@ const bool kRegistered = [] {
   using oracle::Level;
   const MakeCase large = random_case(40, 160);
   const MakeCase grid = [] { return to_case(grid_triangles(2000, 8)); };
-  // What is slow draws less, and the rest the same beside it.
+  // Slow levels draw less. The fast levels also judge the smaller case, for comparison.
   const MakeCase small = random_case(10, 72);
   for (const auto& [suffix, make] : {std::pair{"", large}, std::pair{"_72px", small}}) {
     const std::string end(suffix);
@@ -328,7 +331,8 @@ const bool kRegistered = [] {
   add("errors/centroids_72px", judge_drawing_of, centroids(10, 72), "cpu", from(Level::filter));
   add("errors/api_centroids_72px", judge_by_api, centroids(10, 72), 8);
   add("setup", set_up, random_case(5000, 8));
-  // Both slopes: the same triangles four times as large, and four times as many.
+  // Shows how time grows with area and with count: the same triangles four times as large, and four
+  // times as many.
   add("linear/triangles:2000/fragments:64000", judge_drawing_of, random_case(2000, 8), "cpu",
       from(Level::filter));
   add("linear/triangles:2000/fragments:256000", judge_drawing_of, random_case(2000, 16), "cpu",

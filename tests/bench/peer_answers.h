@@ -1,7 +1,7 @@
 #pragma once
 
-// What the programs have in common that rastercheck-bench starts to have drivers draw: they take a
-// line and answer with one, "ok …" or "error …" (peer_process.h).
+// Functions shared by the programs that rastercheck-bench starts to let drivers draw. They read
+// lines and answer each with one line, "ok …" or "error …" (peer_process.h).
 
 #include <functional>
 #include <iostream>
@@ -12,7 +12,7 @@
 
 namespace rastercheck::bench {
 
-/// Numbers with all their digits.
+/// The numbers with all their digits.
 template <typename... Numbers>
 std::string text(Numbers... numbers) {
   std::ostringstream out;
@@ -29,7 +29,7 @@ inline void say(const Result<std::string>& answer) {
   }
 }
 
-/// Answers until nobody asks any more.
+/// Answers until the input ends.
 inline void serve(const std::function<Result<std::string>(const std::string& line)>& answer) {
   for (std::string line; std::getline(std::cin, line);) say(answer(line));
 }

@@ -16,7 +16,7 @@ namespace {
 
 std::string_view name_of(std::string_view setting) { return setting.substr(0, setting.find('=')); }
 
-/// This process's environment after the settings.
+/// The environment of this process, changed by the settings.
 std::vector<std::string> environment_with(const std::vector<std::string>& settings) {
   std::vector<std::string> all;
   for (const std::string& setting : settings) {
@@ -87,7 +87,7 @@ Result<std::string> PeerProcess::hear() {
 
 Result<std::string> PeerProcess::ask(const std::string& line) {
   const std::string sent = line + "\n";
-  // Lines are a few bytes: they go whole. Where nobody hears them hear() tells.
+  // Lines are a few bytes, so they are sent whole. If the process has ended, hear() reports it.
   [[maybe_unused]] const ssize_t written = ::send(socket_, sent.data(), sent.size(), MSG_NOSIGNAL);
   return hear();
 }

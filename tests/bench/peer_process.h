@@ -13,8 +13,8 @@ namespace rastercheck::bench {
 /// A process that answers lines with lines, "ok …" or "error …", and ends when its input does.
 class PeerProcess {
  public:
-  /// Starts a program in the environment of this one after `settings`: "NAME=value", or "NAME" for
-  /// a variable that is not to be there.
+  /// Starts a program in this process's environment, changed by `settings`: "NAME=value" sets a
+  /// variable, "NAME" removes it.
   static Result<std::unique_ptr<PeerProcess>> start(const std::string& program,
                                                     const std::vector<std::string>& settings);
 
@@ -22,8 +22,8 @@ class PeerProcess {
   PeerProcess& operator=(const PeerProcess&) = delete;
   ~PeerProcess();
 
-  /// Waits for the next answer; what comes after "ok ". Fails with what comes after "error ", or
-  /// where the process has ended.
+  /// Waits for the next answer and returns the text after "ok ". Fails with the text after "error
+  /// ", or if the process has ended.
   Result<std::string> hear();
   Result<std::string> ask(const std::string& line);
 

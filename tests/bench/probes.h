@@ -1,7 +1,8 @@
 #pragma once
 
-// What two pictures of a shaded scene have to have in common for their times to be compared: means
-// (summary.h) of a texture are much the same wherever it is sampled, so these are single pixels.
+// The properties that two pictures of a shaded scene must share before their times are compared.
+// Single pixels are compared, because means (summary.h) of a texture are much the same wherever it
+// is sampled.
 
 #include <algorithm>
 #include <array>
@@ -17,14 +18,15 @@
 
 namespace rastercheck::bench {
 
-/// Red, green, blue, alpha and depth of a pixel, each k for k/255.
+/// Red, green, blue, alpha and depth of a pixel, where byte k means k/255.
 using Probe = std::array<std::uint8_t, 5>;
 using Probes = std::vector<Probe>;
 
-/// Of pictures of that size, one sample per pixel: `color_at(pixel)` is four floats.
+/// Takes probes of a picture of that size with one sample per pixel. `color_at(pixel)` is four
+/// floats.
 template <typename ColorAt>
 Probes take_probes(const glm::ivec2& size, std::span<const float> depth, const ColorAt& color_at) {
-  // Odd, as what goes wrong may go wrong for some columns of vectors.
+  // Odd, because faults may occur only in some columns of vectors.
   constexpr int kStep = 7;
   const auto byte = [](float value) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
@@ -42,7 +44,7 @@ Probes take_probes(const glm::ivec2& size, std::span<const float> depth, const C
   return probes;
 }
 
-/// As one word: two letters a…p for each byte.
+/// Writes the probes as one word: two letters a…p for each byte.
 inline std::string to_word(const Probes& probes) {
   std::string word;
   for (const Probe& probe : probes) {
@@ -54,7 +56,7 @@ inline std::string to_word(const Probes& probes) {
   return word;
 }
 
-/// Of a word that to_word() has made.
+/// Reads a word that to_word() made.
 inline Probes from_word(std::string_view word) {
   Probes probes(word.size() / (2 * Probe{}.size()));
   std::size_t at = 0;
@@ -67,8 +69,8 @@ inline Probes from_word(std::string_view word) {
   return probes;
 }
 
-/// The share of probes that are off by more than `tolerance` in some byte; all of them where there
-/// are not as many on both sides.
+/// The share of probes that differ by more than `tolerance` in some byte; 1 if the two sides differ
+/// in number.
 inline double share_apart(const Probes& a, const Probes& b, int tolerance) {
   if (a.size() != b.size() || a.empty()) return 1;
   std::size_t apart = 0;

@@ -1,5 +1,5 @@
-// Quake III's levels: "IBSP", the version, and 17 lumps as (offset, length) in bytes; numbers are
-// little-endian, of 32 bits. (assimp reads only whole archives of levels, and leaves indices
+// Quake III's levels: "IBSP", the version, and 17 lumps given as (offset, length) in bytes. Numbers
+// are little-endian, with 32 bits. (assimp reads only whole archives of levels, and leaves indices
 // uninitialised.)
 
 #include "tests/bench/quake_level.h"
@@ -34,7 +34,7 @@ struct Face {
   std::uint32_t vertex_count;
   std::uint32_t first_index;
   std::uint32_t index_count;
-  std::uint32_t lightmap[17];  // where on the lightmap, the normal, the size of a patch
+  std::uint32_t lightmap[17];  // place on the lightmap, normal, size of a patch
   std::uint32_t patch_size[2];
 };
 static_assert(sizeof(Face) == 104);
@@ -42,7 +42,7 @@ static_assert(sizeof(Face) == 104);
 enum FaceType : std::uint32_t { kPolygon = 1, kMesh = 3 };
 enum Lump : std::size_t { kVertices = 10, kIndices = 11, kFaces = 13 };
 
-/// The elements of a lump; none where it lies beyond the file.
+/// The elements of a lump; none if the lump extends beyond the file.
 template <typename T>
 std::vector<T> read_lump(std::string_view bytes, Lump lump) {
   constexpr std::size_t kDirectory = 8;
@@ -76,7 +76,7 @@ Result<QuakeLevel> read_quake_level(const std::string& file) {
     level.positions.push_back(vertex.position);
     level.texture_coordinates.push_back(vertex.texture);
   }
-  // An index counts from its face's first vertex.
+  // Indices count from the first vertex of their face.
   const auto indices = read_lump<std::uint32_t>(*bytes, kIndices);
   for (const Face& face : read_lump<Face>(*bytes, kFaces)) {
     if (face.type != kPolygon && face.type != kMesh) continue;

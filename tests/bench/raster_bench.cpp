@@ -1,5 +1,5 @@
-// raster/…: draw_fragments of the production rasterizer, one thread, two perspective attributes and
-// depth, into 1024×1024, in its modes; and the textbook methods beside it.
+// raster/…: draw_fragments of the production rasterizer on one thread, with two perspective
+// attributes and depth, into 1024×1024, in its modes; and the textbook methods for comparison.
 
 #include "tests/bench/raster_bench.h"
 
@@ -14,7 +14,7 @@
 namespace rastercheck::bench {
 namespace {
 
-/// The method that every scene is drawn by.
+/// The method that also draws every scene, for comparison.
 constexpr std::string_view kPeer = "rational-linear";
 
 rasterizer::State two_attributes() {
@@ -24,7 +24,7 @@ rasterizer::State two_attributes() {
   return state;
 }
 
-/// Draws the scene over and over; `method` empty: the production rasterizer.
+/// Draws the scene again and again. An empty `method` means the production rasterizer.
 void draw(benchmark::State& bench, const rasterizer::State& state, const Scene& scene,
           std::string_view method) {
   const rasterizer::Mesh mesh = scene.mesh();
@@ -54,7 +54,7 @@ void add(const std::string& name, const rasterizer::State& state, const Scene& s
   })->Unit(benchmark::kMillisecond);
 }
 
-/// In every mode of the production rasterizer, and by the peer.
+/// Adds a scene in every mode of the production rasterizer, and by the peer.
 void add(const std::string& name, const Scene& scene) {
   rasterizer::State state = two_attributes();
   add(name, state, scene, "");
@@ -82,7 +82,7 @@ const bool kRegistered = [] {
 void register_methods() {
   const Scene scene = random_triangles(2000, 72);
   for (const rasterizer::Method& method : rasterizer::methods()) {
-    if (method.name == kPeer) continue;  // it is beside every scene
+    if (method.name == kPeer) continue;  // drawn for every scene
     add(std::string(method.name) + "/random_72px", two_attributes(), scene, method.name);
   }
 }

@@ -2,8 +2,8 @@
 
 namespace rastercheck::bench {
 
-/// Adds the benchmarks raster/METHOD/random_72px, one for each textbook method: to be called when
-/// all have registered themselves, from main().
+/// Adds the benchmarks raster/METHOD/random_72px, one for each textbook method. Call this from
+/// main(), when all methods have registered themselves.
 void register_methods();
 
 }  // namespace rastercheck::bench

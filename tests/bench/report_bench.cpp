@@ -1,14 +1,13 @@
-// report/…: a run's reports made again from its run.json: read, each format written, and the whole
-// command as a process, with the most memory that it had.
+// report/…: a run's reports made again from its run.json: reading the file, writing each format,
+// and the whole command as a process, with the most memory that it took.
 //
-// The run is a default one of 50 cases a law, or what the environment names, as the figures of a
-// large run are taken:
+// The run is a default one with 50 cases per law, or the one that the environment names. The
+// figures for a large run are taken in this way:
 //
 //   rastercheck run --cases 22223 --output DIR
 //   RASTERCHECK_BENCH_RUN=DIR rastercheck-bench --benchmark_filter=report
 //
-// report/compare: the regression gate, a baseline of 20,000 cases held against another, as a
-// process.
+// report/compare: the regression gate as a process, comparing two baselines of 20,000 cases.
 
 #include "tests/bench/report_bench.h"
 
@@ -27,8 +26,7 @@
 namespace rastercheck::bench {
 namespace {
 
-/// The folder of the run that is reported, made when it is first asked for; empty where it cannot
-/// be.
+/// The folder of the run that is reported, made on first request; empty if it cannot be made.
 const std::string& run_folder() {
   static const TemporaryFolder temporary;
   static const std::string folder = [] {
@@ -67,7 +65,7 @@ void write(benchmark::State& bench, const reports::Format& format) {
   count_cases(bench, *run);
 }
 
-/// `rastercheck report`, from its start to its end.
+/// Runs `rastercheck report` from start to end.
 void report(benchmark::State& bench) {
   if (run_folder().empty()) return bench.SkipWithError("there is no run");
   double most_memory = 0;
@@ -81,7 +79,7 @@ void report(benchmark::State& bench) {
 }
 
 /// A section as large as that of a run of every law with 100 random cases each. Every eighth case
-/// has an error, which is `error`.
+/// has an error, whose size is `error`.
 records::BaselineSection large_section(double error) {
   constexpr std::uint64_t kLaws = 46;
   constexpr std::uint64_t kCases = 435;
@@ -117,7 +115,7 @@ records::BaselineSection large_section(double error) {
   return section;
 }
 
-/// `rastercheck compare`, from its start to its end, of two files of which every case differs.
+/// Runs `rastercheck compare` from start to end, on two files in which every case differs.
 void compare(benchmark::State& bench) {
   constexpr int kRegression = 3;
   const TemporaryFolder folder;

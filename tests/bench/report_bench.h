@@ -2,8 +2,8 @@
 
 namespace rastercheck::bench {
 
-/// Adds the benchmarks report/…, one for each format among them: to be called when all formats have
-/// registered themselves, which is once main() runs.
+/// Adds the benchmarks report/…, which include one for each format. Call this from main(), when all
+/// formats have registered themselves.
 void register_reports();
 
 }  // namespace rastercheck::bench

@@ -1,7 +1,7 @@
-// scene/BACKEND/SCENE: a whole scene drawn, without a depth test, and every fragment judged in two
-// threads, as `rastercheck run --scene` does it. Counters: fragments, the share of samples of which
-// the contract leaves nothing open, and the seconds of the drawing, with the way to the driver's
-// process and back, and of judging.
+// scene/BACKEND/SCENE: draws a whole scene without a depth test and judges every fragment in two
+// threads, as `rastercheck run --scene` does. Counters: fragments, the share of samples for which
+// the contract leaves nothing open, the seconds of drawing (with the transfers to and from the
+// driver's process), and the seconds of judging.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -24,7 +24,7 @@
 namespace rastercheck::bench {
 namespace {
 
-/// Scenes by name: those of mesh_scenes.h, and many triangles in a large target.
+/// The scenes, by name: those of mesh_scenes.h, and one with many triangles in a large target.
 constexpr std::string_view kJudgedScenes[] = {"bunny@512x512", "armadillo", "engine", "castle",
                                               "random_8px@1920x1080"};
 
@@ -41,7 +41,7 @@ cases::Case case_of(const Scene& scene, std::string name) {
   return c;
 }
 
-/// The scene of that name, made when it is asked for first.
+/// The scene with that name, made on first request.
 const Result<cases::Case>& judged_scene(std::string_view name) {
   static std::map<std::string, Result<cases::Case>, std::less<>> made;
   const auto known = made.find(name);
@@ -52,7 +52,7 @@ const Result<cases::Case>& judged_scene(std::string_view name) {
   return made.emplace(name, std::move(c)).first->second;
 }
 
-/// Draws as another backend does, and takes the time of it.
+/// Draws with another backend and measures the time.
 class TimedBackend final : public backends::Backend {
  public:
   explicit TimedBackend(backends::Backend& inner) : inner_(&inner) {}

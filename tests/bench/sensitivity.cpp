@@ -1,9 +1,10 @@
-// Measures what the judge notices of defects under each promise of a driver: docs/sensitivity.md.
+// Measures which defects the judge notices under each promise of a driver: docs/sensitivity.md.
 //
 //   rastercheck-sensitivity [FRAMES]
 //
-// draws so many frames of each kind exactly, gives each drawing each defect (properties/campaign/
-// sabotage.h), and prints of how many a contract lets the judge notice the defect.
+// draws FRAMES frames of each kind exactly, adds each defect to each drawing
+// (properties/campaign/sabotage.h), and prints in how many drawings each contract lets the judge
+// notice the defect.
 
 #include <fmt/format.h>
 
@@ -41,11 +42,11 @@ constexpr int kSubpixelBits = 8;
 
 class Frames {
  public:
-  /// Numbers from 0 to 1.
+  /// A number from 0 to 1.
   float unit() { return static_cast<float>(random_() >> 8U) * 0x1p-24F; }
   float between(float least, float most) { return least + (most - least) * unit(); }
 
-  /// An empty frame of two attributes.
+  /// An empty frame with two attributes.
   static Case empty(int size, int samples) {
     Case c;
     c.framebuffer = {size, size, samples};
@@ -55,7 +56,7 @@ class Frames {
     return c;
   }
 
-  /// A vertex at a place of the window, in pixels.
+  /// Adds a vertex at a place of the window, in pixels.
   std::uint32_t add(Case& c, float x, float y, float most_w) {
     const float w = between(1, most_w);
     const auto size = static_cast<float>(c.framebuffer.width);
@@ -66,7 +67,7 @@ class Frames {
     return static_cast<std::uint32_t>(c.positions.size() - 1);
   }
 
-  /// Triangles with legs of so many pixels.
+  /// Triangles with legs of `least` to `most` pixels.
   Case triangles(int size, int samples, float least, float most, int count, float most_w) {
     Case c = empty(size, samples);
     for (int t = 0; t < count; ++t) {
@@ -82,7 +83,7 @@ class Frames {
     return c;
   }
 
-  /// A net of 3 × 3 cells, whose inner edges two triangles share.
+  /// A net of 3 × 3 cells, in which pairs of triangles share the inner edges.
   Case net(int size, float most_w) {
     Case c = empty(size, 1);
     const float cell = static_cast<float>(size) / 3;

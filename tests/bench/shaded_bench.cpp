@@ -1,7 +1,7 @@
 // raster/draw-KIND/threads:T/SCENE and raster/llvmpipe-KIND/threads:T/width:W/SCENE: whole frames,
-// cleared and drawn through a shader, blended and tested in each of the ways of draw_kinds.h. Into
-// bytes on both sides, four channels, beside a depth of float32; -float32 after the kind: into four
-// floats. Pixels of both pictures are compared before llvmpipe's is timed.
+// cleared and drawn through a shader, then blended and tested as the kinds in draw_kinds.h say.
+// Both sides draw into four channels of bytes and float32 depth; with -float32 after the kind, into
+// four floats. Pixels of both pictures are compared before llvmpipe is timed.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ namespace {
 
 using rasterizer::ColorFormat;
 
-/// Both attributes as red and green, blue 0, and this alpha.
+/// A shader that outputs both attributes as red and green, blue 0, and this alpha.
 struct ColorShader {
   float alpha = 1;
 
@@ -54,7 +54,7 @@ rasterizer::State state_of(const DrawKind& kind, const Scene& scene) {
   return state;
 }
 
-/// What became of a frame, in one line; empty: it was drawn.
+/// Draws a frame. Returns the problem in one line; empty if the frame was drawn.
 std::string draw_frame(const DrawKind& kind, const Scene& scene, rasterizer::Picture& framebuffer,
                        unsigned threads) {
   const rasterizer::State state = state_of(kind, scene);
@@ -73,20 +73,22 @@ std::string draw_frame(const DrawKind& kind, const Scene& scene, rasterizer::Pic
                                             .discard_below = kind.discard_below});
 }
 
-/// How far llvmpipe's pixels may be from ours.
+/// The allowed difference of llvmpipe's pixels from ours.
 ExpectedProbes expectation(const DrawKind& kind) {
   ExpectedProbes expected;
-  // Either side rounds to bytes, some of llvmpipe's weights and its blending have eight bits: one
-  // more. Its level of detail is what GL allows, up to half a level from ours, and the levels of
-  // the texture are this far apart in few places, but 4/255 in enough for bilinear frames to fail.
+  // Both sides round to bytes, and llvmpipe has eight bits for some weights and for blending: 2/255
+  // together. llvmpipe's level of detail is one that GL allows, up to half a level from ours. Only
+  // in few places do the texture's levels differ enough for that to matter. But they differ by more
+  // than 4/255 in enough places for a bilinear frame to fail.
   const bool has_levels = kind.filter == cases::Filter::trilinear;
   expected.tolerance = has_levels ? 4 : 2;
-  // Pixels at edges, of triangles and of texels, where one side snaps and the other does not.
+  // These are pixels at edges of triangles and of texels, where one side snaps and the other does
+  // not.
   expected.share_apart = has_levels ? 0.03 : 0.01;
   return expected;
 }
 
-/// Of our picture; drawn when it is asked for first.
+/// The probes of our picture, drawn on first request.
 const Result<ExpectedProbes>& expected_probes(const DrawKind& kind, const std::string& name,
                                               const Scene& scene, ColorFormat format) {
   static std::map<std::tuple<std::string_view, std::string, ColorFormat>, Result<ExpectedProbes>>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What two pictures of a scene have to have in common for their times to be compared.
+// The properties that two pictures of a scene must share before their times are compared.
 
 #include <cmath>
 #include <cstddef>
@@ -9,13 +9,13 @@
 namespace rastercheck::bench {
 
 struct Summary {
-  double covered = 0;  ///< pixels nearer than the cleared depth, 1
-  double red = 0;      ///< the mean of the first attribute over these
-  double green = 0;    ///< of the second
+  double covered = 0;  ///< number of pixels nearer than the cleared depth, 1
+  double red = 0;      ///< mean of the first attribute over these pixels
+  double green = 0;    ///< mean of the second attribute
   double depth = 0;
 };
 
-/// Of depth [pixel] and colour [pixel][`channels`].
+/// Summarizes depths [pixel] and colours [pixel][`channels`].
 inline Summary summarize(std::span<const float> depth, std::span<const float> color,
                          std::size_t channels) {
   Summary sum;
@@ -30,10 +30,10 @@ inline Summary summarize(std::span<const float> depth, std::span<const float> co
   return {sum.covered, sum.red / sum.covered, sum.green / sum.covered, sum.depth / sum.covered};
 }
 
-/// Whether both come from the same scene. Rasterizers differ at edges, where one snaps vertices and
-/// the other does not, and a pixel there may show what lies behind: less than a hundredth of the
-/// pixels of any scene here, on a grid of 2^-8 pixels. A triangle's edges given to its neighbour,
-/// another depth test, or rows upside down make more.
+/// True if both pictures show the same scene. Rasterizers differ at edges if one snaps vertices and
+/// the other does not, and a pixel there may show a surface behind. This concerns less than a
+/// hundredth of the pixels of any scene here, on a grid of 2^-8 pixels. Faults concern more pixels:
+/// an edge given to the wrong triangle, another depth test, or rows upside down.
 inline bool show_the_same(const Summary& a, const Summary& b, double covered_tolerance) {
   constexpr double kTolerance = 0.01;
   return std::abs(a.covered - b.covered) <= covered_tolerance * b.covered &&

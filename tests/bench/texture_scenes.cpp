@@ -16,13 +16,13 @@ namespace {
 
 using Point = glm::dvec2;
 
-/// 0…255…0 over `period` texels, as steep up as down.
+/// A wave 0…255…0 over `period` texels, which rises and falls equally steeply.
 int wave(int texel, int period) {
   const int at = texel & (period - 1);
   return 255 * std::min(at, period - at) / (period / 2);
 }
 
-/// Numbers 0…15 that look random.
+/// A pseudorandom number 0…15.
 int grain(std::uint32_t texel, std::uint32_t channel) {
   std::uint32_t h = (4 * texel + channel) * 0x9e3779b9U;
   h = (h ^ (h >> 15)) * 0x85ebca6bU;
@@ -35,7 +35,7 @@ std::vector<std::uint8_t> make_texels() {
   for (int y = 0; y < kTextureSize; ++y) {
     for (int x = 0; x < kTextureSize; ++x) {
       const bool is_thin = ((x / 16) ^ (y / 16)) % 2 != 0;
-      // Phases that no mirroring keeps.
+      // With these phases, mirroring changes the texture.
       const int base[] = {wave(x + 200, kTextureSize), wave(y + 330, kTextureSize),
                           wave(x + 3 * y, kTextureSize / 2), is_thin ? 64 : 192};
       const auto texel = static_cast<std::uint32_t>(y * kTextureSize + x);
@@ -63,8 +63,8 @@ double area(const Point& a, const Point& b, const Point& c) {
   return std::abs(ab.x * ac.y - ab.y * ac.x) / 2;
 }
 
-/// What attributes are to be multiplied with for a texel per pixel, over all triangles before the
-/// eye, in the target or not.
+/// The factor by which to multiply the attributes to get one texel per pixel, averaged over all
+/// triangles in front of the eye, in the target or not.
 double texel_per_pixel(const Scene& scene) {
   double pixels = 0;
   double texels = 0;
@@ -90,8 +90,8 @@ Scene with_texture_coordinates(Scene scene) {
   const auto scale = static_cast<float>(texel_per_pixel(scene));
   for (float& value : scene.attributes) value *= scale;
   if (scene.positions.size() != 3 * scene.triangles.size()) return scene;
-  // Multiples of 2^-10, a texel's width, spread evenly: the fractions of multiples of 1/g and 1/g²,
-  // g³ = g + 1, in 32 bits.
+  // Places are multiples of 2^-10, the width of a texel, and are spread evenly: they are the
+  // fractions of multiples of 1/g and 1/g², where g³ = g + 1, in 32 bits.
   const auto place = [](std::uint32_t fraction) {
     return static_cast<float>(fraction >> 22) * 0x1p-10F;
   };

@@ -1,5 +1,5 @@
-// The corpus of broken case files: tests/cases/broken, one fault a file, and expected.tsv beside
-// it.
+// The corpus of broken case files: tests/cases/broken, with one fault per file, and the table
+// expected.tsv beside it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using ::testing::StartsWith;
 const std::filesystem::path kBroken =
     std::filesystem::path(RASTERCHECK_SOURCE_DIR) / "tests" / "cases" / "broken";
 
-/// A row of expected.tsv; its header says what the columns mean.
+/// A row of expected.tsv, whose header says what the columns mean.
 struct Row {
   std::string file;
   std::string place;
@@ -106,7 +106,7 @@ TEST(BrokenInputs, EachErrorNamesThePlace) {
   }
 }
 
-// Kills: an error that quotes the file's bytes as they are.
+// Kills: an error that quotes bytes of the file unescaped.
 TEST(BrokenInputs, EachErrorIsOneLineWithoutControlCharactersThatBeginsWithTheFile) {
   for (const Row& row : expected_rows()) {
     SCOPED_TRACE(row.file);

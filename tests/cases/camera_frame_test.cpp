@@ -27,12 +27,12 @@ Vector4 times(const Matrix4& m, const Vector4& v) {
   return product;
 }
 
-/// The clip position of an object position, all in double.
+/// The clip position of an object position, computed in double.
 Vector4 clip_position(const Camera& camera, const std::array<double, 3>& p) {
   return times(camera.projection, times(camera.view, times(camera.model, {p[0], p[1], p[2], 1})));
 }
 
-/// How far inside the clip volume (RULES §4), as a part of w: negative where outside.
+/// How far a position is inside the clip volume (RULES §4), relative to w; negative if outside.
 double inset(const Vector4& clip, Rules rules) {
   const double w = clip[3];
   if (!(w > 0)) return -std::numeric_limits<double>::infinity();
@@ -59,10 +59,11 @@ double inset_of(const Bounds& bounds, Rules rules, double aspect_ratio) {
   return smallest;
 }
 
-/// Window y, in [0, 1] and pointing up as displayed, of a clip position (RULES §4).
+/// Window y of a clip position, in [0, 1] and pointing up as displayed (RULES §4).
 double height_as_displayed(const Vector4& clip, Rules rules) {
   const double ndc = clip[1] / clip[3];
-  // OpenGL: NDC and window y up. Vulkan: both down. D3D: NDC up, window down, so up again.
+  // OpenGL: NDC and window y both point up. Vulkan: both point down. D3D: NDC y points up and
+  // window y down, so the displayed y is up again.
   return rules == Rules::vulkan ? (1 - ndc) / 2 : (1 + ndc) / 2;
 }
 
@@ -93,8 +94,9 @@ TEST(CameraFrame, HoweverLargeOrSmall) {
   expect_framed({{-1e-15, -1e-15, -1e-15}, {1e-15, 1e-15, 1e-15}});
 }
 
-// The directions in which the sphere around a box touches the four sides of the view cone: a box
-// with a corner there has nothing to spare but what the camera adds. Kills: no margin for rounding.
+// These are the directions in which the sphere around a box touches the four sides of the view
+// cone. A box with a corner there has no distance to the sides but the margin that the camera adds.
+// Kills: no margin for rounding.
 TEST(CameraFrame, ABoxWithACornerWhereTheSphereTouchesASideLiesInsideToo) {
   const Camera camera = frame({{-1, -1, -1}, {1, 1, 1}}, Rules::opengl, 1);
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
@@ -102,7 +104,7 @@ TEST(CameraFrame, ABoxWithACornerWhereTheSphereTouchesASideLiesInsideToo) {
       for (const double away : {0.0, 1.0, 10.0, 77.0}) {
         Bounds bounds;
         for (std::size_t i = 0; i < 3; ++i) {
-          // Rows of the view matrix are the view axes; the sides have the slope 1/2.
+          // The rows of the view matrix are the view axes, and the sides have the slope 1/2.
           const double direction =
               side * double{camera.view[4 * axis + i]} + double{camera.view[8 + i]};
           bounds.lo[i] = away - std::abs(direction);
@@ -126,7 +128,7 @@ TEST(CameraFrame, ABoxFarFromTheOriginLiesInsideToo) {
   }
 }
 
-// Kills: a camera so far away that nothing is seen.
+// Kills: a camera so far away that nothing is visible.
 TEST(CameraFrame, TheBoxFillsAGoodPartOfTheShorterSide) {
   const Bounds bounds{{-1, -1, -1}, {1, 1, 1}};
   for (const Rules rules : kAllRules) {
@@ -196,7 +198,7 @@ TEST(CameraFrame, ASinglePointGivesFiniteMatrices) {
   }
 }
 
-// Kills: a margin that holds for cubes only.
+// Kills: a margin that suffices only for cubes.
 RC_GTEST_PROP(CameraFrame, RandomBoxesLieInsideTheClipVolume, ()) {
   Bounds bounds;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -32,7 +32,8 @@ TEST(Capabilities, OfEverythingLackNothing) {
   EXPECT_TRUE(Capabilities().is_everything());
 }
 
-/// A case that is plain but for one thing, and what a backend without that says of it.
+/// Makes a plain case with one change, and returns what a backend without the feature says about
+/// it.
 template <typename Change>
 std::string without(Feature feature, const Change& change) {
   Capabilities has;
@@ -46,8 +47,8 @@ std::string without(Feature feature, const Change& change) {
   return lacked_by(has, c);
 }
 
-// Kills: a feature that is looked for in the wrong place. The rest are the plugins'
-// (library_test.cpp).
+// Kills: looking for a feature in the wrong place. The features that only plugins can lack are
+// tested in library_test.cpp.
 TEST(Capabilities, NameTheFeatureThatIsLacking) {
   EXPECT_EQ(without(Feature::viewport, [](Case& c) { c.viewport.x = 1; }),
             "viewports but the whole framebuffer");

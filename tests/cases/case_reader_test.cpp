@@ -1,4 +1,4 @@
-// What the reader accepts; what it refuses is in broken_inputs_test.cpp.
+// Tests what the reader accepts; broken_inputs_test.cpp tests what it refuses.
 
 #include "cases/case_reader.h"
 
@@ -23,7 +23,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-/// A document with the required keys alone.
+/// A document with only the required keys.
 json minimal() {
   return json::parse(R"({
     "format": "rastercheck-case", "version": 1,
@@ -41,16 +41,16 @@ Case read(const std::string& text) {
   return c.value_or(Case{});
 }
 
-/// The minimal document with one key replaced or added.
+/// Reads the minimal document with one key replaced or added.
 Case read_with(const std::string& key, const std::string& value) {
   json document = minimal();
   document[key] = json::parse(value);
   return read(document.dump());
 }
 
-/// The minimal document's case with this text for the first position.
+/// Reads the minimal document with this text as its first position.
 ClipVertex read_position(const std::string& numbers) {
-  // By text, for a document would lose how the numbers are written.
+  // Edits the text, because a document would lose how the numbers are written.
   std::string text = minimal().dump();
   const std::string before = R"({"position":[0,0,0,1]})";
   text.replace(text.find(before), before.size(), R"({"position":[)" + numbers + "]}");
@@ -73,6 +73,7 @@ TEST(CaseReader, OptionalKeysHaveTheirDefaults) {
   EXPECT_FALSE(c.depth_clear.has_value());
   EXPECT_FALSE(c.depth_clamp);
   EXPECT_FALSE(c.essential.has_value());
+  EXPECT_FALSE(c.choices.has_value());
   EXPECT_TRUE(c.attributes.empty());
   EXPECT_FALSE(c.camera.has_value());
   EXPECT_EQ(c.clip_distance_count, 0U);
@@ -130,6 +131,7 @@ TEST(CaseReader, EveryKeyOfTheStateIsReadIntoItsField) {
   EXPECT_THAT(*read_with("essential", R"(["rules", "centroid"])").essential,
               ElementsAre("rules", "centroid"));
   EXPECT_THAT(*read_with("essential", "[]").essential, IsEmpty());
+  EXPECT_EQ(read_with("choices", "18446744073709551615").choices, 18446744073709551615U);
   EXPECT_TRUE(read_with("depth_clamp", "true").depth_clamp);
   EXPECT_FALSE(read_with("depth_clamp", "false").depth_clamp);
   EXPECT_EQ(read_with("found", R"({"law": "l", "backend": "b", "verdict": "v", "seed": 1,
@@ -172,7 +174,7 @@ TEST(CaseReader, MatricesAreReadRowByRowEachIntoItsOwn) {
   EXPECT_EQ(read_with("camera", camera.dump()).camera, expected);
 }
 
-// Kills: two words swapped, in the one table that the writer uses as well.
+// Kills: swapping two words in the table of words, which the writer uses as well.
 TEST(CaseReader, EveryWordMeansWhatItSays) {
   EXPECT_EQ(read_with("rules", R"("opengl")").rules, Rules::opengl);
   EXPECT_EQ(read_with("rules", R"("vulkan")").rules, Rules::vulkan);
@@ -191,7 +193,7 @@ TEST(CaseReader, EveryWordMeansWhatItSays) {
   EXPECT_EQ(rounding("unspecified"), Rounding::unspecified);
 }
 
-// Kills: integers read as integers, which have no minus zero.
+// Kills: reading integers as integers, which have no minus zero.
 TEST(CaseReader, MinusZeroKeepsItsSignHoweverItIsWritten) {
   const ClipVertex p = read_position(R"(-0, "-0x0p0", -0.0, -0e3)");
   for (const float value : {p.x, p.y, p.z, p.w}) EXPECT_EQ(bits(value), bits(-0.0F));
@@ -242,7 +244,7 @@ TEST(CaseReader, LimitsAreInclusive) {
   read_with("coverage", R"({"subpixel_bits": 16, "position_error": 65536})");
 }
 
-// The page of the contract, its vertex three times, without comments and camera.
+// Like the example in docs/case-format.md, but with more members and with one vertex three times.
 TEST(CaseReader, TheExampleOfTheContractReads) {
   const std::string vertex = R"({"position": [0.5, "0x1.8p-2", 0, 1], "attributes": ["0x1p-3"]})";
   const Case c = read(R"({

@@ -30,7 +30,7 @@ Case read_back(const Case& c) {
   return read.value_or(Case{});
 }
 
-/// The bit patterns of all floats of a case: == does not tell -0 from 0.
+/// The bit patterns of all floats of a case, because == does not tell -0 from 0.
 std::vector<std::uint32_t> bits_of(const Case& c) {
   std::vector<std::uint32_t> bits;
   const auto add = [&bits](std::span<const float> values) {
@@ -65,7 +65,7 @@ Case one_triangle() {
   return c;
 }
 
-/// Every key at a value that is not its default.
+/// A case in which no key has its default value.
 Case every_key() {
   Case c;
   c.name = "all of it";
@@ -102,6 +102,7 @@ Case every_key() {
                   "depth",
                   "several samples"};
   c.essential = {"samples", "nonpositive_w"};
+  c.choices = 0xfedcba9876543210U;
   return c;
 }
 
@@ -113,7 +114,7 @@ TEST(CaseWriter, ReadBackGivesTheSameCaseWithEveryKeyAtItsDefault) {
   expect_read_back_the_same(one_triangle());
 }
 
-// Kills: leaving out a key at the default of other rules.
+// Kills: leaving out a key that has the default value of other rules.
 TEST(CaseWriter, DefaultsThatDependOnTheRulesSurviveUnderAllRules) {
   for (const Rules rules : {Rules::opengl, Rules::vulkan, Rules::d3d}) {
     for (const Basis basis : {Basis::ideal, Basis::snapped, Basis::unspecified}) {
@@ -142,7 +143,7 @@ TEST(CaseWriter, ExtremeFloatsSurvive) {
   expect_read_back_the_same(c);
 }
 
-// Kills: comparing a float with zero to see whether it has its default.
+// Kills: comparing a float with zero to find out whether it has its default value.
 TEST(CaseWriter, APositionErrorOfMinusZeroKeepsItsSign) {
   Case c = one_triangle();
   c.coverage = Snapping{8, Rounding::nearest_even, -0.0F};
@@ -187,18 +188,19 @@ TEST(CaseWriter, FloatsAreHexAndVerticesOnLinesOfTheirOwn) {
 
 TEST(CaseWriter, OptionalKeysThatAreNotSetAreLeftOut) {
   const std::string text = to_json(one_triangle());
-  for (const char* key : {"\"basis\"", "\"fill_rule\"", "\"scissor\"", "\"depth_test\"",
-                          "\"depth_clamp\"", "\"depth_clear\"", "\"essential\"", "\"attributes\"",
-                          "\"camera\"", "\"clip_distances\"", "\"found\"", "\"position_error\""}) {
+  for (const char* key :
+       {"\"basis\"", "\"fill_rule\"", "\"scissor\"", "\"depth_test\"", "\"depth_clamp\"",
+        "\"depth_clear\"", "\"essential\"", "\"choices\"", "\"attributes\"", "\"camera\"",
+        "\"clip_distances\"", "\"found\"", "\"position_error\""}) {
     EXPECT_THAT(text, Not(HasSubstr(key)));
   }
 }
 
-/// Finite floats with each bit as likely to be set as not.
+/// Finite floats in which each bit is as likely to be set as not.
 rc::Gen<float> any_float() {
   return rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()),
                       [](std::uint32_t pattern) {
-                        // An exponent of all ones is NaN or infinity: clear one of its bits.
+                        // An exponent of all ones means NaN or infinity: clear one of its bits.
                         if ((pattern & 0x7f800000U) == 0x7f800000U) pattern &= ~0x00800000U;
                         return std::bit_cast<float>(pattern);
                       });
@@ -214,7 +216,7 @@ Viewport random_viewport() {
   viewport.y = *any_float();
   viewport.width = static_cast<float>(*rc::gen::inRange(-kMaxSize, kMaxSize + 1));
   viewport.height = static_cast<float>(*rc::gen::inRange(-(1 << 23), 1 << 23)) * 0x1p-10F;
-  // Both halves apart, so that every rule takes the range.
+  // The ends lie in separate halves of 0…1, so that the rules of every API accept the depth range.
   viewport.min_depth = static_cast<float>(*rc::gen::inRange(0, 1 << 23)) * 0x1p-24F;
   viewport.max_depth = 1 - static_cast<float>(*rc::gen::inRange(0, 1 << 23)) * 0x1p-24F;
   return viewport;

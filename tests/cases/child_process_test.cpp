@@ -39,7 +39,8 @@ TEST(ChildProcess, IsFoundOnPathByItsName) {
             "rastercheck-no-such-program: cannot be started: No such file or directory");
 }
 
-// Kills: a signal that leaves no choice; one that only the first of the group gets.
+// Kills: a signal that the process cannot handle; a signal that only the first process of the group
+// gets.
 TEST(ChildProcess, MayEndInItsOwnWayWithAllThatItStarted) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);
@@ -73,7 +74,7 @@ TEST(ChildProcess, IsWaitedForAsLongAsItIsTold) {
 
 using ChildProcessDeathTest = testing::Test;
 
-// Kills: a machine's own limit on memory taken for a failure.
+// Kills: treating the machine's own limit on memory as a failure.
 TEST(ChildProcessDeathTest, KeepsALowerLimitThatThereIs) {
   const auto limited_again = [] {
     rlimit limit{600, 600};
@@ -87,7 +88,8 @@ TEST(ChildProcessDeathTest, KeepsALowerLimitThatThereIs) {
   EXPECT_EXIT(limited_again(), testing::ExitedWithCode(0), "");
 }
 
-// Kills: a limit that limits nothing. It is of whole seconds: up to two pass.
+// Kills: a limit without effect. The limit is in whole seconds, so the process may run for up to
+// two.
 TEST(ChildProcessDeathTest, HasNoMoreProcessorTimeThanItIsGiven) {
   EXPECT_EXIT(
       {

@@ -15,8 +15,8 @@
 namespace rastercheck::cases::confinement_test {
 namespace {
 
-/// Exits with 0 where the process, confined, can do all that it should and nothing that it should
-/// not; else with the number of what is wrong.
+/// Exits with 0 if the confined process can do everything that it should and nothing that it should
+/// not; otherwise exits with the number of the fault.
 [[noreturn]] void try_all(const std::string& folder) {
   const Result<Confinement> confined = confine_this_process();
   if (!confined) ::_exit(1);

@@ -23,7 +23,7 @@ std::string refusal(const std::string& members) {
   return terms ? "" : to_string(terms.error());
 }
 
-/// Every term, none of which a contract has by default.
+/// Terms with every member set, each to a value that no contract has by default.
 ContractTerms all_terms() {
   ContractTerms terms;
   terms.name = "measured \"so\"";
@@ -58,7 +58,7 @@ TEST(ContractJson, ComesBackAsItWasWritten) {
   EXPECT_EQ(*again, terms);
 }
 
-// Kills: a digest of the file, or of a part of it.
+// Kills: a digest of the file's text, or of only some terms.
 TEST(ContractDigest, IsOfTheTermsAlone) {
   const ContractTerms terms = all_terms();
   ContractTerms other = terms;
@@ -92,7 +92,7 @@ TEST(ContractJson, ExactIsNoGrid) {
   EXPECT_EQ(terms->coverage, CoverageTerm(Coverage()));
 }
 
-// Kills: a grid that is asked for, rounded as the case says instead of as the file does.
+// Kills: a grid that the case asks for, rounded as the case says instead of as the file says.
 TEST(ContractJson, HasGridsOfTheCaseRoundedInOneWay) {
   ContractTerms terms;
   terms.coverage = AskedGrid{Rounding::unspecified, 0.25F};
@@ -123,7 +123,7 @@ TEST(ContractJson, RefusesWhatNoContractHas) {
   EXPECT_EQ(to_string(later.error()), "c.json: /version: version must be 1");
 }
 
-// Kills: a term that is read and then forgotten.
+// Kills: a term that is read and then ignored.
 TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   const Contract held = with_terms(Contract(), all_terms(), Case());
   Contract expected;

@@ -21,7 +21,7 @@ TEST(MagnitudeRange, HasItsEndsOfEitherSignAndZero) {
   EXPECT_TRUE(MagnitudeRange().has(-0x1.fffffep127F));
 }
 
-/// Of a case whose numbers are all 1, one of which becomes 4.
+/// Tests promises for a case whose numbers are all 1, except one that becomes 4.
 class PromisesTest : public testing::Test {
  protected:
   PromisesTest() {

@@ -11,7 +11,7 @@ TEST(ErrorText, LeavesOutWhatIsEmpty) {
   EXPECT_EQ(to_string(Error{"", "", "c"}), "c");
 }
 
-// Kills: leaving as they are the parts of an error that quote what came from outside.
+// Kills: leaving the parts of an error unescaped that quote text from outside.
 TEST(ErrorText, IsOneLineWhateverItQuotes) {
   EXPECT_EQ(to_string(Error{"a\nb", "/c\x1b", "d\r\xc2\x85"}), "a\\nb: /c\\u001b: d\\r\\u0085");
 }

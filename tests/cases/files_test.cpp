@@ -21,7 +21,7 @@ TEST(ReadText, AnEmptyFileIsAnEmptyText) {
   EXPECT_EQ(read_text(folder.put("empty", "")).value_or("?"), "");
 }
 
-// Kills: a program that fills the memory with what has no end.
+// Kills: filling the memory with a file that has no end.
 TEST(ReadText, RefusesWhatHasNoEnd) {
   const Result<std::string> text = read_text("/dev/zero", 100000);
   ASSERT_FALSE(text.has_value());
@@ -41,7 +41,7 @@ TEST(WriteFile, PutsTheBytesInPlaceOfWhatWasThere) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"file"});
 }
 
-// Kills: writing over the file itself; leaving behind what was begun.
+// Kills: writing over the file itself; leaving an unfinished file behind.
 TEST(WriteFile, ThatFailsLeavesWhatWasThere) {
   const TemporaryFolder folder;
   folder.put("taken/file", "kept");

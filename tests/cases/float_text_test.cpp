@@ -22,7 +22,7 @@ constexpr float kLeastNormal = std::numeric_limits<float>::min();
 
 std::string zeros(std::size_t count) { return std::string(count, '0'); }
 
-/// The bits of the float that a text names; nothing where it names none.
+/// The bits of the float that a text names; empty if it names none.
 std::optional<std::uint32_t> bits_of(std::string_view text) {
   const std::optional<float> value = float_from_hex(text);
   if (!value) return std::nullopt;
@@ -31,7 +31,7 @@ std::optional<std::uint32_t> bits_of(std::string_view text) {
 
 std::optional<std::uint32_t> bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-/// Refused for its value, not for its form.
+/// Expects that a text is refused for its value and not for its form.
 void expect_no_float(const std::string& text) {
   SCOPED_TRACE(text.substr(0, 80));
   EXPECT_TRUE(is_hex_float(text));
@@ -70,7 +70,7 @@ TEST(FloatFromHex, TwentyFourBitsFitAndTwentyFiveDoNot) {
   expect_no_float("-0x1.000001p-100");
 }
 
-// Seven hex digits hold up to 28 bits, 24 of which may lie anywhere in them.
+// Seven hex digits hold up to 28 bits, and the 24 bits that count may lie anywhere among these.
 TEST(FloatFromHex, TheBitsThatCountNeedNotBeginADigit) {
   EXPECT_EQ(bits_of("0x1.fffffep3"), bits_of("0xf.fffffp0"));
   EXPECT_EQ(bits_of("0x7.fffff8p0"), bits_of("0x1.fffffep2"));
@@ -115,7 +115,7 @@ TEST(FloatFromHex, ZerosThatCarryNoBitsAreFreeHoweverMany) {
   EXPECT_EQ(bits_of("0x1p-" + zeros(300) + "3"), bits(0.125F));
 }
 
-// Kills: reading by way of a double, which rounds both to 1.
+// Kills: reading through a double, which rounds both numbers to 1.
 TEST(FloatFromHex, ABitFarBehindIsNotRoundedAway) {
   expect_no_float("0x1.000000000000000000000000000001p0");
   expect_no_float("0x1." + zeros(300) + "1p0");
@@ -205,7 +205,7 @@ TEST(ExactFloat, RefusesWhatIsNotFinite) {
   EXPECT_EQ(exact_float(std::numeric_limits<double>::quiet_NaN()), std::nullopt);
 }
 
-// Files in git hold these texts.
+// Files in git contain these texts, so they must not change.
 TEST(ToHex, IsTheShortestNormalizedText) {
   EXPECT_EQ(to_hex(0.0F), "0x0p+0");
   EXPECT_EQ(to_hex(-0.0F), "-0x0p+0");
@@ -216,17 +216,17 @@ TEST(ToHex, IsTheShortestNormalizedText) {
   EXPECT_EQ(to_hex(std::nextafter(kLeastNormal, 0.0F)), "0x1.fffffcp-127");
 }
 
-/// Every float that is finite, with each bit as likely to be set as not.
+/// Finite floats in which each bit is as likely to be set as not.
 rc::Gen<float> any_finite_float() {
   return rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()),
                       [](std::uint32_t pattern) {
-                        // An exponent of all ones is NaN or infinity: clear one of its bits.
+                        // An exponent of all ones means NaN or infinity: clear one of its bits.
                         if ((pattern & 0x7f800000U) == 0x7f800000U) pattern &= ~0x00800000U;
                         return std::bit_cast<float>(pattern);
                       });
 }
 
-// Kills: a digit too few, a lost sign of zero, subnormals flushed.
+// Kills: a digit too few; losing the sign of zero; flushing subnormal numbers.
 RC_GTEST_PROP(ToHex, ReadBackGivesTheSameBits, ()) {
   const float value = *any_finite_float();
   RC_ASSERT(bits_of(to_hex(value)) == bits(value));

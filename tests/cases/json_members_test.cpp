@@ -105,7 +105,7 @@ std::string refusal(const char* pointer, const json& value) {
   return read ? "was read" : to_string(read.error());
 }
 
-// Kills: a document whose members come in another order than their list has.
+// Kills: writing members in another order than that of the list of members.
 TEST(JsonDocument, HasALineForEachMemberAndElement) { EXPECT_EQ(document_of(Box()), kDocument); }
 
 TEST(JsonMembers, ComeBackAsTheyWere) {

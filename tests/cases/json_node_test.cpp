@@ -18,13 +18,13 @@ namespace {
 
 using nlohmann::json;
 
-/// A document and the error of reading it.
+/// A document, and the error of reading it.
 class Document {
  public:
   explicit Document(std::string_view text) : document_(parse_json(text, "f.json").value()) {}
 
   JsonNode root() { return {document_, "", error_, file_}; }
-  /// "place: reason", empty as long as all was well.
+  /// "place: reason"; empty as long as there is no error.
   std::string error() const { return error_ ? error_->place + ": " + error_->reason : ""; }
 
  private:
@@ -33,7 +33,7 @@ class Document {
   std::string file_ = "f.json";
 };
 
-/// The error of reading a text in some way.
+/// The error of reading a text with `read`.
 template <typename Read>
 std::string error_of(std::string_view text, const Read& read) {
   Document document(text);
@@ -41,7 +41,7 @@ std::string error_of(std::string_view text, const Read& read) {
   return document.error();
 }
 
-// Kills: the last error taken for the first.
+// Kills: keeping the last error instead of the first.
 TEST(JsonNode, KeepsTheFirstError) {
   Document document(R"({"a": 1, "b": 2})");
   document.root()["b"].refuse("one");
@@ -123,7 +123,7 @@ TEST(JsonNode, IntegersMayBeIntegralFloats) {
             "/: out of range: must be an integer from 0 to 18446744073709551615");
 }
 
-// Kills: counts through doubles.
+// Kills: converting counts to doubles.
 TEST(JsonNode, CountsAreWrittenAsIntegers) {
   Document document("[18446744073709551615, 7]");
   EXPECT_EQ(document.root().elements()[0].count(), std::numeric_limits<std::uint64_t>::max());
@@ -161,7 +161,7 @@ TEST(JsonNode, FloatsAreExact) {
             "/: must be a string");
 }
 
-// Kills: an integer rounded on the way to a double.
+// Kills: an integer rounded in the conversion to a double.
 TEST(JsonNode, DoublesAreExactAndMayBeInfinite) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Document document(R"([0.1, "inf", "-inf", 9007199254740991, -3])");

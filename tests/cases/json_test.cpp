@@ -24,7 +24,7 @@ json parsed(std::string_view text) {
   return document.value_or(json());
 }
 
-/// The error of a text that is refused, whose file is checked here.
+/// The error of a text that must be refused. Also checks the error's file.
 Error refused(std::string_view text) {
   const Result<json> document = parse_json(text, "file.json");
   EXPECT_FALSE(document.has_value()) << text;
@@ -51,7 +51,7 @@ TEST(ParseJson, ADuplicateKeyIsRefusedAtItsPointer) {
   EXPECT_EQ(refused(R"({"~/": 1, "~/": 1})").place, "/~0~1");
 }
 
-// Kills: comparing keys before their escapes are undone.
+// Kills: comparing keys before their escapes are decoded.
 TEST(ParseJson, ADuplicateKeyIsOneHoweverItIsEscaped) {
   EXPECT_EQ(refused(R"({"x": 1, "\u0078": 2})").place, "/x");
 }
@@ -98,7 +98,7 @@ TEST(ParseJson, SiblingsDoNotAddToTheDepth) {
   EXPECT_TRUE(parse_json("[" + deep + "," + deep + "," + deep + "]", "f").has_value());
 }
 
-// Kills: recursion in the parser or in the destructor of what it built.
+// Kills: recursion in the parser, or in the destructor of what the parser built.
 TEST(ParseJson, AMillionLevelsAreRefusedLikeSeventeen) {
   EXPECT_THAT(refused(std::string(1'000'000, '[')).reason, HasSubstr("nested deeper than 16"));
 }
@@ -166,7 +166,7 @@ TEST(ChildPointer, StaysOnOneLine) {
   EXPECT_EQ(child_pointer("", "\x1b[31m"), "/\\u001b[31m");
 }
 
-// Kills: leaving out DEL, the one control character above 0x1f that is a single byte.
+// Kills: leaving DEL unescaped, the only single-byte control character above 0x1f.
 TEST(ChildPointer, HoldsNoDeleteCharacter) {
   EXPECT_THAT(child_pointer("", "\x7f"), ::testing::Not(HasSubstr("\x7f")));
 }
@@ -186,7 +186,7 @@ TEST(Printable, HoldsNoDeleteCharacter) {
   EXPECT_THAT(printable("\x7f"), ::testing::Not(HasSubstr("\x7f")));
 }
 
-// Kills: escaping ASCII's control characters only. U+009B is the start of a terminal's command.
+// Kills: escaping only ASCII's control characters. U+009B starts a terminal command.
 TEST(OneLine, HoldsNoControlCharacterOfTwoBytes) {
   EXPECT_EQ(one_line("a\xc2\x9b"
                      "31m"),

@@ -1,4 +1,4 @@
-// Readers of meshes that go wrong are played by the shell.
+// Shell scripts play mesh readers that fail.
 
 #include "cases/mesh_process.h"
 
@@ -33,7 +33,7 @@ Mesh textured_quad() {
   return mesh;
 }
 
-/// The error of what a shell's script answers.
+/// The error for the answer of a shell script.
 std::string refusal(const std::string& script) {
   const Result<Mesh> mesh = mesh_of_process({"/bin/sh", "-c", script}, "a.glb", kLimits);
   return mesh ? "read" : to_string(mesh.error());
@@ -72,7 +72,7 @@ TEST(MeshReply, IsRefusedWhereItIsNone) {
   }
 }
 
-// Kills: believing a process that has read a broken file.
+// Kills: trusting a process that has read a broken file.
 TEST(MeshReply, IsRefusedWithAnIndexOutOfRange) {
   Mesh mesh = triangle();
   mesh.triangles[0][2] = 3;
@@ -114,7 +114,7 @@ TEST(MeshProcess, ThatTakesTooLongIsEnded) {
             "a.glb: the mesh reader took longer than 7 s");
 }
 
-// Kills: keeping whatever a process has to say, until there is no memory left.
+// Kills: keeping everything that a process writes, until no memory is left.
 TEST(MeshProcess, ThatNeverEndsToTalkIsEnded) {
   EXPECT_EQ(refusal("while :; do echo nonsense; done"),
             "a.glb: the mesh reader says more than any mesh has");

@@ -1,4 +1,4 @@
-// Meshes are written by the tests themselves, as small as each format allows.
+// The tests write their meshes themselves, each as small as its format allows.
 
 #include "cases/mesh.h"
 
@@ -36,7 +36,7 @@ Case read(const std::string& name, const std::string& content, const MeshOptions
   return c.value_or(Case{});
 }
 
-/// The reason for which a mesh is refused; that the error is one line is checked here.
+/// The reason for which a mesh is refused. Also checks that the error is one line.
 std::string refusal(const std::string& name, const std::string& content) {
   const TemporaryFolder folder;
   const std::string file = folder.put(name, content);
@@ -53,7 +53,7 @@ std::string refusal(const std::string& name, const std::string& content) {
   return c.error().reason;
 }
 
-/// Object positions of the corners of every triangle, in the order of the file.
+/// The object positions of the corners of every triangle, in the order of the file.
 std::vector<ClipVertex> corners(const Case& c) {
   std::vector<ClipVertex> positions;
   for (const Triangle& triangle : c.triangles) {
@@ -62,7 +62,7 @@ std::vector<ClipVertex> corners(const Case& c) {
   return positions;
 }
 
-/// Whether every vertex lies strictly inside the clip volume (RULES §4), computed in double.
+/// True if every vertex lies strictly inside the clip volume (RULES §4), computed in double.
 bool is_framed(const Case& c) {
   const auto times = [](const Matrix4& m, const std::array<double, 4>& v) {
     std::array<double, 4> product{};
@@ -91,7 +91,7 @@ std::string ply(const std::string& vertices, const std::string& face) {
          vertices + face;
 }
 
-/// The bytes of a value as little-endian files have them.
+/// The bytes of a value as stored in little-endian files.
 template <typename Value>
 std::string bytes(Value value) {
   static_assert(std::endian::native == std::endian::little);
@@ -115,7 +115,7 @@ std::string base64(const std::string& data) {
   return text;
 }
 
-/// glTF 2.0: one triangle in a node that is moved by (10, 20, 30).
+/// A glTF 2.0 file: one triangle in a node that is moved by (10, 20, 30).
 std::string gltf(const std::array<float, 9>& coordinates, std::uint16_t last_index) {
   std::string buffer;
   for (const float coordinate : coordinates) buffer += bytes(coordinate);
@@ -138,7 +138,7 @@ std::string chunk(std::uint16_t id, const std::string& content) {
   return bytes(id) + bytes(static_cast<std::uint32_t>(content.size() + 6)) + content;
 }
 
-/// 3DS: a main chunk, the editor's, an object "o", its mesh of one triangle.
+/// A 3DS file: a main chunk, the editor's chunk, an object "o", and its mesh of one triangle.
 std::string three_ds(const std::array<float, 9>& coordinates) {
   std::string vertices = bytes(std::uint16_t{3});
   for (const float coordinate : coordinates) vertices += bytes(coordinate);
@@ -204,14 +204,14 @@ TEST(Mesh, GltfNodesMoveTheirVertices) {
   EXPECT_TRUE(is_framed(c));
 }
 
-// 3DS has z up; assimp turns it, (x, y, z) to (x, z, -y), by the root node's transform.
+// In 3DS, z points up. assimp turns it by the root node's transform, from (x, y, z) to (x, z, -y).
 TEST(Mesh, ThreeDsIsReadWithItsUpTurnedToY) {
   const Case c = read("a.3ds", three_ds({0, 0, 0, 2, 0, 0, 0, 4, 1}));
   EXPECT_THAT(corners(c),
               ElementsAre(ClipVertex{0, 0, 0, 1}, ClipVertex{2, 0, 0, 1}, ClipVertex{0, 1, -4, 1}));
 }
 
-// Kills: joining vertices that are nearer than some epsilon instead of identical ones.
+// Kills: joining vertices that are nearer than some epsilon, instead of only identical ones.
 TEST(Mesh, VerticesThatDifferInTheLastBitStayApart) {
   const Case tiny = read("tiny.obj", "v 0 0 0\nv 1e-6 0 0\nv 0 1e-6 0\nf 1 2 3\n");
   EXPECT_THAT(tiny.positions, SizeIs(3));
@@ -235,7 +235,7 @@ TEST(Mesh, TextureCoordinatesOfSomeVerticesOnlyAreNotUsed) {
               ElementsAre(Attribute{"x"}, Attribute{"y"}));
 }
 
-// Kills: objects gathered by what their vertices hold.
+// Kills: grouping objects by the kinds of data that their vertices have.
 TEST(Mesh, TrianglesComeInTheOrderOfTheFile) {
   EXPECT_THAT(corners(read("order.obj", kOneOfTwoObjectsTextured)),
               ElementsAre(ClipVertex{0, 0, 0, 1}, ClipVertex{1, 0, 0, 1}, ClipVertex{0, 1, 0, 1},
@@ -266,7 +266,7 @@ TEST(Mesh, AFileWithoutTrianglesIsRefused) {
   EXPECT_EQ(refusal("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "holds no triangle");
 }
 
-// Kills: an importer's message, which quotes the file, passed on as it is.
+// Kills: passing on an importer's message, which quotes the file, unescaped.
 TEST(Mesh, WhatAMessageQuotesStaysOnOneLine) {
   refusal("quote.gltf",
           R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
@@ -286,7 +286,8 @@ TEST(Mesh, ACoordinateThatIsNotFiniteIsRefused) {
   refusal("nan.3ds", three_ds({0, 0, 0, 1, 0, nan, 0, 1, 0}));
 }
 
-// Kills: joining a vertex with NaN, which no distance is above, with the one before it.
+// Kills: joining a vertex that has NaN with the one before it, because its distance is not above
+// the limit.
 TEST(Mesh, ACoordinateThatIsNotFiniteIsRefusedInPlyToo) {
   refusal("nan.ply", ply("0 0 0\n1 nan 0\n0 1 0\n", "3 0 1 2\n"));
 }

@@ -1,4 +1,4 @@
-// The standard sample positions are data: this is RULES §4, copied once more and by hand.
+// The standard sample positions are data. This test copies RULES §4 once more, by hand.
 
 #include "cases/sample_pattern.h"
 
@@ -60,8 +60,8 @@ TEST(SamplePattern, HasAsManyPositionsAsSamplesAllDifferentAndInThePixel) {
   }
 }
 
-// From two samples on, no two share a row or a column: what makes near-vertical and near-horizontal
-// edges smooth, and what a mistyped number breaks.
+// From two samples on, no two samples share a row or a column. This makes near-vertical and
+// near-horizontal edges smooth, and a mistyped number breaks it.
 TEST(SamplePattern, NoTwoSamplesShareARowOrAColumn) {
   for (const int samples : kCounts) {
     SCOPED_TRACE(samples);

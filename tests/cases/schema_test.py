@@ -233,6 +233,7 @@ FULL_CASE = {
     "depth_clear": 0.5,
     "depth_clamp": True,
     "essential": ["rules", "centroid"],
+    "choices": 18446744073709551615,
     "attributes": [
         {"name": "u", "interpolation": "noperspective", "location": "center"},
         {"name": "v", "interpolation": "flat", "location": "centroid"},

@@ -21,8 +21,8 @@ using testing::StartsWith;
 
 constexpr const char* kLaw = "values-stay-within-the-bound";
 
-/// A method as it is, saved as the baseline of "mine", and the same in float32, in the folder
-/// "float".
+/// A method's run, saved as the baseline of "mine", and in the folder "float" the run of the same
+/// method in float32.
 class Compare : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -51,7 +51,7 @@ class Compare : public testing::Test {
                     "--corpus", path("corpus"), "--keep-cases", "--output", path(output),
                     "--quiet"});
   }
-  /// A copy of the baseline, of which a test may approve.
+  /// A copy of the baseline, which a test may change by approving something.
   static std::string copy(const std::string& name) {
     return folder()->put(name, folder()->content("baseline.json"));
   }
@@ -84,7 +84,7 @@ TEST_F(Compare, OfAWorseOneNamesCasesToReplayAndExplain) {
   };
   EXPECT_GT(size(growth["after"]["error"]), size(growth["before"]["error"]));
   const std::string file = path("out/" + growth["file"].get<std::string>());
-  // It is the case itself, held by its law still, and drawn as the comparison says.
+  // The file holds the case itself; its law still holds, and it is drawn as the comparison says.
   const Outcome replayed = program({"replay", file, "--quiet"});
   EXPECT_EQ(replayed.code, 0) << replayed;
   EXPECT_THAT(replayed.out, HasSubstr(std::string(kLaw) + ", method:rational-linear-float: held"));
@@ -102,7 +102,7 @@ TEST_F(Compare, PrintsJson) {
   EXPECT_EQ(json::parse(outcome.out)["format"], "rastercheck-comparison");
 }
 
-// Kills: a baseline lost to the comparison with it, or to the run that is held against it.
+// Kills: overwriting a baseline with the comparison, or with the run that is compared with it.
 TEST_F(Compare, WritesOverNothingItReads) {
   const std::string baseline = copy("own/compare.json");
   const Outcome compared = program({"compare", baseline, path("double"), "--output", path("own")});
@@ -181,7 +181,7 @@ TEST_F(Compare, ApprovesWithAReason) {
   EXPECT_THAT(outcome.out, HasSubstr(": smooth: worst 0."));
   EXPECT_EQ(program({"compare", file, path("float"), "--as", "mine"}).code, 0);
   EXPECT_THAT(approve("again").out, HasSubstr("there is nothing to approve"));
-  // Saving anew keeps what was approved.
+  // Saving again keeps the approvals.
   ASSERT_EQ(program({"baseline", "save", path("double"), "--as", "mine", "--output", file}).code,
             0);
   EXPECT_THAT(folder()->content("approved.json"), HasSubstr("\n{\"reason\":\"half the time\","));
@@ -193,7 +193,7 @@ TEST_F(Compare, SavesAsSpecificallyAsAsked) {
   const Outcome saved = program({"baseline", "save", path("float"), "--as", "mine", "--output",
                                  file, "--instruction-set", "--compiler"});
   EXPECT_EQ(saved.code, 0) << saved;
-  // Of this machine and compiler the float32 one counts now; the other section is there still.
+  // For this machine and compiler the float32 section counts now; the other section is kept.
   EXPECT_EQ(program({"compare", file, path("float"), "--as", "mine"}).code, 0);
   EXPECT_EQ(program({"compare", file, path("double"), "--as", "mine"}).code, 0);
   const json sections = json::parse(folder()->content("specific.json"))["sections"];
@@ -202,7 +202,7 @@ TEST_F(Compare, SavesAsSpecificallyAsAsked) {
   EXPECT_TRUE(sections[1].contains("compiler"));
 }
 
-// Kills: a file that is none of ours written over.
+// Kills: overwriting a file that RasterCheck did not write.
 TEST_F(Compare, SavesOverNothingButABaseline) {
   folder()->put("notes.json", "{}");
   EXPECT_TRUE(
@@ -218,7 +218,7 @@ TEST_F(Compare, SavesOverNothingButABaseline) {
   EXPECT_THAT(outcome.err, HasSubstr("--keep-cases"));
 }
 
-// Kills: a file whose name is "-"; words among the baseline.
+// Kills: a file whose name is "-"; messages mixed into the baseline.
 TEST_F(Compare, PrintsABaselineForADash) {
   const Outcome outcome = run_shell(
       "cd " + folder()->path() +
@@ -284,7 +284,7 @@ TEST_F(Compare, KnowsAContractByWhatItSays) {
   EXPECT_TRUE(is_failure(compared, 2)) << compared;
   EXPECT_THAT(compared.err, HasSubstr("the contract is " + file + " in the baseline and " + file +
                                       " now, and its terms differ: "));
-  // Of a run it is said before the work.
+  // A run says so before its work begins.
   std::filesystem::remove_all(path("held-again"));
   const Outcome refused = with(again);
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
@@ -293,7 +293,8 @@ TEST_F(Compare, KnowsAContractByWhatItSays) {
   EXPECT_FALSE(std::filesystem::exists(path("held-again")));
 }
 
-// Kills: minutes of work before a policy that cannot be read; a policy that nothing is held by.
+// Kills: minutes of work before an unreadable policy is reported; a policy without a baseline,
+// accepted and never applied.
 TEST_F(Compare, OfARunReadsThePolicyBeforeTheWork) {
   ASSERT_EQ(program({"baseline", "save", path("double"), "--output", path("p.json")}).code, 0);
   const std::string policy = folder()->put("broken-policy.json", "{");

@@ -20,7 +20,8 @@ using testing::Not;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
-/// What bash offers behind `line`, of which the words are as bash has cut them, at ':' and '=' too.
+/// Returns what bash offers to complete `line`. `words` are the words as bash splits them, which it
+/// does at ':' and '=' too.
 std::vector<std::string> completions(const std::string& line, const std::vector<std::string>& words,
                                      const std::string& folder = ".") {
   std::string quoted;
@@ -40,7 +41,7 @@ _rastercheck "$0"; printf "%s\n" "${{COMPREPLY[@]}}"' "$PROGRAM" "{}"{})",
   return all;
 }
 
-/// The same where bash has nothing to cut but spaces.
+/// Like above, for lines that bash splits only at spaces.
 std::vector<std::string> completions(const std::vector<std::string>& words,
                                      const std::string& folder = ".") {
   return completions(joined(words), words, folder);
@@ -92,7 +93,7 @@ TEST(Completion, OffersThePropertiesByTheirIds) {
               ElementsAre("values-stay-within-the-bound"));
 }
 
-// Kills: what stands before a ':' once more.
+// Kills: completions that repeat the text before the ':'.
 TEST(Completion, OffersBackendsBehindTheColon) {
   EXPECT_THAT(completions({"probe", "c"}), Contains("cpu:output=framebuffer"));
   EXPECT_THAT(completions("run --backend method:q-", {"run", "--backend", "method", ":", "q-"}),

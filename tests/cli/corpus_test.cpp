@@ -50,7 +50,7 @@ TEST_F(Corpus, TakesAWordAndASentence) {
             "The last corner is lost");
 }
 
-// Kills: a case of the corpus silently replaced, or a file written anywhere else.
+// Kills: a case of the corpus replaced without a message; a file written anywhere else.
 TEST_F(Corpus, LosesNothing) {
   const std::string file = folder_.put("first.json", square_case(kFound));
   const std::string before = folder_.content("corpus/first.json");

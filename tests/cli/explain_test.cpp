@@ -27,12 +27,12 @@ Outcome explain(const std::vector<std::string>& more, const std::string& input =
 
 std::string corpus_case(const std::string& name) { return source_file("cases/corpus/" + name); }
 
-/// What is approved of a case of the corpus.
+/// The approved explanation of a case of the corpus.
 std::string approved_file(const std::string& name) {
   return source_file("tests/cli/approved/explain-" + name + ".txt");
 }
 
-// To be checked by hand: their names say what is drawn.
+// The approved files can be checked by hand: the names of the cases say what is drawn.
 TEST(Explain, IsAsApproved) {
   for (const auto& [name, pixel] :
        {std::pair("through-samples", "5,3"), std::pair("attribute-zero-in-perspective", "3,2")}) {
@@ -50,7 +50,7 @@ std::string content_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Kills: a page that shows what is printed no more.
+// Kills: a page of the documentation whose example differs from what is printed.
 TEST(Explain, IsAsItsPageShows) {
   const Outcome outcome =
       explain({corpus_case("snapped-8.json"), "--pixel", "3,2", "--attribute", "u"});
@@ -74,7 +74,7 @@ TEST(Explain, PrintsTheInspectionAsJson) {
   EXPECT_EQ(document.at("samples").size(), 64U);
 }
 
-// Kills: a sample that is right where another is wrong.
+// Kills: explaining a sample that is right although another one is wrong.
 TEST(Explain, FindsTheWorstSampleOfAPixelAndOfACase) {
   const Outcome worst =
       run_damaged_program({"explain", "--backend", "damaged", "-"}, square_case());
@@ -125,7 +125,7 @@ TEST(Explain, RefusesWhatIsNotThereInOneLine) {
   EXPECT_EQ(damaged("damaged:refuses").err, "rastercheck: -: out of memory\n");
 }
 
-// As for `render`: what is drawn are its clip positions.
+// As for `render`: the backend draws clip positions, which have to fit float32.
 TEST(Explain, RefusesACameraBeyondFloat32) {
   const std::string camera =
       R"("camera": {"model": ["0x1p+127",0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1],

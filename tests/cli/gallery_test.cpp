@@ -56,7 +56,7 @@ TEST(Gallery, RefusesAFolderThatCannotBeMade) {
   EXPECT_THAT(outcome.err, HasSubstr(folder.path("file/out") + ": cannot be made: "));
 }
 
-// Kills: pictures that are lost without a word.
+// Kills: pictures that are lost without a message.
 TEST(Gallery, SaysWhichFileCannotBeWritten) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path("out/index.html"));

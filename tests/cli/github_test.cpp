@@ -39,14 +39,14 @@ TEST_F(Github, IsToldOfEachCounterexample) {
                 "damaged::missing (coverage) at triangle "));
 }
 
-// Kills: annotations on somebody's terminal, or amid JSON.
+// Kills: annotations printed to a terminal outside GitHub, or into JSON.
 TEST_F(Github, IsToldNothingElsewhere) {
   EXPECT_THAT(run("").out, Not(HasSubstr("::error")));
   const Outcome outcome = run("GITHUB_ACTIONS=true", "--json");
   EXPECT_THAT(outcome.out, AllOf(StartsWith("{"), Not(HasSubstr("::error"))));
 }
 
-// Kills: another step's summary written over.
+// Kills: overwriting the summary of another step.
 TEST_F(Github, FindsTheSummaryAtTheEndOfItsFile) {
   folder_.put("summary", "another step\n");
   EXPECT_EQ(run("GITHUB_STEP_SUMMARY=summary").code, 1);

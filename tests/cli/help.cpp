@@ -9,7 +9,7 @@
 namespace rastercheck::cli {
 namespace {
 
-/// The entries of a list: lines that begin with two spaces and a word, up to that word's end.
+/// Reads the entries of a list: a line that begins with two spaces and a word gives that word.
 void read_lists(Help& help) {
   std::istringstream lines(help.text);
   std::string heading;

@@ -5,18 +5,18 @@
 
 namespace rastercheck::cli {
 
-/// What --help says of a command.
+/// What --help prints for a command.
 struct Help {
-  std::vector<std::string> command;   ///< {"corpus", "add"}; empty of the program
-  std::vector<std::string> commands;  ///< that it lists
-  std::vector<std::string> options;   ///< that it lists, "--json"
+  std::vector<std::string> command;   ///< {"corpus", "add"}; empty for the program itself
+  std::vector<std::string> commands;  ///< the commands that it lists
+  std::vector<std::string> options;   ///< the options that it lists, such as "--json"
   std::string text;
 };
 
-/// The program's, and that of every command which one of them lists.
+/// The help of the program and of every command listed in any help.
 std::vector<Help> all_help();
 
-/// "corpus add".
+/// The words joined by spaces: "corpus add".
 std::string joined(const std::vector<std::string>& words);
 
 }  // namespace rastercheck::cli

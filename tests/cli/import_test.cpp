@@ -16,7 +16,7 @@ std::string square_mesh() {
   return file;
 }
 
-/// Says that it has more vertices than fit any memory.
+/// A file that claims to have more vertices than any memory can hold.
 constexpr const char* kHugePly =
     "ply\nformat ascii 1.0\nelement vertex 4294967295\nproperty float x\nproperty float y\n"
     "property float z\nend_header\n0 0 0\n";
@@ -35,7 +35,7 @@ TEST(Import, PrintsACaseThatTheOracleReads) {
   EXPECT_NE(oracle.out.find("required"), std::string::npos);
 }
 
-// Kills: a mesh that its case takes the place of.
+// Kills: overwriting the mesh with the case made from it.
 TEST(Import, WritesACaseButNotOverTheMesh) {
   const TemporaryFolder folder;
   const std::string mesh = folder.put("square.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
@@ -68,7 +68,7 @@ TEST(Import, RefusesWhatIsNoMesh) {
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1);
 }
 
-// Kills: assimp's words, which name a file that nobody has.
+// Kills: passing on assimp's message, which names a file that does not exist.
 TEST(Import, SaysWhatIsWrongWithTheFormatOfStandardInput) {
   const auto reason = [](const std::vector<std::string>& options) {
     std::vector<std::string> arguments{"import", "-"};
@@ -88,8 +88,8 @@ TEST(Import, SaysWhatIsWrongWithTheFormatOfStandardInput) {
             "rastercheck: -: not a mesh: 3DS file is either empty or corrupt: -.3ds\n");
 }
 
-// Kills: reading the file in the program itself, which assimp 5.2.5 ends by a signal over these;
-// later versions may refuse them, or read them.
+// Kills: reading the file in the program itself. These files crash assimp 5.2.5; later versions may
+// refuse or read them.
 TEST(Import, AFileThatCrashesTheMeshReaderIsRefusedInOneLine) {
   const bool crashes = std::string_view(RASTERCHECK_ASSIMP_VERSION).starts_with("5.2.");
   for (const char* off :

@@ -1,4 +1,4 @@
-// Runs that do not come to their end, or cannot write what they found: nothing found is lost.
+// Runs that do not finish, or cannot write what they found: no finding is lost.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class Interrupted : public testing::TestWithParam<const char*> {
     return folder_.path(name.empty() ? "out" : "out/" + name);
   }
 
-  /// A run that takes half a second at least, and has something to find from its first case on.
+  /// A run that takes at least half a second and finds something from its first case on.
   std::vector<std::string> arguments(const std::string& output, int cases = 120) const {
     const std::string count = std::to_string(cases);
     return {"run",
@@ -67,7 +67,8 @@ class Interrupted : public testing::TestWithParam<const char*> {
     return run_damaged_program({"run", "--resume", "--output", out(), "--jobs", GetParam()});
   }
 
-  /// The unfinished run goes on, and comes to what a run comes to that was left alone.
+  /// Expects that the unfinished run can be resumed, and then gives the result of an uninterrupted
+  /// run.
   void expect_goes_on() const {
     ASSERT_TRUE(std::filesystem::exists(out("unfinished.json")));
     const Outcome resumed = resume();
@@ -87,7 +88,7 @@ class Interrupted : public testing::TestWithParam<const char*> {
 
 INSTANTIATE_TEST_SUITE_P(Jobs, Interrupted, testing::Values("1", "2"));
 
-// Kills: findings that are in memory only.
+// Kills: findings that exist only in memory.
 TEST_P(Interrupted, ByKillGoesOn) {
   RunningProgram program(arguments("out"));
   wait_for_progress();
@@ -97,13 +98,13 @@ TEST_P(Interrupted, ByKillGoesOn) {
   expect_goes_on();
 }
 
-// Kills: Ctrl-C that throws away what was found, or passes a part for the whole.
+// Kills: Ctrl-C that discards the findings, or reports a part as the whole.
 TEST_P(Interrupted, OnceWritesWhatItHas) {
   RunningProgram program(arguments("out", 100000));
   wait_for_progress();
   program.kill(SIGINT);
   const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.code, 1) << outcome;  // violated, as far as it came
+  EXPECT_EQ(outcome.code, 1) << outcome;  // violated in the cases that it checked
   EXPECT_THAT(outcome.err, HasSubstr("rastercheck: ending; once more ends at once. `rastercheck "
                                      "run --resume --output " +
                                      out() + "` goes on.\n"));
@@ -124,7 +125,7 @@ TEST_P(Interrupted, OnceGoesOn) {
   expect_goes_on();
 }
 
-// Kills: a signal that waits for what is being drawn.
+// Kills: a signal that waits until a drawing is finished.
 TEST_P(Interrupted, EndsWhateverIsBeingDrawn) {
   std::vector<std::string> stuck = arguments("out");
   std::replace(stuck.begin(), stuck.end(), std::string("damaged:slow"),
@@ -133,11 +134,12 @@ TEST_P(Interrupted, EndsWhateverIsBeingDrawn) {
   while (!std::filesystem::exists(out("unfinished.json"))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  std::this_thread::sleep_for(std::chrono::seconds(1));  // until it draws
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // until it is drawing
   program.kill(SIGTERM);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.code, 130) << outcome;
-  // Other processes are ended, and the reports written; in this one nothing else can be done.
+  // With several processes, the others are ended and the reports written; a single process that is
+  // drawing can only end.
   const bool is_one = GetParam() == std::string("1");
   EXPECT_EQ(outcome.err.find("ended before its reports were written") != std::string::npos, is_one);
   EXPECT_EQ(std::filesystem::exists(out("run.json")), !is_one);
@@ -150,11 +152,11 @@ TEST_P(Interrupted, TwiceEndsAtOnceAndGoesOn) {
   program.kill(SIGINT);
   program.kill(SIGINT);
   const int code = program.wait().code;
-  EXPECT_TRUE(code == -SIGINT || code == 1) << code;  // 1: the first was all there was time for
+  EXPECT_TRUE(code == -SIGINT || code == 1) << code;  // 1: ended before signal 2
   if (std::filesystem::exists(out("unfinished.json"))) expect_goes_on();
 }
 
-// Kills: findings lost as a terminal was closed; nohup that does not help.
+// Kills: findings lost when a terminal is closed; nohup without effect.
 TEST_P(Interrupted, ByAClosedTerminalGoesOnUnlessThatIsIgnored) {
   const auto before = std::signal(SIGHUP, SIG_DFL);
   {
@@ -179,7 +181,7 @@ TEST_P(Interrupted, ByAClosedTerminalGoesOnUnlessThatIsIgnored) {
   std::signal(SIGHUP, before);
 }
 
-// Kills: exit code 0 of a run that was cut short.
+// Kills: exit code 0 for a run that was cut short.
 TEST_P(Interrupted, BeforeAnythingWasViolatedIsNotOk) {
   std::vector<std::string> held = arguments("out", 1000000);
   held[2] = "cpu";
@@ -189,7 +191,7 @@ TEST_P(Interrupted, BeforeAnythingWasViolatedIsNotOk) {
   EXPECT_EQ(program.wait().code, 130);
 }
 
-// Kills: counterexamples of a killed run, gone with the next one.
+// Kills: counterexamples of a killed run, deleted by the next run.
 TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
   {
     RunningProgram program(arguments("out"));
@@ -226,8 +228,8 @@ TEST_P(Interrupted, GoesOnOnlyAsItWasBegun) {
 
 // --- Folders that cannot be written --------------------------------------------------------------
 
-/// A shell's words for running with files limited to so many 512-byte blocks, as on a disk that is
-/// full: writing more fails. Its exit code is the program's.
+/// A shell command that runs `command` with files limited to this many 512-byte blocks, as on a
+/// full disk: writing more fails. Its exit code is the command's.
 std::string limited_to(int blocks, const std::string& command) {
   return "trap '' XFSZ; exec 3>&1; { { ulimit -f " + std::to_string(blocks) + "; " + command +
          " 2>&1; echo $? >&4; } | cat >&3; } 4>&1 | { read code; exit $code; }";
@@ -244,11 +246,11 @@ class Unwritable : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Kills: minutes of work whose results then cannot be written.
+// Kills: minutes of work before it shows that the results cannot be written.
 TEST_F(Unwritable, FromTheStartIsSaidBeforeTheWork) {
   std::filesystem::create_directories(folder_.path("out"));
   std::filesystem::permissions(folder_.path("out"), std::filesystem::perms(0555));
-  // Root may write anywhere, unless it gives that up.
+  // Root may write anywhere, unless it gives up this capability.
   const Outcome outcome = run_shell(
       "SETPRIV=; [ $(id -u) != 0 ] || SETPRIV='setpriv --inh-caps -dac_override --bounding-set "
       "-dac_override'; $SETPRIV " +
@@ -265,7 +267,8 @@ TEST_F(Unwritable, ForAWholeCheckpointIsSaidBeforeTheWork) {
   EXPECT_THAT(outcome.out, HasSubstr("unfinished.json: cannot be written: File too large"));
 }
 
-// Kills: findings lost for want of room at the end; a run that stops for want of room in between.
+// Kills: findings lost because the disk is full at the end; a run that stops because the disk is
+// full for a while.
 TEST_F(Unwritable, LaterOnTheTerminalHasWhatWasFound) {
   const Outcome outcome = run_shell(limited_to(8, run("--cases 100")));
   EXPECT_EQ(outcome.code, 2) << outcome;
@@ -278,7 +281,7 @@ TEST_F(Unwritable, LaterOnTheTerminalHasWhatWasFound) {
                       "run --resume --output " +
                       folder_.path("out") + "` writes it")));
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out/run.json")));
-  // There is room again.
+  // Now the disk has room again.
   const Outcome resumed = run_shell("$DAMAGED run --resume --output " + folder_.path("out"));
   EXPECT_EQ(resumed.code, 1) << resumed;
   EXPECT_EQ(json::parse(folder_.content("out/run.json")).at("counterexamples").size(), 3U);

@@ -1,4 +1,4 @@
-// Known defects of a driver, from the program's outside.
+// Known defects of a driver, tested through the program.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using testing::Not;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
-/// A campaign of one law on a damaged driver, with a list of what is known of it.
+/// A campaign of one law on a damaged driver, with a list of its known defects.
 class Known : public testing::Test {
  protected:
   Known() { put_known(known_); }
@@ -57,7 +57,7 @@ TEST_F(Known, DefectsAreCountedAndAreNoViolations) {
     EXPECT_EQ(record.at("cases").at("violations"), 0);
     if (record.contains("known")) known += record.at("known").at("damaged-1").get<std::uint64_t>();
   }
-  EXPECT_GT(known, 1U);  // more than the entry's own
+  EXPECT_GT(known, 1U);  // more than the entry's own case
 }
 
 TEST_F(Known, CountsAreTheSameForAnySplit) {
@@ -75,7 +75,7 @@ TEST_F(Known, DefectsAreViolationsWithoutTheList) {
   EXPECT_FALSE(run_json().contains("known"));
 }
 
-// Kills: a list that hides what is not of it.
+// Kills: a list that hides defects that are not on it.
 TEST_F(Known, DefectsDoNotHideNewOnes) {
   const Outcome outcome = run_known("damaged:worse");
   EXPECT_EQ(outcome.code, 1) << outcome;
@@ -110,7 +110,7 @@ TEST_F(Known, DefectThatIsGoneInAnotherVersionIsAWarning) {
               HasSubstr("What is known of damaged:newer was found with 1, and this is 2."));
 }
 
-// Kills: a list called wrong as a contract file leaves open what its entries violate.
+// Kills: a list reported as wrong because a contract file permits what its entries violate.
 TEST_F(Known, ContractFileMakesNoListStale) {
   const std::string lax =
       known_.put("lax.json", R"({"format": "rastercheck-contract", "version": 1})");
@@ -141,7 +141,7 @@ TEST_F(Known, ListsThatCannotBeReadEndTheRun) {
   EXPECT_THAT(outcome.err, HasSubstr("known.json: /entries/0/rule: must not be empty"));
 }
 
-// Kills: a folder that is misspelt, taken for one without lists.
+// Kills: a misspelt folder treated as a folder without lists.
 TEST_F(Known, ListsAreWhereTheyAreSaidToBe) {
   for (const char* const command : {"run", "list"}) {
     const Outcome outcome = run_program({command, "--known", known_.path() + "-elsewhere"});
@@ -150,7 +150,7 @@ TEST_F(Known, ListsAreWhereTheyAreSaidToBe) {
   }
 }
 
-// Kills: going on with another list, whose tasks are others.
+// Kills: resuming with another list, which makes other tasks.
 TEST_F(Known, ListsMayNotChangeUnderARunThatGoesOn) {
   RunningProgram running({"run", "--backend", "damaged:slow", "--backend", "damaged:driver",
                           "--property", kCoverage, "--cases", "100000", "--seed", "1", "--known",

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Kills: rows that a terminal breaks somewhere.
+// Kills: rows that the terminal has to wrap.
 TEST(List, FitsTheTerminal) {
   const Outcome outcome = run_shell(
       R"(script -qec "stty cols 60; '$PROGRAM' list generators" /dev/null </dev/null | tr -d '\r')");
@@ -59,7 +59,7 @@ TEST(List, SaysWhichBackendsCanRunHereAndWhyNot) {
   EXPECT_THAT(table.out, HasSubstr("needs what no machine has"));
 }
 
-// Kills: an option that is passed over.
+// Kills: an option that is ignored.
 TEST(List, RefusesABackendWithOtherKinds) {
   const Outcome refused = run_program({"list", "rules", "--backend", "cpu"});
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
@@ -67,7 +67,7 @@ TEST(List, RefusesABackendWithOtherKinds) {
   EXPECT_EQ(run_program({"list", "--backend", "cpu", "--quiet"}).code, 0);
 }
 
-// Kills: what a stranger's backend says of itself, as commands to the terminal.
+// Kills: a foreign backend's description that acts as commands to the terminal.
 TEST(List, EscapesWhatABackendSaysOfItself) {
   const Outcome table = run_damaged_program({"list", "backends", "--backend", "damaged:speaks"});
   EXPECT_EQ(table.code, 0);
@@ -80,7 +80,7 @@ TEST(List, NamesTheMethodsByTheirSources) {
   for (const auto& row : document.at("methods")) EXPECT_NE(row.at("source"), "") << row;
 }
 
-// Whatever is listed as able to run can be asked for by the name it is listed by.
+// Everything listed as able to run can be asked for by its listed name.
 TEST(List, NamesWhatOtherCommandsTake) {
   const auto document = nlohmann::json::parse(run_program({"list", "--json"}).out);
   for (const auto& row : document.at("backends")) {
@@ -91,8 +91,8 @@ TEST(List, NamesWhatOtherCommandsTake) {
   }
   const TemporaryFolder folder;
   folder.put("corpus/square.json", square_case());
-  // The square alone says nothing to every law, nor does every law say something of cpu; one is
-  // about drivers alone.
+  // The square alone does not test every law, so random cases are added. Not every law applies to
+  // cpu, so a method is checked too; one law is about drivers only.
   for (const auto& row : document.at("properties")) {
     const Outcome outcome =
         run_program({"run", "--backend", "cpu", "--backend", "method:screen-linear", "--corpus",

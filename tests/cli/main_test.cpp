@@ -19,7 +19,7 @@ TEST(Program, SaysItsVersion) {
   EXPECT_EQ(outcome.out, "rastercheck " RASTERCHECK_VERSION "\n");
 }
 
-// Kills: text that a terminal wraps once more, an entry of which nothing is said.
+// Kills: text that a terminal wraps again; an entry without a description.
 TEST(Program, HelpsItselfAndEveryCommandInEightyColumns) {
   const std::vector<Help> all = all_help();
   EXPECT_THAT(all.front().commands, testing::IsSupersetOf({"import", "list", "oracle", "run"}));
@@ -81,7 +81,7 @@ TEST(Program, ReportsOutputThatCannotBeWritten) {
   EXPECT_EQ(WEXITSTATUS(status), 2);
 }
 
-// Kills: fmt's exception as an internal error, help that is taken for whole.
+// Kills: fmt's exception reported as an internal error; truncated help that counts as complete.
 TEST(Program, ReportsWhateverOutputCannotBeWritten) {
   for (const char* arguments :
        {"list properties", "list --json", "--help", "run --help", "--version", "manual"}) {
@@ -91,7 +91,7 @@ TEST(Program, ReportsWhateverOutputCannotBeWritten) {
   }
 }
 
-// Kills: an exception of the message as an internal error.
+// Kills: an exception while a message is written, reported as an internal error.
 TEST(Program, EndsAlikeWhereNobodyReadsItsMessages) {
   for (const auto& [arguments, code] :
        {std::pair<std::string, int>("frobnicate", 2), {"oracle no/such.json", 2}, {"list", 0}}) {

@@ -34,7 +34,7 @@ TEST(Manual, HasEveryCommandAndOptionOfTheHelp) {
   }
 }
 
-// Kills: a line that begins with a dot, an escape that groff does not know.
+// Kills: a line of text that begins with a dot; an escape that groff does not know.
 TEST(Manual, IsAPageThatGroffTakes) {
   const Outcome outcome = run_shell("\"$PROGRAM\" manual | groff -k -man -Tutf8 -P-cbu -ww");
   EXPECT_EQ(outcome.code, 0);

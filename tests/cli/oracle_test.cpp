@@ -11,8 +11,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// The corner triangle of a 4 × 4 Vulkan framebuffer with r = u/4 (window corners (0,0), (4,0),
-/// (0,4)) with more keys.
+/// The corner triangle of a 4 × 4 Vulkan framebuffer with r = u/4; its window corners are (0,0),
+/// (4,0), (0,4). `keys` are further keys of the case.
 std::string corner_case(const std::string& keys = "") {
   return R"({"format": "rastercheck-case", "version": 1, "name": "corner \"quoted\"",
     "framebuffer": {"width": 4, "height": 4}, "rules": "vulkan",
@@ -66,9 +66,9 @@ TEST(OracleCommand, QuietlyPrintsRowsOnly) {
 }
 
 TEST(OracleCommand, ClipsRoundOnce) {
-  // Exactly, x is −(1 + 3·2^-24) at vertices 0 and 2 and 1 + 2^-24 at vertex 1; with e = 2^-24, r
-  // at u = 1/2 is (1/2 + 6e)/(4 + 8e). Rounded, ties to even, x is −(1 + 2^-22) and 1: r = (1/2 +
-  // 2^-21)/(4 + 2^-21).
+  // The exact x is −(1 + 3·2^-24) at vertices 0 and 2 and 1 + 2^-24 at vertex 1; with e = 2^-24, r
+  // at u = 1/2 is (1/2 + 6e)/(4 + 8e). Rounded with ties to even, x is −(1 + 2^-22) and 1: r = (1/2
+  // + 2^-21)/(4 + 2^-21).
   const std::string camera =
       R"("camera": {"projection": ["0x1.000002p+0", 0, 0, "-0x1p-24", 0,1,0,0, 0,0,1,0, 0,0,0,1]}, )";
   const auto value = [&](const std::vector<std::string>& options) {

@@ -23,8 +23,8 @@ class Plugin : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// That the projects build and hold, tests/plugins sees.
-// Kills: a starter of another language, or one that has parted from what is tested.
+// tests/plugins checks that the projects build and that their laws hold. Kills: a project in the
+// wrong language; a project that differs from the tested example.
 TEST_F(Plugin, NewWritesTheExample) {
   const std::string c = folder_.path("in/c");
   const Outcome in_c = run_program({"plugin", "new", c});
@@ -52,7 +52,7 @@ TEST_F(Plugin, NewTakesAnEmptyGitRepository) {
   EXPECT_EQ(folder_.content("mine/plugin.c"), source("docs/examples/plugin/little.c"));
 }
 
-// Kills: a project that writes over somebody's files.
+// Kills: a project that overwrites somebody's files.
 TEST_F(Plugin, NewLosesNothing) {
   folder_.put("mine/notes.txt", "mine");
   const Outcome there = run_program({"plugin", "new", folder_.path("mine")});

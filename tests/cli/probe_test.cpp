@@ -14,7 +14,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// What takes little time: one case of each generator, and nothing to follow.
+/// Arguments of a quick probe: one case of each generator, and few requests to try.
 std::vector<std::string> quick(std::vector<std::string> more) {
   std::vector<std::string> arguments{"probe", "--cases",         "1",
                                      "--ask", "snapped:8",       "--ask-basis",
@@ -23,7 +23,7 @@ std::vector<std::string> quick(std::vector<std::string> more) {
   return arguments;
 }
 
-// From the probe to a campaign that is held to what it found.
+// From the probe to a campaign that is judged by the contract that the probe found.
 TEST(Probe, WritesAContractThatHolds) {
   const TemporaryFolder folder;
   const std::string contract = folder.path("contract.json");
@@ -64,7 +64,7 @@ TEST(Probe, RefusesWhatItCannotAskFor) {
   EXPECT_TRUE(is_failure(run_program({"probe", "nothing"}), 2));
 }
 
-// Kills: a plugin lost to the contract that was measured of it.
+// Kills: overwriting a plugin with the contract that was measured on it.
 TEST(Probe, WritesNoContractOverItsPlugin) {
   const TemporaryFolder folder;
   const std::string plugin = folder.put("mine.so", "the plugin");
@@ -106,7 +106,7 @@ std::vector<std::string> held_run(const TemporaryFolder& folder, const std::stri
   return arguments;
 }
 
-// Kills: a contract that processes are not told of.
+// Kills: a contract that the worker processes are not told about.
 TEST(RunWithContract, HoldsBackendsToIt) {
   const TemporaryFolder folder;
   folder.put("strict.json", kTooStrict);

@@ -21,7 +21,7 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Temporary files instead of pipes: nothing can block.
+/// Temporary files instead of pipes, so that nothing can block.
 File temporary_file(const std::string& content = "") {
   File file(std::tmpfile());
   if (!file) throw std::runtime_error("no temporary file");
@@ -40,7 +40,7 @@ std::string content_of(const File& file) {
   return text;
 }
 
-/// What a process is given and what it says.
+/// A process's standard input, output and error.
 struct Standard {
   explicit Standard(const std::string& input) : in(temporary_file(input)) {}
   File in;

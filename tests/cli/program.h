@@ -8,22 +8,23 @@
 namespace rastercheck::cli {
 
 struct Outcome {
-  int code = -1;  ///< exit code; −signal where it was killed
+  int code = -1;  ///< exit code; −signal if it was killed
   std::string out;
   std::string err;
 };
 
-/// Runs the `rastercheck` program with these arguments, `input` on its standard input.
+/// Runs the `rastercheck` program with these arguments and `input` as its standard input.
 Outcome run_program(const std::vector<std::string>& arguments, const std::string& input = "");
 
-/// The same with the program that has the backends `damaged:…` too (properties/damaged_kind.cpp).
+/// Like run_program(), with the program that also has the backends `damaged:…`
+/// (properties/damaged_kind.cpp).
 Outcome run_damaged_program(const std::vector<std::string>& arguments,
                             const std::string& input = "");
 
 /// Runs a shell script; $PROGRAM and $DAMAGED are the two programs above.
 Outcome run_shell(const std::string& script);
 
-/// The damaged program while it runs. What a test ends early, it ends by kill().
+/// The damaged program while it runs. A test that ends it early calls kill().
 class RunningProgram {
  public:
   explicit RunningProgram(const std::vector<std::string>& arguments);
@@ -32,7 +33,7 @@ class RunningProgram {
   ~RunningProgram();
 
   void kill(int signal) const;
-  /// Until it has ended. Once.
+  /// Waits until the program has ended. To be called once.
   Outcome wait();
 
  private:
@@ -41,18 +42,18 @@ class RunningProgram {
   int process_ = 0;
 };
 
-/// Whether it failed as CONTRACT has it: this exit code, nothing on standard output, and on the
-/// other one line that starts with "rastercheck: ".
+/// True if the program failed as CONTRACT requires: with this exit code, nothing on standard
+/// output, and on standard error one line that starts with "rastercheck: ".
 bool is_failure(const Outcome& outcome, int code);
 
-/// What failed and how, for messages.
+/// Prints what failed and how, for messages.
 std::ostream& operator<<(std::ostream& stream, const Outcome& outcome);
 
-/// A case file's text: the square of two triangles that fills 8×8 pixels, w = 1, with the
-/// attributes x, the window x, and one, which is 1. Its name is "square".
+/// The text of a case file: the square of two triangles that fills 8×8 pixels, w = 1. Its
+/// attributes are x, which is the window x, and one, which is 1. Its name is "square".
 std::string square_case(const std::string& more_keys = "");
 
-/// A run.json without the line of its environment, the only one that is another each time.
+/// A run.json without the line of its environment, the only line that differs between runs.
 std::string without_environment(const std::string& run_json);
 
 /// A file of the source tree.

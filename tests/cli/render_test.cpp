@@ -24,7 +24,7 @@ TEST(Render, PrintsTheContractsJson) {
   EXPECT_EQ(document.at("version"), 1);
   EXPECT_EQ(document.at("backend"), "cpu");
   EXPECT_EQ(document.at("fragments").size(), 25U);
-  // The square's first corner lies on the sample of pixel (1, 1) exactly.
+  // The square's first corner lies exactly on the sample of pixel (1, 1).
   const json first = {
       {"triangle", 0},           {"x", 1}, {"y", 1}, {"sample", 0}, {"depth", "0x0p+0"},
       {"attributes", {"0x0p+0"}}};
@@ -50,7 +50,7 @@ TEST(Render, ThinksOfTheBackendThatWasMeant) {
   EXPECT_THAT(outcome.err, HasSubstr("; did you mean gl?"));
 }
 
-// Kills: a case lost to its own picture; a PNG by another name.
+// Kills: overwriting a case with its own picture; a PNG written under the name of another format.
 TEST(Render, WritesNoPictureOverItsCaseNorUnderAnotherFormatsName) {
   const TemporaryFolder folder;
   const std::string own = folder.put("own.png", square_case());
@@ -70,7 +70,7 @@ TEST(Render, QuietlyPrintsRowsOnly) {
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 64);
 }
 
-/// A big-endian number of four bytes.
+/// Reads a big-endian number of four bytes.
 std::uint32_t number_at(const std::string& bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (std::size_t i = at; i < at + 4; ++i) {
@@ -91,7 +91,7 @@ TEST(Render, WritesAPicture) {
   const json c = json::parse(std::ifstream(source_file("cases/corpus/camera.json")));
   EXPECT_EQ(number_at(png, 16), c.at("framebuffer").at("width"));
   EXPECT_EQ(number_at(png, 20), c.at("framebuffer").at("height"));
-  // Nothing half written beside it.
+  // No half-written file is left beside it.
   EXPECT_THAT(folder.files(), testing::ElementsAre("camera.png"));
 }
 

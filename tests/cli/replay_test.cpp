@@ -19,7 +19,7 @@ using testing::SizeIs;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
-/// The key that a saved counterexample has.
+/// The key `found` of a saved counterexample.
 std::string found_key(const std::string& law, const std::string& backend,
                       const std::string& verdict) {
   return R"("found": {"law": ")" + law + R"(", "backend": ")" + backend + R"(", "verdict": ")" +
@@ -53,7 +53,8 @@ TEST(Replay, ReadsStandardInput) {
   EXPECT_THAT(outcome.out, HasSubstr("-: coverage-obeys-the-contract, cpu: held\n"));
 }
 
-// From the run to the verdict on another machine: the file alone says what it was found by.
+// From the run to the verdict on another machine: the file alone tells how the counterexample was
+// found.
 TEST(Replay, OfACounterexampleFindsItAgain) {
   const TemporaryFolder folder;
   folder.put("corpus/square.json", square_case());
@@ -69,7 +70,7 @@ TEST(Replay, OfACounterexampleFindsItAgain) {
     EXPECT_EQ(again.code, 1) << again;
     EXPECT_THAT(again.out, HasSubstr(", damaged: "));
     EXPECT_THAT(again.out, HasSubstr(" (as it was found)\n"));
-    // With a rasterizer that is right it holds, and says what it was kept for.
+    // With a correct rasterizer the law holds, and replay says why the case was kept.
     const Outcome mended = run_program({"replay", "--backend", "cpu", file});
     EXPECT_EQ(mended.code, 0) << mended;
     EXPECT_THAT(mended.out,
@@ -85,7 +86,7 @@ TEST(Replay, PrintsExactAndActualValue) {
   EXPECT_THAT(outcome.out, HasSubstr("-: coverage-obeys-the-contract, damaged: missing (as it was "
                                      "found)\n"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("required: inside"), HasSubstr("not drawn")));
-  // The corner that is lost, the pixels around it, and the case.
+  // The lost corner, the pixels around it, and the case.
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("#  [-]\n"), HasSubstr("- missing\n"),
                     HasSubstr("  8 × 8 pixels, viewport 0 0 8 8, rules vulkan\n"),
@@ -122,7 +123,7 @@ TEST(Replay, OfADrawingThatFailsSaysWhy) {
 
 TEST(Replay, ThatNoLawAppliesToIsNotOk) {
   std::string text = square_case(found_key("constants-stay-constant", "cpu", "beyond bound"));
-  // Neither a constant attribute nor one depth.
+  // Makes a case with neither a constant attribute nor a constant depth.
   const auto replace = [&text](const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1)) {
       text.replace(at, from.size(), to);

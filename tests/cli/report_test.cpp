@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The folder "out" of a run that was violated, with a scene.
+/// The folder "out" of a run with a violation and a scene.
 class Report : public testing::Test {
  protected:
   void SetUp() override {
@@ -27,7 +27,7 @@ class Report : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Kills: a report of something that run.json does not hold.
+// Kills: a report that needs something that run.json does not hold.
 TEST_F(Report, IsMadeAgainFromRunJsonAlone) {
   const std::vector<std::string> files = folder_.files("out");
   ASSERT_GE(files.size(), 4U);
@@ -36,7 +36,7 @@ TEST_F(Report, IsMadeAgainFromRunJsonAlone) {
   for (const std::string& file : files) {
     if (file != "run.json") std::filesystem::remove(folder_.path("out/" + file));
   }
-  // The program that knows the backend no more than the machine that gets the file.
+  // This program does not know the backend, just like another machine that gets the file.
   const Outcome outcome = run_program({"report", out()});
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_EQ(outcome.out, "Report: " + out() + "/report.html\n");
@@ -79,7 +79,7 @@ TEST(ReportCommand, NamesARunThatCannotBeRead) {
               HasSubstr("run.json: /version: version must be 3"));
   folder.put("run.json", "{");
   EXPECT_TRUE(is_failure(run_program({"report", folder.path()}), 2));
-  // Nothing is made of what cannot be read.
+  // Nothing is written if the file cannot be read.
   EXPECT_THAT(folder.files(), ElementsAre("run.json"));
 }
 

@@ -29,14 +29,14 @@ using testing::StartsWith;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
-/// Runs of a corpus of one case, the square, into the folder "out".
+/// Runs with a corpus of one case, the square, into the folder "out".
 class Run : public testing::Test {
  protected:
   Run() { folder_.put("corpus/square.json", square_case()); }
 
   std::vector<std::string> with_folders(const std::vector<std::string>& more,
                                         const std::string& output = "out") const {
-    // What is broken here breaks most laws: how small each gets is tested elsewhere.
+    // A damaged backend breaks most laws; other tests check how small their counterexamples get.
     std::vector<std::string> arguments{"run",      "--corpus",           folder_.path("corpus"),
                                        "--output", folder_.path(output), "--shrink-tries",
                                        "20"};
@@ -60,7 +60,7 @@ TEST_F(Run, ThatHoldsSaysSoAndWritesItsFolder) {
   const Outcome outcome = run({"--cases", "6", "--seed", "1"});
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("law "), HasSubstr("held"), Not(HasSubstr("violated")),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr(" held"), Not(HasSubstr("violated")),
                                  HasSubstr("0 undecided"), HasSubstr("\nSeed 1, "),
                                  HasSubstr(" Report: " + folder_.path("out") + "/report.html\n")));
   EXPECT_EQ(folder_.files("out"), reports::with_reports({}));
@@ -73,7 +73,7 @@ TEST_F(Run, ThatIsViolatedKeepsCounterexamples) {
   EXPECT_THAT(outcome.out, HasSubstr("violated"));
   const std::vector<std::string> files = folder_.files("out/counterexamples");
   EXPECT_THAT(files, testing::Contains("coverage-obeys-the-contract-damaged-missing.json"));
-  // Of each cause one is shown, and the last lines say how many there are.
+  // One counterexample of each cause is shown, and the last lines say how many there are.
   const std::string first = "rastercheck replay " + folder_.path("out/counterexamples/") +
                             "coverage-obeys-the-contract-damaged-missing.json\n";
   EXPECT_THAT(outcome.out, HasSubstr("Again: " + first));
@@ -110,7 +110,7 @@ TEST_F(Run, ThatCheckedNothingIsNotOk) {
   EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("Nothing was checked"));
 }
 
-// Kills: a law that says nothing of any case, and passes.
+// Kills: a law that applies to none of the cases, and passes.
 TEST_F(Run, ThatNoLawAppliesToIsNotOk) {
   const std::string camera =
       R"("camera": {"model": ["0x1p+127",0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1],
@@ -121,7 +121,7 @@ TEST_F(Run, ThatNoLawAppliesToIsNotOk) {
   EXPECT_EQ(json::parse(outcome.out).at("laws").at(0).at("not_applicable"), 1);
 }
 
-// Kills: laws about what a backend does not promise, missed of it.
+// Kills: exit code 5 because of laws about things that the backend does not promise.
 TEST_F(Run, NeedNotCheckWhatIsNotPromised) {
   const Outcome outcome =
       run({"--backend", "method:rational-linear", "--cases", "6", "--seed", "2"});
@@ -131,10 +131,10 @@ TEST_F(Run, NeedNotCheckWhatIsNotPromised) {
                  "strips-and-fans*"})
                 .code,
             5);
-  EXPECT_EQ(run({"--cases", "0", "--property", "values-at-vertices*"}).code, 5);  // promised
+  EXPECT_EQ(run({"--cases", "0", "--property", "values-at-vertices*"}).code, 5);  // cpu promises it
 }
 
-// Kills: one violation hidden by a law that checked nothing.
+// Kills: a law that checked nothing, hiding a violation of another law.
 TEST_F(Run, ThatIsViolatedAndCheckedNothingIsViolated) {
   EXPECT_EQ(run_damaged({"--backend", "damaged", "--cases", "0", "--property", "co*"}).code, 1);
 }
@@ -169,9 +169,9 @@ std::uint64_t digest_of(std::string_view text) {
   return digest;
 }
 
-/// One line for each law and attribute kind: sums of its strata, and a digest of all that the run
-/// says of them; then a digest of the whole run.json. A changed digest beside unchanged sums is a
-/// change that `rastercheck compare` shows, of runs of the two programs with --keep-cases.
+/// One line for each law and attribute kind: the sums over its strata, and a digest of all that the
+/// run says about them; then a digest of the whole run.json. If a digest changes but the sums do
+/// not, run both programs with --keep-cases: `rastercheck compare` then shows the change.
 std::string campaign_summary(const std::string& run_json) {
   struct Sums {
     std::uint64_t checked = 0, required = 0, forbidden = 0, permitted = 0, violations = 0;
@@ -198,11 +198,11 @@ std::string campaign_summary(const std::string& run_json) {
   return summary + fmt::format("the whole: {:016x}\n", digest_of(without_environment(run_json)));
 }
 
-// A campaign of the project's own corpus and few random cases, whose records are held to the byte.
-// CI runs it in an optimised build of g++ and in one of clang++ with sanitizers, so that it proves
-// that records depend neither on the compiler nor on its flags. A change to laws, generators,
-// corpus or rasterizer changes them rightly: to approve what a run gives now, look at the
-// difference, then run this program with UPDATE_APPROVED=1.
+// A campaign of the project's own corpus and a few random cases. Its records have to match the
+// approved ones to the byte. CI runs it in an optimised build of g++ and in a build of clang++ with
+// sanitizers, which proves that records depend neither on the compiler nor on its flags. Changes to
+// laws, generators, corpus or rasterizer may rightly change the records: look at the difference,
+// then approve the new records by running this program with UPDATE_APPROVED=1.
 TEST_F(Run, OfASmallCampaignGivesTheApprovedRecords) {
   const Outcome outcome = run_program({"run", "--seed", "1", "--cases", "20", "--format", "json",
                                        "--output", folder_.path("out"), "--quiet"});
@@ -230,7 +230,7 @@ TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
   run_damaged(
       {"--backend", "damaged", "--backend", "damaged", "--cases", "0", "--property", kCoverage});
   EXPECT_EQ(run_json().at("plan").at("backends"), json{"damaged"});
-  // The corpus' case, once.
+  // The case of the corpus is checked once.
   EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
 }
 
@@ -244,7 +244,8 @@ TEST_F(Run, TakesSeveralPropertiesAndRefusesOneThatIsNone) {
   EXPECT_THAT(refused.err, HasSubstr("--property: none: "));
 }
 
-// Kills: a first failure that hides how much was not checked; one that nobody can go on from.
+// Kills: a first failure that hides how much was not checked; an early end from which a run cannot
+// be resumed.
 TEST_F(Run, EndsWithTheFirstViolationIfAsked) {
   const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "200", "--seed", "1",
                                        "--property", kCoverage, "--fail-fast"});
@@ -258,10 +259,10 @@ TEST_F(Run, EndsWithTheFirstViolationIfAsked) {
   EXPECT_FALSE(run_json().contains("cases_left"));
 }
 
-// Kills: a run that has no end; laws of which the last are never checked.
+// Kills: a run without an end; laws at the end of the list that are never checked.
 TEST_F(Run, EndsWhenItsTimeIsUpWithAllLawsCheckedAlike) {
   std::map<std::string, std::uint64_t> checked;
-  // As long as it takes a busy machine to get through the corpus, and to all three laws.
+  // A busy machine may need more time to get through the corpus and to reach all three laws.
   for (const char* const seconds : {"1", "8", "64"}) {
     if (checked.size() == 3) break;
     checked.clear();
@@ -282,12 +283,12 @@ TEST_F(Run, EndsWhenItsTimeIsUpWithAllLawsCheckedAlike) {
   const auto by_cases = [](const auto& a, const auto& b) { return a.second < b.second; };
   const auto [least, most] = std::minmax_element(checked.begin(), checked.end(), by_cases);
   EXPECT_GT(least->second, 0U);
-  EXPECT_LE(most->second - least->second, 10 + most->second / 16);  // a task
+  EXPECT_LE(most->second - least->second, 10 + most->second / 16);  // 10 is a task
   const Outcome at_once = run({"--cases", "3", "--seed", "1", "--max-time", "0.001"});
   EXPECT_EQ(at_once.code, 5) << at_once;  // nothing was checked
 }
 
-// Kills: a failure that is not checked again as it was found.
+// Kills: checking a failure again in another way than the one that found it, or not at all.
 TEST_F(Run, ChecksWhatFailedOnceMore) {
   const Outcome first =
       run_damaged({"--backend", "damaged", "--backend", "cpu", "--cases", "6", "--seed", "7",
@@ -302,7 +303,7 @@ TEST_F(Run, ChecksWhatFailedOnceMore) {
   EXPECT_EQ(after.at("plan").at("laws"), json{kCoverage});
   EXPECT_EQ(after.at("plan").at("seed"), 7);
   EXPECT_EQ(after.at("plan").at("cases_per_law"), 6);
-  // Counterexamples of random cases are shrunk once more, from the file that was saved.
+  // Counterexamples of random cases are shrunk again, from the saved file.
   const auto ways = [](const json& run) {
     std::vector<std::string> all;
     for (const json& one : run.at("counterexamples")) {
@@ -319,7 +320,7 @@ TEST_F(Run, ChecksWhatFailedOnceMore) {
   EXPECT_THAT(nothing.err, HasSubstr("says that nothing was violated"));
 }
 
-// Kills: a counterexample of yesterday that nobody checks today.
+// Kills: a saved counterexample that the next run does not check.
 TEST_F(Run, ChecksSavedCounterexamplesAgain) {
   const auto run_cpu = [this] {
     return run({"--cases", "6", "--seed", "1", "--property", kCoverage});
@@ -333,7 +334,7 @@ TEST_F(Run, ChecksSavedCounterexamplesAgain) {
   EXPECT_TRUE(std::any_of(records.begin(), records.end(), [](const json& record) {
     return record.at("stratum") == "saved" && record.at("cases").at("checked") == 1;
   })) << records;
-  // It holds now, and is kept where nobody takes it for a failure.
+  // The law holds now, and the file is moved to a folder where it does not count as a failure.
   EXPECT_THAT(folder_.files("out/counterexamples"),
               ElementsAre("earlier/coverage-obeys-the-contract-cpu-missing.json"));
 
@@ -349,7 +350,7 @@ TEST_F(Run, ChecksSavedCounterexamplesAgain) {
   EXPECT_THAT(second.out, HasSubstr("saved before: case 0 of seed 1"));
 }
 
-// Kills: what one backend broke, lost when another is checked, or taken for what that one broke.
+// Kills: counterexamples of one backend, lost when another is checked, or counted as the other's.
 TEST_F(Run, PutsTheCounterexamplesOfOtherBackendsAside) {
   EXPECT_EQ(run_damaged({"--backend", "damaged", "--cases", "3"}).code, 1);
   std::vector<std::string> files = folder_.files("out/counterexamples");
@@ -381,7 +382,7 @@ TEST_F(Run, PrintsTheTableAsJson) {
   EXPECT_EQ(row->at("verdict"), "violated");
 }
 
-// Kills: precision of kinds or strata left out of what programs read.
+// Kills: precision of kinds or of strata that is missing from the JSON.
 TEST_F(Run, PrintsPrecisionAndLevelsAsJson) {
   const Outcome outcome =
       run({"--cases", "4", "--seed", "9", "--property", "values-stay-within*", "--json"});
@@ -456,7 +457,7 @@ TEST_F(Run, JudgesAScene) {
   EXPECT_THAT(outcome.out, HasSubstr("\nScene roof.obj on cpu: 1 triangle, "));
 }
 
-// Kills: a scene that was asked for and is dropped without a word, with an empty picture.
+// Kills: a requested scene that is dropped without a message and with an empty picture.
 TEST_F(Run, SaysThatNothingWasJudgedOfAScene) {
   const std::string mesh = folder_.put("far.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 1\nf 1 2 3\n");
   const std::string contract = folder_.put(
@@ -476,7 +477,7 @@ TEST_F(Run, SaysThatNothingWasJudgedOfAScene) {
   EXPECT_THAT(folder_.content("out/junit.xml"), HasSubstr("name=\"scene far.obj\""));
 }
 
-// Kills: two counterexamples of one name, for which a run of minutes ends without a report.
+// Kills: two counterexamples with the same name, which make a run of minutes end without a report.
 TEST_F(Run, JudgesACaseOfTheCorpusAsAScene) {
   folder_.put("corpus/square.json", square_case());
   const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "0", "--scene",
@@ -566,7 +567,7 @@ TEST_F(Run, HasNoVectorsThatNobodyCompiledFor) {
   EXPECT_TRUE(is_failure(run({"--backend", "cpu:simd=mmx"}), 2));
 }
 
-// Kills: 4 where 2 applies as well.
+// Kills: exit code 4 where 2 applies as well.
 TEST_F(Run, PutsWrongUsageBeforeWhatCannotRun) {
   EXPECT_TRUE(is_failure(run_damaged({"--backend", "damaged:absent", "--backend", "gpu"}), 2));
   EXPECT_TRUE(is_failure(

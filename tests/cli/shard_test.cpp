@@ -1,4 +1,4 @@
-// A campaign in parts, `run --shard`, and these together again, `merge`.
+// A campaign in parts, by `run --shard`, and the parts put together by `merge`.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::string part(int index, int count) {
   return std::to_string(index) + "/" + std::to_string(count);
 }
 
-/// Without the line of the seed, which says how long it took.
+/// The text without its line of the seed, which tells how long the run took.
 std::string without_time(std::string text) {
   const std::size_t start = text.find("\nSeed ");
   if (start == std::string::npos) return text;
@@ -52,7 +52,7 @@ class Shard : public testing::Test {
     more.insert(more.end(), {"--shard", part(index, count)});
     return run("shard" + std::to_string(index), more);
   }
-  /// A small one: the law of coverage, six cases.
+  /// Runs a small shard: the law of coverage on six cases.
   Outcome run_small(int index, int count, std::vector<std::string> more = {}) const {
     more.insert(more.end(), {"--seed", "1", "--cases", "6", "--property", "coverage-obeys*"});
     return run_shard(index, count, more);
@@ -62,7 +62,8 @@ class Shard : public testing::Test {
     for (const int shard : shards) more.push_back(folder_.path("shard" + std::to_string(shard)));
     return run_damaged_program(more);
   }
-  /// That both folders have the same files, counterexamples and run.json, but for the environment.
+  /// Expects that both folders have the same files, the same counterexamples and, but for its
+  /// environment, the same run.json.
   void expect_same(const std::string& one, const std::string& other) const {
     EXPECT_TRUE(without_environment(folder_.content(one + "/run.json")) ==
                 without_environment(folder_.content(other + "/run.json")));
@@ -72,7 +73,7 @@ class Shard : public testing::Test {
       EXPECT_EQ(folder_.content(one + "/" + file), folder_.content(other + "/" + file));
     }
   }
-  /// What was printed of a run in one folder, as it would be in another.
+  /// Replaces one folder's path by another's in the output of a run.
   std::string in_folder(std::string text, const std::string& from, const std::string& to) const {
     const std::string before = folder_.path(from);
     const std::string after = folder_.path(to);
@@ -108,8 +109,8 @@ INSTANTIATE_TEST_SUITE_P(CountAndJobs, InShards,
                          testing::Values(std::pair(1, "1"), std::pair(7, "1"), std::pair(7, "2"),
                                          std::pair(64, "1")));
 
-// Kills: a case checked twice or by no shard, a counterexample that is not the first, inspections
-// of a part taken for those of the whole.
+// Kills: a case checked twice or by no shard; a counterexample that is not the first one; samples
+// inspected for a part, shown as the inspections of the whole.
 TEST_P(InShards, IsTheRunThatOneProgramMakes) {
   const auto [count, jobs] = GetParam();
   const std::vector<std::string> campaign{
@@ -139,7 +140,7 @@ TEST_P(InShards, IsTheRunThatOneProgramMakes) {
   EXPECT_EQ(document.at("environment").at("shards"), std::to_string(count));
 }
 
-// Kills: labels judged by a part, or forgotten.
+// Kills: labels judged by a shard alone, or forgotten.
 TEST_F(Shard, LeavesLabelsToTheMerge) {
   const std::vector<std::string> campaign{
       "--backend", "damaged:unseen", "--cases", "120", "--seed", "1", "--property", "cases-reach*"};
@@ -155,7 +156,7 @@ TEST_F(Shard, LeavesLabelsToTheMerge) {
   expect_same("merged", "whole");
 }
 
-// Kills: a known defect checked by each shard; an entry that no longer shows, forgotten.
+// Kills: a known defect checked by each shard; a forgotten entry whose defect no longer shows.
 TEST_F(Shard, KnowsWhatIsKnownOfDrivers) {
   const TemporaryFolder known;
   properties::put_known(known);
@@ -171,7 +172,7 @@ TEST_F(Shard, KnowsWhatIsKnownOfDrivers) {
   }
 }
 
-// Kills: saved counterexamples counted by each shard; one of them that cannot be shown.
+// Kills: saved counterexamples counted by each shard; a saved counterexample that cannot be shown.
 TEST_F(Shard, ChecksSavedCounterexamplesOnce) {
   const std::string name = "/counterexamples/coverage-obeys-the-contract-damaged-missing.json";
   for (const char* folder : {"whole", "shard1", "shard2"}) {
@@ -195,7 +196,7 @@ TEST_F(Shard, ChecksSavedCounterexamplesOnce) {
 
 // --- Where it is merged --------------------------------------------------------------------------
 
-// Kills: a merge that needs what the shards were drawn by.
+// Kills: a merge that needs the backend that the shards were drawn by.
 TEST_F(Shard, IsMergedWhereItsBackendIsNot) {
   for (int i = 1; i <= 2; ++i) run_small(i, 2, {"--backend", "damaged"});
   const Outcome outcome = run_program({"merge", folder_.path("shard1"), folder_.path("shard2"),
@@ -242,7 +243,7 @@ TEST_F(Shard, IsMergedFromFilesIntoTheFormatsAskedFor) {
 
 // --- What is refused -----------------------------------------------------------------------------
 
-// Kills: a shard lost to the run that it is merged to.
+// Kills: overwriting a shard with the merged run.
 TEST_F(Shard, IsNotWrittenOverByTheMerge) {
   const std::string shard = folder_.path("shard1");
   run_small(1, 1);
@@ -267,14 +268,14 @@ TEST_F(Shard, HasToBeOneThatThereIs) {
   }
 }
 
-// Kills: shards of as many campaigns.
+// Kills: shards that each choose their own seed, and so belong to different campaigns.
 TEST_F(Shard, NeedsASeed) {
   const Outcome outcome = run("out", {"--shard", "1/3"});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
   EXPECT_THAT(outcome.err, HasSubstr("--shard: needs --seed"));
 }
 
-// Kills: a part that is compared with the whole.
+// Kills: a part compared with the baseline of the whole.
 TEST_F(Shard, IsHeldAgainstNoBaseline) {
   const auto error_of = [](const std::vector<std::string>& arguments) {
     const Outcome outcome = run_damaged_program(arguments);

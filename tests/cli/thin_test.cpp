@@ -1,4 +1,4 @@
-// Laws that held on few cases, or of other cases than they are about, are thin.
+// Laws are thin if they held on few cases, or on too few of the cases they are about.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-// Kills: a law that held, of cases that are not what it is about.
+// Kills: a law reported as held although its cases are not those that it is about.
 TEST(Thin, IsALawThatReachesALabelTooSeldom) {
   TemporaryFolder folder;
   folder.put("corpus/square.json", square_case());
@@ -39,7 +39,7 @@ TEST(Thin, IsALawThatReachesALabelTooSeldom) {
   EXPECT_THAT(folder.content("out/report.html"), HasSubstr("Not reached: "));
 }
 
-// Kills: "held" on a handful of cases, and exit code 0.
+// Kills: "held" and exit code 0 after a handful of cases.
 TEST(Thin, EndsWithFiveWhereMoreCasesAreRequired) {
   TemporaryFolder folder;
   folder.put("corpus/square.json", square_case());

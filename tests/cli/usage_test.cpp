@@ -26,7 +26,7 @@ TEST(Usage, NamesWhatWasPerhapsMeant) {
   EXPECT_THAT(refusal({"--vers"}), HasSubstr("did you mean --version?"));
 }
 
-// Kills: a suggestion of whatever there is.
+// Kills: a suggestion that does not resemble the word.
 TEST(Usage, SuggestsNothingThatIsNotAlike) {
   EXPECT_EQ(refusal({"frobnicate"}),
             "rastercheck: there is no command 'frobnicate' (see rastercheck --help)\n");
@@ -34,7 +34,7 @@ TEST(Usage, SuggestsNothingThatIsNotAlike) {
             "rastercheck: there is no option --frobnicate (see rastercheck run --help)\n");
 }
 
-// Kills: the first option of all, of which every word begins like it.
+// Kills: suggesting the first option because it begins like the word, as all options do.
 TEST(Usage, SuggestsNothingForTooLittle) {
   for (const char* word : {"-", "--x", "---", "-x", "r"}) {
     EXPECT_THAT(refusal({"run", word}), testing::Not(HasSubstr("did you mean"))) << word;
@@ -50,7 +50,7 @@ TEST(Usage, TakesWholeNumbersWithAnExponent) {
   EXPECT_THAT(refusal({"run", "--cases", "1e9", "--property", "none"}), HasSubstr("--property"));
 }
 
-// Kills: "Could not convert".
+// Kills: the message "Could not convert", which does not give the range.
 TEST(Usage, SaysUpToWhereNumbersGo) {
   EXPECT_THAT(refusal({"explain", "x.json", "--sample", "4294967296"}),
               HasSubstr("4294967296 is no whole number from 0 to 4294967295"));
@@ -58,7 +58,7 @@ TEST(Usage, SaysUpToWhereNumbersGo) {
               HasSubstr("-1 is no whole number from 0 to 18446744073709551615"));
 }
 
-// Kills: what follows from an unknown option, in its place.
+// Kills: reporting a consequence of the unknown option instead of the option.
 TEST(Usage, NamesAnUnknownOptionBeforeAllElse) {
   EXPECT_THAT(refusal({"list", "--backnd", "cpu"}), HasSubstr("no option --backnd"));
   EXPECT_THAT(refusal({"compare", "--polcy", "x"}), HasSubstr("no option --polcy"));

@@ -1,4 +1,4 @@
-// Waivers and expectation lists, from the program's outside.
+// Waivers and expectation lists, tested through the program.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class Waived : public testing::Test {
     all.insert(all.end(), more.begin(), more.end());
     return run_damaged_program(all);
   }
-  /// Waives what a run found first; the outcome of that.
+  /// Waives a violation that a run found; returns the outcome of `known add`.
   Outcome add(const std::vector<std::string>& more = {}) const {
     std::string file;
     for (const auto& entry : std::filesystem::directory_iterator(output_.path("counterexamples"))) {
@@ -65,7 +65,7 @@ TEST_F(Waived, RunEndsWellOnceItsOneFaultIsKnown) {
   const Outcome twice = add();
   EXPECT_TRUE(is_failure(twice, 2)) << twice;
   EXPECT_THAT(twice.err, HasSubstr("is known already: damaged-1"));
-  // Another backend's fault is not waived by it.
+  // The waiver does not cover another backend's fault.
   EXPECT_EQ(run("damaged:worse", {"--known", list()}).code, 1);
 }
 
@@ -105,7 +105,7 @@ TEST_F(Waived, NeedsAListThatItMayWrite) {
   EXPECT_THAT(driver.err, HasSubstr("mine.json: /driver: is a driver's list"));
   lists_.put("mine.json", "{}");
   EXPECT_TRUE(is_failure(add(), 2));
-  EXPECT_EQ(lists_.content("mine.json"), "{}");  // and it is not lost
+  EXPECT_EQ(lists_.content("mine.json"), "{}");  // the file is kept
   const Outcome day = [&] {
     std::filesystem::remove(list());
     return add({"--until", "tomorrow"});
@@ -135,7 +135,7 @@ TEST_F(Waived, ExpectationListsAreWrittenAndRead) {
                                     " was expected to fail on damaged:mended"));
 }
 
-// Kills: entries whose own cases are violations, as a line of another list knows them first.
+// Kills: counting a waived case as a violation because a line of another list matches it first.
 TEST_F(Waived, ListsOfBothSortsGoTogether) {
   ASSERT_EQ(run("damaged:driver").code, 1);
   ASSERT_EQ(add().code, 0);
@@ -144,7 +144,8 @@ TEST_F(Waived, ListsOfBothSortsGoTogether) {
   EXPECT_EQ(both.code, 0) << both;
 }
 
-// Kills: a law that is dropped in silence; one that counts as not checked, which ends with 5.
+// Kills: a law that is skipped without a message; a skipped law that counts as not checked, which
+// gives exit code 5.
 TEST_F(Waived, SkippedPropertiesAreSaidToBe) {
   const std::string skips = lists_.put("damaged-skips.txt", std::string(kCoverage) + "\n");
   const Outcome outcome = run("damaged:driver", {"--known", skips});
@@ -154,7 +155,7 @@ TEST_F(Waived, SkippedPropertiesAreSaidToBe) {
   EXPECT_THAT(output_.content("report.html"), HasSubstr("Skipped on damaged:driver"));
   const json records = json::parse(output_.content("run.json")).at("records");
   for (const json& record : records) EXPECT_EQ(record.at("law"), kDegenerate);
-  // None of another backend.
+  // A line for another backend skips no law of this one.
   lists_.put("damaged-skips.txt", std::string("cpu/") + kCoverage + "\n");
   EXPECT_EQ(run("damaged:driver", {"--known", skips}).code, 1);
 }

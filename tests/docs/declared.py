@@ -32,6 +32,7 @@ INSTEAD = [
     (r"^((?:build/release/bin/)?rastercheck run .*--cases) \d+", r"\1 5", "takes minutes; the corpus is run as well"),
     (r"^(rastercheck bisect )", r"\1--cases 5 ", "takes minutes"),
     (r"(second_opinion_test.py .*--cases) 5000", r"\1 20", "takes minutes"),
+    (r"(rastercheck-sensitivity) 25$", r"\1 1", "takes minutes"),
     (r"(max_success)=3000", r"\1=30", "takes a minute"),
     (r"^(rastercheck run .*)--shard 2/7 --output shard-2$",
      r"for i in 1 2 3 4 5 6 7; do \1--shard $i/7 --output shard-$i || break; done", "all the jobs"),

@@ -1,4 +1,4 @@
-// The reader of unfinished.json, from which an interrupted run goes on.
+// The reader of unfinished.json, from which an interrupted run continues.
 
 #include <string>
 

@@ -1,4 +1,4 @@
-// Hex floats, held against strtod.
+// Hex floats, compared with strtod.
 
 #include <bit>
 #include <cfloat>
@@ -14,7 +14,7 @@ namespace {
 using namespace rastercheck;
 using fuzz::expect;
 
-/// So many characters cannot name more bits than a double has.
+/// A text of at most this many characters cannot name more bits than a double has.
 constexpr std::size_t kCertainlyExact = 13;
 
 void check_hex_float(const std::string& text, const std::optional<float>& value) {

@@ -1,4 +1,5 @@
-// The JSON parser below all readers, and what makes lines of any bytes for messages.
+// The JSON parser below all readers, and the functions that turn arbitrary bytes into lines of
+// messages.
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-// Mesh files as `rastercheck import` reads them: by assimp, in a process of its own, which may
-// crash where this one may not. An input is the format on a line of its own ("obj"), and the file
-// behind it.
+// Mesh files as `rastercheck import` reads them: by assimp, in a separate process, which may crash
+// although this one may not. An input is the name of the format on a line of its own ("obj"),
+// followed by the file.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -18,10 +18,10 @@ namespace {
 using namespace rastercheck;
 using fuzz::expect;
 
-/// Enough for files as small as these.
+/// Limits that are large enough for such small files.
 constexpr cases::ProcessLimits kLimits{std::uint64_t{1} << 30U, 5};
 
-/// Standard input of this process, and of its children, is a file with this content from now on.
+/// Makes a file with this content the standard input of this process and of its children.
 void set_standard_input(std::string_view content) {
   const int file = ::memfd_create("input", 0);
   const auto size = static_cast<ssize_t>(content.size());
@@ -36,7 +36,7 @@ void set_standard_input(std::string_view content) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input = fuzz::text_of(data, size);
   const std::size_t end = std::min(input.find('\n'), input.size());
-  // Words of a command line end at a NUL byte.
+  // An argument of a command line ends at a NUL byte.
   const std::string format(input.substr(0, std::min(input.find('\0'), end)));
   set_standard_input(input.substr(std::min(end + 1, input.size())));
   std::vector<std::string> command{RASTERCHECK_PROGRAM, "mesh",

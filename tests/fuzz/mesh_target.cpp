@@ -1,4 +1,4 @@
-// What the process that reads a mesh file answers, and the case that is made of it.
+// The answer of the process that reads a mesh file, and the case that is made of it.
 
 #include "cases/mesh.h"
 #include "cases/mesh_process.h"

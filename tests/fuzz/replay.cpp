@@ -1,5 +1,6 @@
-// The main of fuzz targets in builds without libFuzzer: gives the target each of the files named,
-// and each in the folders named. A finding ends it; what it was given last is on standard output.
+// The main function of fuzz targets in builds without libFuzzer: gives the target each file named,
+// and each file in the folders named. A finding ends the program; the last line of standard output
+// names the input that caused it.
 
 #include <algorithm>
 #include <cstdint>
@@ -35,7 +36,7 @@ bool replay(const fs::path& file) {
   }
   std::printf("%s\n", file.c_str());
   std::fflush(stdout);
-  // Of its own size, so that AddressSanitizer sees what reads beyond it.
+  // A copy of exactly this size, so that AddressSanitizer sees reads beyond its end.
   const std::vector<std::uint8_t> input(bytes.begin(), bytes.end());
   LLVMFuzzerTestOneInput(input.data(), input.size());
   return true;
@@ -52,6 +53,6 @@ int main(int argc, char** argv) {
     }
   }
   std::printf("%zu inputs, no finding\n", count);
-  // Seeds that are not where they were looked for would pass for ever.
+  // Fails without inputs: otherwise a wrong path of the seeds would always pass.
   return count == 0 ? 2 : 0;
 }

@@ -1,4 +1,4 @@
-// The reader of run.json, and the reports that `rastercheck report` makes of what it has read.
+// The reader of run.json, and the reports that `rastercheck report` makes from what was read.
 
 #include <string>
 

@@ -24,7 +24,7 @@ bool is_one_line(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     if (byte < 0x20 || byte == 0x7f) return false;
-    // U+0080…U+009F in UTF-8; there some terminals have a second escape character.
+    // U+0080…U+009F in UTF-8: some terminals have a second escape character in this range.
     const bool is_first_of_two = byte == 0xc2 && i + 1 < text.size();
     if (is_first_of_two && static_cast<unsigned char>(text[i + 1]) < 0xa0) return false;
   }
@@ -41,7 +41,7 @@ void expect_round_trip(const cases::Case& c) {
   const Result<cases::Case> again = cases::parse_case(text, "again");
   expect(again.has_value(), "a case that was written can be read");
   expect(*again == c, "a case that was written is read as the same");
-  // Of numbers that compare equal, as -0 and 0, the texts differ.
+  // Numbers that compare equal, such as -0 and 0, have different texts.
   expect(cases::to_json(*again) == text, "a case that was read again is written as the same");
 }
 

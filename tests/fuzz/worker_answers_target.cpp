@@ -1,5 +1,5 @@
-// What a process that draws with foreign code answers: its greeting, contracts, drawings. The first
-// byte says which.
+// The answers of a process that draws with foreign code: its greeting, contracts, drawings. The
+// first byte selects one of them.
 
 #include "backends/internal/wire.h"
 #include "tests/fuzz/target.h"
@@ -9,7 +9,7 @@ namespace {
 using namespace rastercheck;
 using fuzz::expect;
 
-/// What was read is written as the bytes that it was read from: there is one way to write it.
+/// Expects that writing what was read gives the same bytes again: each value has only one encoding.
 template <typename T>
 void check_same(const std::optional<T>& read, std::string_view bytes) {
   if (read) expect(backends::pack(*read) == bytes, "what was read is written as the same");

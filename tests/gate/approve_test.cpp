@@ -15,7 +15,8 @@ using records::Stratum;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// The sample, of another commit: the sliver's worst is 3/4, and one fragment is extra.
+/// The sample section at another commit: the worst error of the sliver is 3/4, and one fragment is
+/// extra.
 records::BaselineSection worse_section() {
   records::BaselineSection section = records::sample_section();
   section.taken.commit = "beef";
@@ -65,7 +66,7 @@ TEST(Approve, DoesNothingWhereNothingChanged) {
   EXPECT_EQ(approved(section, worse_section(), {.law = "other"}).section, section);
 }
 
-// Kills: what was not chosen taken over, in entries or in cases.
+// Kills: approving entries or cases that were not chosen.
 TEST(Approve, TakesOnlyWhatIsChosen) {
   const Approved result =
       approved(records::sample_section(), worse_section(), {.stratum = "sliver"});
@@ -79,13 +80,14 @@ TEST(Approve, TakesOnlyWhatIsChosen) {
       .worst[AttributeKind::smooth][Stratum::sliver] = records::sample_error(0.75);
   expected.approvals = {{"it is meant so", "0.1.0", "beef", result.changes}};
   EXPECT_EQ(result.section, expected);
-  // What remains is taken next; then nothing differs.
+  // Approves the rest next; then nothing differs.
   const Approved rest = approved(result.section, worse_section(), {.kind = "coverage"});
   EXPECT_EQ(rest.section.laws, worse_section().laws);
   EXPECT_EQ(rest.section.entries, worse_section().entries);
 }
 
-// Kills: a total that is taken over without what its cases have of it, and so is worse still.
+// Kills: approving a total without the matching errors of its cases, so that the total is worse
+// again.
 TEST(Approve, TakesATotalWithItsStrataAndCases) {
   records::BaselineSection current = worse_section();
   records::CaseFigures& other =
@@ -114,7 +116,8 @@ TEST(Approve, TakesATotalWithItsStrataAndCases) {
             current.laws);
 }
 
-// Kills: cases of entries that nobody approved, taken over as no figure of theirs is kept.
+// Kills: approving cases whose own entries nobody approved, only because no figure of these entries
+// is kept.
 TEST(Approve, LeavesCasesThatGrewToTheirOwnEntries) {
   records::BaselineSection current = records::sample_section();
   ++current.entries[records::kSampleCoverage].classes[records::FragmentClass::extra];
@@ -126,7 +129,7 @@ TEST(Approve, LeavesCasesThatGrewToTheirOwnEntries) {
   EXPECT_EQ(refused(compare(result.section, current).value()), 2U);
 }
 
-// Kills: a case that was approved as violated, and is violated anew each time.
+// Kills: a case that is reported as violated again each time, although its violation was approved.
 TEST(Approve, TakesWhatBecameOfCasesWithTheirCoverage) {
   records::BaselineSection current = records::sample_section();
   current.entries[records::kSampleCoverage].cases = {20, 3, 2, 0};
@@ -149,7 +152,7 @@ TEST(Approve, TakesWhatBecameOfCasesWithTheirCoverage) {
   EXPECT_EQ(refused(left), 2U);                                 // the error that grew
 }
 
-// Kills: violations that are approved without a word.
+// Kills: approving violations without reporting them.
 TEST(Approve, CountsViolationsOfLawsThatHaveMoreOrOthers) {
   using enum records::CaseOutcome;
   const records::CaseNumber other{records::Origin::random, 13};
@@ -173,7 +176,7 @@ TEST(Approve, CountsViolationsOfLawsThatHaveMoreOrOthers) {
   EXPECT_THAT(taken(with(held, held), with(violated, held), {.kind = "smooth"}), IsEmpty());
 }
 
-// Kills: digests that stay old for ever, as no figure is there to approve.
+// Kills: digests that stay old forever, because no changed figure exists that could be approved.
 TEST(Approve, TakesOtherBitsOver) {
   records::BaselineSection current = records::sample_section();
   current.laws[records::kSampleLaw].cases[records::kSampleCase].found_digest = 1000;

@@ -45,8 +45,9 @@ std::string refusal(const records::BaselineSection& before, const records::Basel
   return comparison ? "" : comparison.error().reason;
 }
 
-/// The one figure that changed of an entry, once the section is changed so; its direction is the
-/// other one, and nothing else is, where both sections change places.
+/// Changes one entry of the sample so that it becomes worse, and returns the only figure that
+/// changed. Also expects that this figure is the only one that is better if the sections are
+/// exchanged.
 records::FigureChange only_change(const records::EntryKey& key,
                                   const std::function<void(records::EntryFigures&)>& change) {
   const records::BaselineSection before = records::sample_section();
@@ -77,7 +78,7 @@ TEST(Compare, OfTheSameIsSilent) {
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(compared(section, section), first);
 }
 
-// Kills: a tolerance.
+// Kills: comparing with a tolerance.
 TEST(Compare, SeesOneUlpOfTheWorst) {
   const records::FigureChange change =
       only_change(records::kSampleSliver, [](records::EntryFigures& figures) {
@@ -88,7 +89,7 @@ TEST(Compare, SeesOneUlpOfTheWorst) {
   EXPECT_EQ(change.before.size, (records::Enclosure{0.625, 0.625}));
 }
 
-// Kills: only one end of an enclosure compared.
+// Kills: comparing only one end of an enclosure.
 TEST(Compare, SeesEitherEndOfAnEnclosureGrow) {
   const double next = std::nextafter(0.625, 1.0);
   only_change(records::kSampleSliver, [next](records::EntryFigures& figures) {
@@ -105,7 +106,7 @@ TEST(Compare, SeesEitherEndOfAnEnclosureGrow) {
             records::Change::worse);
 }
 
-// The median of four is the second: 1/4, bucket of (…, 1/4]; the next bucket ends at 2^(-15/8).
+// The median of four is the second: 1/4, in the bucket (…, 1/4]. The next bucket ends at 2^(-15/8).
 TEST(Compare, SeesOneBucketOfAQuantile) {
   const records::FigureChange change =
       only_change(records::kSampleAll, [](records::EntryFigures& figures) {
@@ -117,7 +118,8 @@ TEST(Compare, SeesOneBucketOfAQuantile) {
   EXPECT_EQ(change.after.size->lo, 0.25);
 }
 
-// 1 of 4 is off by more than 1/2. Kills: shares in double, counts compared as shares.
+// 1 value of 4 is off by more than 1/2. Kills: shares computed in double; counts compared as if
+// they were shares.
 TEST(Compare, SeesSharesExactly) {
   constexpr std::uint64_t kMany = std::uint64_t{1} << 60;
   const auto with = [](std::uint64_t misrounded, std::uint64_t others) {
@@ -152,7 +154,8 @@ TEST(Compare, SeesOneMismatchOfAClass) {
   EXPECT_EQ(change.after.count, 1U);
 }
 
-// Kills: a contract that was loosened, so that fewer values are judged than before.
+// Kills: a contract that was loosened, so that fewer values are judged than before, without this
+// being noticed.
 TEST(Compare, HoldsTheShareThatWasJudged) {
   const auto change_of = [](std::optional<std::uint64_t> was, std::optional<std::uint64_t> is) {
     records::BaselineSection before = records::sample_section();
@@ -166,7 +169,7 @@ TEST(Compare, HoldsTheShareThatWasJudged) {
   EXPECT_EQ(change_of(1, 2).change, records::Change::worse);
   EXPECT_EQ(change_of(2, 1).change, records::Change::better);
   EXPECT_EQ(change_of(2, 2).change, records::Change::same);
-  EXPECT_EQ(change_of(std::nullopt, 2).change, records::Change::same);  // of an older file
+  EXPECT_EQ(change_of(std::nullopt, 2).change, records::Change::same);  // from an older file
 }
 
 TEST(Compare, SeesViolationsAndCasesThatAreNoLongerChecked) {
@@ -184,7 +187,7 @@ TEST(Compare, SeesViolationsAndCasesThatAreNoLongerChecked) {
             records::Figure::checked);
 }
 
-// Kills: a test that got weaker called better, or not seen.
+// Kills: a test that became weaker and is called better, or goes unnoticed.
 TEST(Compare, FewerDefectsNoticedAreWorse) {
   const records::FigureChange change = only_change(
       records::kSampleCoverage, [](records::EntryFigures& figures) { --figures.power.noticed; });
@@ -192,7 +195,8 @@ TEST(Compare, FewerDefectsNoticedAreWorse) {
   EXPECT_EQ(change.change, records::Change::worse);
 }
 
-// As many of more drawings: those before had other defects, or were not drawn rightly.
+// If the number of drawings differs, the drawings had other defects, or some were wrong without
+// one, so the noticed defects cannot be compared.
 TEST(Compare, DefectsOfOtherDrawingsAreNotCompared) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -202,7 +206,7 @@ TEST(Compare, DefectsOfOtherDrawingsAreNotCompared) {
             records::Change::same);
 }
 
-// More samples drawn where a contract leaves that open are neither better nor worse.
+// If more samples are drawn where the contract allows either, this is neither better nor worse.
 TEST(Compare, CallsMoreCorrectFragmentsTheSame) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -211,7 +215,7 @@ TEST(Compare, CallsMoreCorrectFragmentsTheSame) {
             records::Change::same);
 }
 
-// Kills: better and worse balanced against each other.
+// Kills: balancing better figures against worse ones.
 TEST(Compare, CallsAnEntryWithBothWorse) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -239,7 +243,7 @@ TEST(Compare, NamesWhatIsNewAndGone) {
   EXPECT_EQ(refused(comparison), 0U);
 }
 
-// Kills: other bits taken for a regression, or not said.
+// Kills: reporting changed bits as a regression, or not at all.
 TEST(Compare, SaysThatBitsChangedThoughNoFigureDid) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -272,7 +276,7 @@ TEST(CompareCases, ShowBothErrorsOfTheGrownCase) {
   EXPECT_THAT(back.growths, IsEmpty());
 }
 
-// Kills: errors that grow unseen below the largest of all.
+// Kills: missing an error that grows but stays below the largest error of all.
 TEST(CompareCases, MakeTheirEntriesWorse) {
   records::BaselineSection before = records::sample_section();
   auto& small = before.laws[records::kSampleLaw].cases[{records::Origin::random, 0}];
@@ -292,7 +296,7 @@ TEST(CompareCases, MakeTheirEntriesWorse) {
   EXPECT_EQ(refused(comparison), 2U);
   EXPECT_EQ(count_of(compared(after, before), records::Change::same), 3U);
 
-  // Of all strata together the largest counts: what grows below it does not.
+  // For all strata together, only the largest error counts; an error that grows below it does not.
   grown.worst[AttributeKind::smooth] = {{Stratum::ordinary, records::sample_error(0.25)},
                                         {Stratum::sliver, records::sample_error(0.125)}};
   EXPECT_EQ(entry_of(compared(before, after), records::kSampleAll).change, records::Change::same);
@@ -305,7 +309,7 @@ TEST(CompareCases, MakeTheirEntriesWorse) {
             records::Change::same);
 }
 
-/// The sample with cases of these outcomes, and as many violations among its figures.
+/// The sample with cases of these outcomes, and with as many violations in its figures.
 records::BaselineSection with_outcomes(
     const std::map<std::uint64_t, records::CaseOutcome>& outcomes) {
   records::BaselineSection section = records::sample_section();
@@ -318,7 +322,8 @@ records::BaselineSection with_outcomes(
   return section;
 }
 
-/// The only figure that is worse, of the coverage: cases that grew.
+/// The number of cases that grew, from the coverage entry. Expects that no other figure of that
+/// entry is worse.
 std::uint64_t grown_in(const records::BaselineSection& before,
                        const records::BaselineSection& after) {
   const records::EntryChange entry = entry_of(compared(before, after), records::kSampleCoverage);
@@ -331,7 +336,7 @@ std::uint64_t grown_in(const records::BaselineSection& before,
   return grown;
 }
 
-// Kills: a violation that is hidden by one that is mended.
+// Kills: a new violation that is hidden by one that was fixed.
 TEST(CompareCases, AreHeldOneByOne) {
   using enum records::CaseOutcome;
   const records::BaselineSection before = with_outcomes({{1, violated}, {2, held}, {3, held}});
@@ -339,7 +344,8 @@ TEST(CompareCases, AreHeldOneByOne) {
   EXPECT_EQ(grown_in(before, with_outcomes({{1, held}, {2, held}, {3, held}})), 0U);
   EXPECT_EQ(
       grown_in(with_outcomes({{1, known}, {2, held}}), with_outcomes({{1, held}, {2, known}})), 1U);
-  // One of which the law said nothing: violated it is worse, held it is not, whatever its errors.
+  // In a case to which the law did not apply before, a violation is worse. If the law holds, that
+  // is not worse, whatever the errors are.
   EXPECT_EQ(grown_in(before, with_outcomes({{1, held}, {2, held}, {3, held}, {4, violated}})), 1U);
   records::BaselineSection after = with_outcomes({{1, violated}, {2, held}, {3, held}, {4, held}});
   after.laws[records::kSampleLaw]
@@ -349,7 +355,7 @@ TEST(CompareCases, AreHeldOneByOne) {
   EXPECT_EQ(compared(before, after).changed_cases, 1U);
 }
 
-// Before all others, with what was and is.
+// Cases that are violated now come before all other cases, with their outcomes before and now.
 TEST(CompareCases, ThatAreViolatedNowAreShownFirst) {
   using enum records::CaseOutcome;
   const records::BaselineSection before = with_outcomes({{1, violated}, {2, held}});
@@ -366,7 +372,7 @@ TEST(CompareCases, ThatAreViolatedNowAreShownFirst) {
   EXPECT_EQ(comparison.grown_cases, 2U);
 }
 
-// Kills: a baseline from before outcomes were kept, of which every violation is a new one.
+// Kills: counting every violation as new if the baseline is from before outcomes were kept.
 TEST(CompareCases, OfAnOlderBaselineAreHeldAsFarAsTheyAreKnown) {
   using enum records::CaseOutcome;
   const records::BaselineSection now = with_outcomes({{1, violated}, {2, held}});
@@ -379,11 +385,12 @@ TEST(CompareCases, OfAnOlderBaselineAreHeldAsFarAsTheyAreKnown) {
     EXPECT_EQ(comparison.changed_cases, 0U);
     EXPECT_THAT(comparison.growths, IsEmpty());
   }
-  // Where nothing was violated, all of it is known.
+  // If nothing was violated, all outcomes are known.
   EXPECT_TRUE(are_outcomes_known(records::sample_section(), records::kSampleLaw));
 }
 
-// What came out wrong goes before what is less precise; then the larger growth.
+// Cases with wrong samples or values come before less precise ones, and then the larger growth
+// comes first.
 TEST(CompareCases, AreOrderedByGrowthAndLimited) {
   records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -408,8 +415,8 @@ TEST(CompareCases, AreOrderedByGrowthAndLimited) {
   EXPECT_EQ(comparison->grown_cases, 3U);
 }
 
-// Kills: a case whose values were perhaps not judged before, as the one that grew most, and a kind
-// of a case likewise.
+// Kills: listing a case first as the one that grew most, although its values may not have been
+// judged before. The same for a kind of value of a case.
 TEST(CompareCases, WithoutAnErrorBeforeComeAfterThoseWithOne) {
   records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -436,7 +443,7 @@ TEST(CompareCases, WithoutAnErrorBeforeComeAfterThoseWithOne) {
   EXPECT_EQ(comparison.growths[2].index, 1U);
   EXPECT_EQ(comparison.growths[2].kind, AttributeKind::flat);
   EXPECT_EQ(comparison.growths[3].index, 0U);
-  // Each is a growth as before.
+  // Each of them still counts as a growth.
   EXPECT_EQ(comparison.grown_cases, 4U);
 }
 
@@ -454,7 +461,8 @@ TEST(CompareCases, OfTheCorpusHaveTheirNames) {
 
 // --- Stages --------------------------------------------------------------------------------------
 
-// Set-up makes 1/4 of 1 then, and 2 of 3 on average now; rounding 3/4 and 1.
+// On average, set-up made 1/4 of an error of 1 before, and makes 2 of 3 now; rounding made 3/4
+// before and makes 1 now.
 TEST(CompareStages, NameTheOneWhosePartGrewMost) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -471,7 +479,7 @@ TEST(CompareStages, NameTheOneWhosePartGrewMost) {
   EXPECT_EQ(entry_of(compared(before, before), records::kSampleSliver).grown_stage, std::nullopt);
 }
 
-// Kills: parts of stages compared by their sizes, of which snapping's is by far the largest.
+// Kills: comparing the parts of stages by size; snapping's part is by far the largest.
 TEST(CompareStages, GrowByHowManyTimesLargerTheyAre) {
   records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -480,13 +488,13 @@ TEST(CompareStages, GrowByHowManyTimesLargerTheyAre) {
   after.entries[records::kSampleSliver].stages = {{Stage::snap, records::sample_sum(4400, 4)},
                                                   {Stage::set_up, records::sample_sum(8, 4)}};
   EXPECT_EQ(entry_of(compared(before, after), records::kSampleSliver).grown_stage, Stage::set_up);
-  // Where there was nothing it is more than any number of times as much.
+  // A part that was 0 before has grown by a factor greater than any other.
   after.entries[records::kSampleSliver].stages[Stage::evaluation] = records::sample_sum(1, 4);
   EXPECT_EQ(entry_of(compared(before, after), records::kSampleSliver).grown_stage,
             Stage::evaluation);
 }
 
-// Kills: what a backend adds beyond its contract, named as the stage where others have it.
+// Kills: naming the error beyond the contract as a stage, for a backend that reports no stages.
 TEST(CompareStages, AreOnlyThoseThatABackendTellsOf) {
   records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -528,7 +536,8 @@ TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
               HasSubstr("their digest was 0123456789abcdef and is 0000000000000001"));
 }
 
-// Kills: a contract known by its path, so that another one in its place is compared.
+// Kills: identifying a contract by its path, so that a changed contract is compared with the old
+// one.
 TEST(CompareRefuses, WhatIsHeldToAnotherContract) {
   const auto with = [](const std::string& file, bool keeps_constants) {
     records::BaselineSection section = records::sample_section();
@@ -554,7 +563,7 @@ TEST(CompareRefuses, WhatIsKnownOtherwise) {
             "--no-known now");
 }
 
-// Kills: a version of the program, a commit or a corpus's folder that is compared.
+// Kills: comparing a version of the program, a commit or the corpus's folder.
 TEST(CompareRefuses, NothingThatIsOnlyRecorded) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
@@ -564,7 +573,7 @@ TEST(CompareRefuses, NothingThatIsOnlyRecorded) {
   EXPECT_EQ(refusal(before, after), "");
 }
 
-// Kills: a gate that is green as nothing was held against it.
+// Kills: a gate that passes because there was nothing to compare.
 TEST(CompareRefuses, NothingAtAll) {
   EXPECT_EQ(to_string(compare(records::Baseline{{records::sample_section()}}, records::Baseline(),
                               {"b.json", "run.json"})

@@ -19,8 +19,8 @@ using testing::IsEmpty;
 
 constexpr const char* kToday = "2026-03-01";
 
-/// Held against the sample: the sliver's worst is 3/4 then, and all of the kind has one more
-/// value misrounded.
+/// A comparison with the sample: the worst error of the sliver is now 3/4, and one more value of
+/// all strata of its kind is misrounded.
 std::vector<records::Comparison> two_worse() {
   records::BaselineSection after = records::sample_section();
   after.entries[records::kSampleSliver].worst = {0.75, 0.75};
@@ -37,7 +37,7 @@ Policy policy_of(const Allowance& allowance) {
   return policy;
 }
 
-/// How many of the two worse entries are refused still.
+/// How many of the two worse entries are still refused.
 std::uint64_t refused_under(const Allowance& allowance) {
   std::vector<records::Comparison> comparisons = two_worse();
   apply(policy_of(allowance), kToday, comparisons);
@@ -60,7 +60,7 @@ TEST(Policy, AllowsEntriesThatMatch) {
   EXPECT_EQ(refused_under({.backend = "c?u"}), 0U);
 }
 
-// Kills: a limit that is not kept, or kept below what it is.
+// Kills: a limit that is ignored, or that refuses errors below it.
 TEST(Policy, AllowsGrowthUpToItsLimit) {
   Allowance allowance;
   allowance.stratum = "sliver";
@@ -70,7 +70,7 @@ TEST(Policy, AllowsGrowthUpToItsLimit) {
   EXPECT_EQ(refused_under(allowance), 2U);
 }
 
-// Kills: wrong samples and numbers that are none, allowed by a limit on how large errors are.
+// Kills: a limit on the size of errors that also allows wrong samples and non-finite values.
 TEST(Policy, OfALimitAllowsNothingThatCameOutWrong) {
   const auto refused_of = [](const std::function<void(records::EntryFigures&)>& change,
                              const records::EntryKey& key, std::optional<double> worst) {
@@ -101,7 +101,7 @@ TEST(Policy, OfALimitAllowsNothingThatCameOutWrong) {
   }
 }
 
-// Until a day, that day included.
+// A line of the policy holds until its day, including that day.
 TEST(Policy, ExpiresAndSaysSo) {
   EXPECT_EQ(refused_under({.until = "2026-03-01"}), 0U);
   EXPECT_EQ(refused_under({.until = "2027-01-01"}), 0U);

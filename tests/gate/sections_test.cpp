@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 const std::string kValues = "values are within bounds";
 
-/// The sample run with two cases of that law, and what saved counterexamples added to it.
+/// The sample run with two cases of that law, and with the records that saved counterexamples add.
 records::Run run_with_cases() {
   records::Run run = reports::sample_run();
   run.environment["architecture"] = "x86_64";
@@ -53,7 +53,7 @@ TEST(SectionOf, HasTheFiguresOfAllFrozenCases) {
   EXPECT_EQ(section->key, (records::BaselineKey{"cpu", "x86_64", "", ""}));
   EXPECT_EQ(section->taken, (records::Taken{"cpu", "0.1.0", "", "avx2", "g++ <12> & more"}));
   EXPECT_THAT(section->plan.properties, ElementsAre("*<values>*"));
-  // Two strata of the generator, 600 and 400 cases; none of the 100 saved ones.
+  // Two strata of the generator, with 600 and 400 cases, but none of the 100 saved cases.
   const records::EntryFigures coverage =
       section->entries.at({kValues, AttributeKind::coverage, std::nullopt});
   EXPECT_EQ(coverage.cases, (records::CaseCounts{1000, 3, 0, 0}));
@@ -67,12 +67,13 @@ TEST(SectionOf, HasTheFiguresOfAllFrozenCases) {
   EXPECT_EQ(near.histogram.count(), 3000U);
   EXPECT_EQ(near.worst, (records::Enclosure{0.375, 0.375}));
   EXPECT_EQ(near.classes, records::ClassCounts());
-  // A law that checked nothing has its line, so that it is seen.
+  // A law that checked nothing has an entry of its own, so that it is visible.
   EXPECT_TRUE(section->entries.contains(
       {"a law <that> says | nothing", AttributeKind::coverage, std::nullopt}));
 }
 
-// Kills: a contract whose path alone is kept; what does not decide which cases are frozen.
+// Kills: keeping only the path of a contract; keeping settings that do not decide the generated
+// cases.
 TEST(SectionOf, HasWhatIsFrozenOfThePlan) {
   records::Run run = run_with_cases();
   run.plan.contract.emplace().file = "lax.json";
@@ -85,7 +86,7 @@ TEST(SectionOf, HasWhatIsFrozenOfThePlan) {
   EXPECT_EQ(section->plan.timeout, records::Plan().timeout);
 }
 
-// Kills: a worst error below the exact value that counts as none.
+// Kills: ignoring a worst error that lies below the exact value.
 TEST(SectionOf, HasTheWorstOnEitherSide) {
   const Result<records::BaselineSection> section = section_of(run_with_cases(), "method:float32");
   ASSERT_TRUE(section);
@@ -150,7 +151,8 @@ records::BaselineSection with_key(const std::string& instruction_set, const std:
   return section;
 }
 
-/// The key's last two parts of the section found for a machine of avx2 and GNU 12.2.0.
+/// The last two parts of the key of the section that is found for a machine with avx2 and GNU
+/// 12.2.0.
 std::string found_in(const std::vector<records::BaselineSection>& sections) {
   records::Baseline baseline;
   for (const records::BaselineSection& section : sections) put(baseline, section);
@@ -193,7 +195,7 @@ TEST(Put, KeepsOneSectionOfAKey) {
   EXPECT_EQ(baseline.sections[1].plan.seed, 5U);
 }
 
-// Kills: a plugin that a baseline has no section for, as its path is written in another way.
+// Kills: finding no section for a plugin because its path is written in another way.
 TEST(SectionName, IsTheSameForTheSamePath) {
   EXPECT_EQ(records::section_name("plugin:./build//x/../p.so"), "plugin:build/p.so");
   EXPECT_EQ(records::section_name("plugin:build/p.so"), "plugin:build/p.so");

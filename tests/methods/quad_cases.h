@@ -1,6 +1,6 @@
 #pragma once
 
-// Random quads, and what the oracle says of them.
+// Random quads, and the oracle's answers about them.
 
 #include <algorithm>
 #include <array>
@@ -20,19 +20,20 @@ class QuadNumbers {
  public:
   explicit QuadNumbers(std::uint64_t seed) : engine_(seed) {}
 
-  /// A whole number, both ends included.
+  /// An integer from low to high, both included.
   int between(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
-  /// Of 24 bits, within ±1.
+  /// A multiple of 2^-23 within ±1.
   float fraction() { return std::ldexp(static_cast<float>(between(-(1 << 23), 1 << 23)), -23); }
 
  private:
   std::mt19937_64 engine_;
 };
 
-/// Half of the quads lie on a coarse grid, where three corners often lie on a line; the others have
-/// all digits. Of some the corners are near those of a square, which makes most of these convex.
+/// Half of the quads lie on a coarse grid, where three corners often lie on a line; the others use
+/// all digits. Some quads have corners near those of a square, which makes most of these quads
+/// convex.
 inline rasterizer::Quad random_quad(QuadNumbers& random) {
   constexpr std::array<std::array<float, 2>, 4> kSquare{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   const bool is_coarse = random.between(0, 1) == 0;
@@ -81,7 +82,7 @@ inline tl::expected<oracle::FourPointMap, oracle::FourPointError> exact_map(
   return oracle::FourPointMap::infer(positions_of(quad), parameters_of(quad));
 }
 
-/// The most that a double may be off an exact number.
+/// The largest error that a double may have, given the enclosure of the exact number.
 inline double most_error(double computed, const oracle::Rational& exact) {
   const records::Enclosure around = exact.enclosure();
   return std::max(std::abs(computed - around.lo), std::abs(computed - around.hi));

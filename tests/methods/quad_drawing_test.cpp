@@ -1,4 +1,5 @@
-// Quads drawn as two triangles by method object-projective, against the oracle's map of the quad.
+// Quads drawn as two triangles by method object-projective, compared with the oracle's map of the
+// quad.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ using Split = std::array<Corners, 2>;
 constexpr Split kSplit{{{0, 1, 2}, {0, 2, 3}}};
 constexpr Split kOtherSplit{{{0, 1, 3}, {1, 2, 3}}};
 
-/// The two parameters of a quad as a cluster with the corners' w_r.
+/// Draws a quad with its two parameters as one cluster that has the corners' w_r.
 Fragments draw(const Quad& quad, const std::array<double, 4>& w_r, const Split& split) {
   rasterizer::State state;
   state.viewport.size = {kSize, kSize};
@@ -51,7 +52,8 @@ Fragments draw(const Quad& quad, const std::array<double, 4>& w_r, const Split& 
 
 double ulp(double size) { return std::ldexp(1.0, std::max(std::ilogb(size), -126) - 23); }
 
-/// K of object_projective.cpp: Σ |w_r,i| |E|_i / |Σ w_r,i E_i| of one of the triangles at (u, v).
+/// K of object_projective.cpp: Σ |w_r,i| |E|_i / |Σ w_r,i E_i| for one of the two triangles at (u,
+/// v).
 double condition(const Quad& quad, const std::array<double, 4>& w_r, const Corners& corners,
                  double u, double v) {
   std::array<glm::dvec3, 3> window;
@@ -79,7 +81,7 @@ double condition(const Quad& quad, const std::array<double, 4>& w_r, const Corne
   return weight_sizes / std::abs(weights);
 }
 
-/// Holds all fragments of a quad against its exact map.
+/// Compares all fragments of a quad with its exact map.
 void judge(const Quad& quad, const std::array<double, 4>& w_r, const Split& split,
            const Fragments& drawn, int& judged) {
   const FourPointMap exact = exact_map(quad).value();
@@ -91,7 +93,7 @@ void judge(const Quad& quad, const std::array<double, 4>& w_r, const Split& spli
     const Corners& corners = split[drawn.triangle[i]];
     const double lost = kPerCondition * condition(quad, w_r, corners, u, v);
     if (!(lost < 0x1p24)) continue;
-    // The place in clip space, exactly: kSize is a power of two.
+    // The position in clip space is exact, because kSize is a power of two.
     const auto position = exact.at(2 * u / kSize - 1, 2 * v / kSize - 1);
     ASSERT_TRUE(position.has_value());
     for (std::size_t k = 0; k < 2; ++k) {
@@ -102,14 +104,15 @@ void judge(const Quad& quad, const std::array<double, 4>& w_r, const Split& spli
         scale = std::max(scale, double{std::abs(quad.parameters[c][static_cast<int>(k)])});
       }
       const double error = most_error(computed, r) / ulp(scale);
-      // The last part is for the enclosure and for K, which are in double.
+      // The last term covers the enclosure and K, which are computed in double.
       ASSERT_LE(error, 0.5 + 0x1p-29 + lost * (1 + 0x1p-20) + 0x1p-20);
       ++judged;
     }
   }
 }
 
-// Kills: w_r of one triangle's own; w_r of corners exchanged; clusters that share a denominator.
+// Kills: weights w_r that are one triangle's own; w_r of corners exchanged; clusters that share a
+// denominator.
 TEST(QuadDrawing, IsTheOraclesMapOnBothTrianglesWhicheverTheDiagonal) {
   QuadNumbers random(4);
   int judged = 0;
@@ -138,8 +141,8 @@ double greatest_difference(const Fragments& a, const Fragments& b) {
 }
 
 // The trapezoid (1, 1), (15, 1), (11, 15), (5, 15) with the unit square's corners as parameters.
-// With w_r = 1 its triangles are affine, each by itself, and bend along the diagonal: at (8, 8),
-// where u is 1/2 by symmetry, it is 9/14 by one diagonal and 5/14 by the other.
+// With w_r = 1 each triangle is interpolated affinely, and the map bends along the diagonal: at (8,
+// 8), where symmetry requires u = 1/2, one diagonal gives 9/14 and the other 5/14.
 TEST(QuadDrawing, HasNoSeamWhereOneWeightForAllHas) {
   const auto corner = [](float u, float v) {
     return glm::vec4(2 * u / kSize - 1, 2 * v / kSize - 1, 0, 1);

@@ -1,4 +1,4 @@
-// The maps that rasterizer/methods/quad.h infers in double, against the oracle's.
+// Compares the maps that rasterizer/methods/quad.h infers in double with the oracle's.
 
 #include <gtest/gtest.h>
 
@@ -32,29 +32,29 @@ PlanePoint plane_point(const glm::dvec3& p) {
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
 }
 
-/// x/z and y/z of a matrix times p, with the bound of quad.cpp; nothing where that is infinite.
+/// x/z and y/z of a matrix times p, with the bound of quad.cpp; nullopt if the bound is infinite.
 struct Bounded {
   glm::dvec2 value;
   glm::dvec2 bound;
 };
 std::optional<Bounded> divided(const SizedMatrix& m, const glm::dvec3& p) {
   const glm::dvec3 image = m.matrix * p;
-  // What H p is off by, with three roundings of its own.
+  // The error of H p, including the three roundings of this product.
   const glm::dvec3 error = (rasterizer::kMatrixError + 3 * kUnit) * (m.sizes * glm::abs(p));
   const double least = std::abs(image.z) - error.z;
   if (!(least > 0)) return std::nullopt;
   const glm::dvec2 value(image.x / image.z, image.y / image.z);
-  // The division's rounding, and that of the enclosure that it is held against.
+  // The rounding of the division, and that of the enclosure it is compared with.
   const auto bound = [&](double r, double of_numerator) {
     return (of_numerator + std::abs(r) * error.z) / least + 3 * kUnit * std::abs(r) + 0x1p-1070;
   };
   return Bounded{value, {bound(value.x, error.x), bound(value.y, error.y)}};
 }
 
-/// Holds the map against an exact one at p.
+/// Compares the map with an exact one at p.
 struct Agreement {
   int judged = 0;
-  double nearest = 0;  ///< how close an error has come to its bound
+  double nearest = 0;  ///< largest error as a share of its bound
 };
 void expect_images_agree(const SizedMatrix& m, const FourPointMap& exact, const glm::dvec3& p,
                          Agreement& agreement) {
@@ -70,7 +70,7 @@ void expect_images_agree(const SizedMatrix& m, const FourPointMap& exact, const 
   }
 }
 
-// Where a side has three points on a line there is no map, exactly then.
+// The map is refused exactly if three corners, or three parameter points, lie on a line.
 TEST(QuadMap, IsRefusedJustWhereTheOracleRefuses) {
   QuadNumbers random(1);
   int refused = 0;
@@ -93,7 +93,7 @@ TEST(QuadMap, IsRefusedJustWhereTheOracleRefuses) {
   EXPECT_GT(convex, kQuads / 2);
 }
 
-// The exact matrix takes corner 0 to (u, v, 1), and corner i to (u, v, 1) w_r,i/w_r,0.
+// The exact matrix maps corner 0 to (u, v, 1), and corner i to (u, v, 1) w_r,i/w_r,0.
 TEST(QuadMap, HasTheOraclesWeights) {
   QuadNumbers random(2);
   double worst = 0;

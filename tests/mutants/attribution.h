@@ -1,6 +1,6 @@
 #pragma once
 
-// Which stage of a mutant the exact split of its errors blames (oracle/stage_split.h).
+// Finds the stage of a mutant that the exact split of its errors blames (oracle/stage_split.h).
 
 #include <optional>
 #include <string_view>
@@ -11,9 +11,10 @@
 
 namespace rastercheck::mutants {
 
-/// Of the first violation of a law that judges all samples or all values of a case: the stage with
-/// the largest part of the value's error, or the first that says otherwise of the sample than the
-/// rules. Nothing where there is no violation, or none whose trace tells.
+/// Checks the case by a law that judges all samples or all values, and returns the stage to blame
+/// for the first violation that can be attributed: the stage with the largest part of the value's
+/// error, or the first stage that decides the sample differently from the rules. Empty if no
+/// violation can be attributed.
 std::optional<records::Stage> blamed_stage(std::string_view law, const cases::Case& source,
                                            backends::Backend& mutant);
 

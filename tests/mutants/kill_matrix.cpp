@@ -1,15 +1,15 @@
-// Which mutants a law kills, and by which case first:
+// Finds which mutants a law kills, and the first case that kills each:
 //
 //   rastercheck_kill_matrix LAW CASES MUTANT…
 //
-// prints a line of JSON for each mutant, {"law", "mutant", "kill", "says"}: the index of the first
-// of the law's first CASES cases of seed 1 whose check finds violations, where it finds none of the
-// backend without the defect, or null; and whether the law says anything of any of the cases.
-// scripts/kill-matrix runs it.
+// prints a line of JSON for each mutant, {"law", "mutant", "kill", "says"}. "kill" is the index of
+// the first case, among the law's first CASES cases of seed 1, on which the law finds violations by
+// the mutant but none by the backend without the defect; null if no case does. "says" is true if
+// the law applies to any of the cases. scripts/kill-matrix runs this program.
 //
-// Mutants are judged side by side: each case is made once, and checked once of the backend without
-// a defect. Of a mutant that gives the same answers to what the law asks there, to the bit, it is
-// not checked again.
+// Mutants are judged side by side: each case is generated once, and the backend without a defect is
+// checked on it once. A mutant that gives the same answers to the law's questions, to the bit, is
+// not checked.
 
 #include <algorithm>
 #include <charconv>
@@ -39,11 +39,11 @@ constexpr std::uint64_t kSeed = 1;
 struct Mutant {
   std::string name;
   std::unique_ptr<backends::Backend> backend;
-  bool is_spoken_of = false;  ///< whether the law says something of a case so far
+  bool is_spoken_of = false;  ///< true if the law has applied to a case so far
   std::optional<std::uint64_t> killed_at;
 };
 
-/// The mutants of one backend, and that backend.
+/// A backend without a defect, and its mutants.
 struct Group {
   std::unique_ptr<backends::Backend> unharmed;
   std::vector<Mutant> mutants;
@@ -74,7 +74,7 @@ Result<std::vector<Group>> groups_of(const std::vector<std::string>& names) {
   return all;
 }
 
-/// A check that has to be worth something: without a fault.
+/// Checks a case. A fault of the oracle or the harness is an error here.
 Result<properties::Check> checked(const properties::Law& law, const cases::Case& c,
                                   backends::Backend& backend, std::uint64_t index) {
   properties::Check done = properties::check_or_note(law, c, backend, index);
@@ -82,8 +82,8 @@ Result<properties::Check> checked(const properties::Law& law, const cases::Case&
   return done;
 }
 
-/// Checks those of a group's mutants that live on one case. One that the backend without a defect
-/// violates as well, as the textbook method does some, kills none.
+/// Checks the surviving mutants of a group on one case. A case on which the backend without the
+/// defect violates the law as well, as textbook methods do on some, kills no mutant.
 Result<void> judge(const properties::Law& law, const cases::Case& c, std::uint64_t index,
                    Group& group) {
   RecordingBackend recording(*group.unharmed);

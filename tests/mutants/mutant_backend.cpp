@@ -25,7 +25,7 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Those of a list with commas.
+/// Splits a list of names at its commas.
 std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> all;
   std::istringstream text(list);
@@ -38,8 +38,8 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& name) {
     return tl::unexpected(Error{"mutant:" + name, "", "no mutant of that name"});
   }
   const std::string path = RASTERCHECK_MUTANT_MODULES "/" + name + ".so";
-  // RTLD_LOCAL: two mutants at once must not see each other's symbols. Never closed: the backend's
-  // code is the module's.
+  // RTLD_LOCAL, because two loaded mutants must not see each other's symbols. The module is never
+  // closed, because it contains the backend's code.
   void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) return tl::unexpected(cannot_load(name));
   void* const symbol = dlsym(library, "rastercheck_make_mutant");

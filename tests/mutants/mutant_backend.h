@@ -8,25 +8,25 @@
 
 namespace rastercheck::mutants {
 
-/// The names of all mutants that laws kill, as of `NAME.patch`, in their order.
+/// The names of all mutants in tests/mutants/, each made by a patch `NAME.patch`.
 const std::vector<std::string>& mutant_names();
-/// The same of tests/gate/: small changes of precision, for the regression gate. A mutant of either
-/// kind is a backend.
+/// The names of the mutants in tests/gate/: small changes of precision, for the regression gate.
+/// Mutants of both kinds are available as backends.
 const std::vector<std::string>& gate_mutant_names();
 
-/// What a patch says of its mutant, before the first line of the diff: of texts the first line.
+/// What a patch states about its mutant before the diff begins; only the first line of each text.
 struct Header {
   std::string defect;      ///< what is wrong
-  std::string killed_by;   ///< the id of a law; empty where nothing can kill it
-  std::string equivalent;  ///< why nothing can
-  std::string of;          ///< the backend whose sources it damages
-  /// The stage that the exact split of its errors has to name (records::Stage); empty: not asked.
+  std::string killed_by;   ///< the id of a law; empty if no law can kill the mutant
+  std::string equivalent;  ///< why no law can kill it
+  std::string of;          ///< the backend whose sources the patch damages
+  /// The stage that the exact split of its errors must name (records::Stage); empty: not checked.
   std::string attributed_to;
-  /// The triangles that show it, and why, where three do not: "8 triangles, …".
+  /// If a counterexample needs more than three triangles: how many, and why; "8 triangles, …".
   std::string least;
 };
 
-/// The header of a mutant's patch; a part that is missing is empty.
+/// Reads the header of a mutant's patch; missing fields are empty.
 Header header_of(const std::string& mutant);
 
 }  // namespace rastercheck::mutants

@@ -1,12 +1,12 @@
-// Part of every mutant, with the damaged rasterizer and the backends that draw with it: the one
-// function that its module exports.
+// The one function that a mutant's module exports. Every module contains this file, the damaged
+// rasterizer, and the backends that draw with it.
 
 #include "backends/backend.h"
 #include "backends/factory.h"
 
-/// Makes the backend of a specification as the program itself does, of the damaged sources; null
-/// where there is none. The caller deletes it. Its virtual functions, the destructor among them,
-/// are the module's.
+/// Makes the backend of a specification as the program itself does, but from the damaged sources;
+/// null if no such backend exists. The caller deletes the backend, whose virtual functions,
+/// including the destructor, are the module's code.
 extern "C" __attribute__((visibility("default"))) rastercheck::backends::Backend*
 rastercheck_make_mutant(const char* specification) {
   auto backend = rastercheck::backends::make_backend(specification);

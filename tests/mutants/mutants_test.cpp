@@ -1,5 +1,5 @@
 // The laws can fail: each mutant, a rasterizer with one defect, breaks the law that its patch
-// names. Those that are argued to be no defect break none.
+// names. Mutants whose patches argue that they are no defect break none.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace rastercheck::mutants::mutants_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr std::uint64_t kCases = 1000;  // of a default campaign
+constexpr std::uint64_t kCases = 1000;  // as in a default campaign
 
 /// A case by which a mutant breaks a law.
 struct Kill {
@@ -44,8 +44,8 @@ Result<std::optional<Kill>> first_kill(const properties::Law& law, backends::Bac
   return std::nullopt;
 }
 
-/// The law finds nothing to object to in what the backend without the defect draws of the same
-/// case, so it is the defect that it has found.
+/// Expects that the backend without the defect passes the law on the same case, so that the law has
+/// found the defect.
 void expect_unharmed_passes(const properties::Law& law, const std::string& of, const Kill& kill) {
   const auto unharmed = backends::make_backend(of);
   ASSERT_TRUE(unharmed) << to_string(unharmed.error());
@@ -56,7 +56,8 @@ void expect_unharmed_passes(const properties::Law& law, const std::string& of, c
   EXPECT_EQ(check->violation_count, 0U);
 }
 
-/// Written as a case file and read back, the case gets the same verdict from a mutant loaded anew.
+/// Expects that the case, written as a case file and read back, gets the same verdict with a newly
+/// loaded mutant.
 void expect_replays(const properties::Law& law, const std::string& mutant, const Kill& kill) {
   cases::Case saved = kill.source;
   saved.found = {std::string(law.id), "mutant:" + mutant, "violated", kSeed, kill.index};
@@ -71,13 +72,14 @@ void expect_replays(const properties::Law& law, const std::string& mutant, const
   EXPECT_EQ(again->violations, kill.check.violations);
 }
 
-/// The most that a counterexample may be, and still fit in the head, but for mutants that say why.
+/// The most triangles that a counterexample may have to be easily understood. A mutant's patch may
+/// allow more, if it says why.
 constexpr std::size_t kMostTriangles = 3;
 std::size_t most_triangles(const Header& header) {
   return header.least.empty() ? kMostTriangles : std::stoul(header.least);
 }
 
-/// Whether the case without its last column or row fails as it does: then it was larger than
+/// True if the case without its last column or row fails in the same way, and so was larger than
 /// needed.
 bool fails_cropped(const properties::Law& law, backends::Backend& mutant,
                    const records::Counterexample& found, int cases::FramebufferSize::*side) {
@@ -88,13 +90,13 @@ bool fails_cropped(const properties::Law& law, backends::Backend& mutant,
   return check.is_applicable && properties::put_alike_first(check, cropped, *found.source.found);
 }
 
-/// What a default campaign makes of the case: few triangles, no pixel too many, and still the fault
-/// of the defect.
+/// Expects that a default campaign shrinks the case to few triangles and no pixel too many, and
+/// that the failure is still due to the defect.
 void expect_shrinks(const properties::Law& law, const Header& header, backends::Backend& mutant,
                     const Kill& kill) {
   properties::Findings found;
   properties::check_case(law, "mutant", mutant, kSeed, {kill.source, "", kill.index}, found);
-  // It may fail in several ways; take the one that comes first in the case.
+  // The case may fail in several ways; takes the way of the check's first violation.
   const auto first = std::find_if(
       found.counterexamples.begin(), found.counterexamples.end(), [&kill](const auto& one) {
         const cases::Found& way = *one.source.found;
@@ -122,7 +124,7 @@ void expect_shrinks(const properties::Law& law, const Header& header, backends::
   expect_unharmed_passes(law, header.of, {kill.index, least.source, {}});
 }
 
-/// The exact split of what the law found names the stage that is damaged.
+/// Expects that the exact split of what the law found names the damaged stage.
 void expect_attributed(const Header& header, backends::Backend& mutant, const Kill& kill) {
   if (header.attributed_to.empty()) return;
   const auto stage = blamed_stage(header.killed_by, kill.source, mutant);
@@ -157,14 +159,15 @@ TEST_P(Mutants, IsKilledByItsLawAtAFixedSeed) {
   expect_attributed(header, **mutant, **kill);
 }
 
-/// GoogleTest takes no hyphens.
+/// Test names must not contain hyphens.
 std::string test_name(const testing::TestParamInfo<std::string>& mutant) {
   std::string name = mutant.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-/// The mutants that a law kills, or those that are argued to be no defect.
+/// Returns the mutants that are argued to be no defect if `is_equivalent`, otherwise those that a
+/// law kills.
 std::vector<std::string> names_of(bool is_equivalent) {
   std::vector<std::string> names = mutant_names();
   std::erase_if(names, [is_equivalent](const std::string& name) {
@@ -177,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(All, Mutants, testing::ValuesIn(names_of(false)), test_
 
 class EquivalentMutants : public testing::TestWithParam<std::string> {};
 
-/// The two laws that judge all that is drawn by the contract.
+/// Checks the two laws that judge the whole drawing by the contract.
 TEST_P(EquivalentMutants, KeepTheContract) {
   EXPECT_EQ(header_of(GetParam()).killed_by, "");
   const auto mutant = backends::make_backend("mutant:" + GetParam());
@@ -193,8 +196,8 @@ TEST_P(EquivalentMutants, KeepTheContract) {
 
 INSTANTIATE_TEST_SUITE_P(All, EquivalentMutants, testing::ValuesIn(names_of(true)), test_name);
 
-// Mutants are of the rasterizer. One law says nothing of it but of drivers, two of which break it
-// (backends/llvmpipe/known.json); its own test has it fail on a backend that is made up.
+// Mutants damage the rasterizer. One law applies only to drivers, two of which break it
+// (backends/llvmpipe/known.json); in that law's own test a made-up backend breaks it.
 TEST(Laws, HaveAMutantEach) {
   ASSERT_FALSE(properties::laws().empty());
   for (const properties::Law& law : properties::laws()) {

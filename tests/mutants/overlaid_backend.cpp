@@ -17,7 +17,7 @@ bool has_same_bits(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// Takes over numbers that a damaged drawing has otherwise than the right one.
+/// Copies to `all` the numbers in which a damaged drawing differs from the right one.
 void take_over(const std::vector<float>& right, const std::vector<float>& damaged,
                std::vector<float>& all) {
   for (std::size_t i = 0; i < right.size() && i < damaged.size() && i < all.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<float> numbers_at(const Fragments& drawn, std::size_t i) {
   return numbers;
 }
 
-/// By place, and which of several there.
+/// The fragments' numbers by place, and by index among the fragments at that place.
 using Placed = std::map<std::pair<cases::SamplePlace, int>, std::vector<float>>;
 
 Placed placed(const Fragments& drawn) {

@@ -10,11 +10,11 @@
 
 namespace rastercheck::mutants {
 
-/// Draws what a backend without a defect draws, with whatever each of several damaged ones draws
-/// otherwise put over it: samples that one leaves out are left out, those that it adds are added,
-/// and numbers that it has otherwise are taken from it, of two that differ the later one's. So each
-/// defect shows as it does alone, and of what is wrong with a case it can be asked which defect it
-/// is of.
+/// Draws as a backend without a defect does, with the changes of several damaged backends on top:
+/// samples that a damaged backend omits are omitted, samples that it adds are added, and numbers in
+/// which it differs are taken from it. If several damaged backends change a number, the last one
+/// counts. So each defect shows as it does alone, and for each error in a case one can ask which
+/// defect caused it.
 class OverlaidBackend : public backends::Backend,
                         backends::PictureDrawer,
                         backends::Assembler,
@@ -41,7 +41,7 @@ class OverlaidBackend : public backends::Backend,
   Result<std::vector<cases::Normal>> transform_normals(
       const cases::Matrix4& model, std::span<const cases::Normal> normals) override;
 
-  /// Asks all; puts the damaged ones' answers over that of the other.
+  /// Asks all backends, and applies the damaged backends' changes to the answer of `unharmed_`.
   template <typename Ask, typename Overlay>
   auto overlaid(const Ask& ask, const Overlay& overlay) -> decltype(ask(*this));
 

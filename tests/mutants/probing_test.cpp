@@ -1,4 +1,4 @@
-// A probe finds out what is known of a mutant: its defect, from what it draws alone.
+// A probe finds the known defect of a mutant from the mutant's drawings alone.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,11 +19,11 @@ using cases::Snapping;
 
 struct Known {
   const char* mutant;
-  Coverage coverage;  ///< that cases ask for
+  Coverage coverage;  ///< what the cases ask for
   cases::Basis basis;
-  const char* what;      ///< the row
-  const char* measured;  ///< what its mutant is measured to be begins so
-  const char* unharmed;  ///< and cpu as it is
+  const char* what;      ///< name of the row
+  const char* measured;  ///< how the mutant's measurement begins
+  const char* unharmed;  ///< how the measurement of cpu begins
 };
 std::ostream& operator<<(std::ostream& stream, const Known& known) {
   return stream << known.mutant;

@@ -12,8 +12,8 @@ namespace {
 
 using backends::Backend;
 
-// Whether two answers are the same: numbers to the bit, as a law may tell −0 from 0 and one NaN
-// from another.
+// True if two answers are the same. Numbers are compared bit for bit, because a law may distinguish
+// −0 from 0 and one NaN from another.
 
 bool is_same(bool a, bool b) { return a == b; }
 
@@ -21,7 +21,7 @@ bool is_same(const cases::Contract& a, const cases::Contract& b) { return a == b
 
 bool is_same(const backends::About& a, const backends::About& b) { return a == b; }
 
-/// Of numbers, or of structs that are nothing but floats.
+/// For vectors of numbers, or of structs that contain only floats.
 template <typename T>
 requires std::is_trivially_copyable_v<T>
 bool is_same(const std::vector<T>& a, const std::vector<T>& b) {
@@ -50,7 +50,7 @@ bool is_same(float a, float b) {
 
 bool is_same(const std::string& a, const std::string& b) { return a == b; }
 
-// Templates ask for what is declared before them.
+// Templates can call only overloads that are declared before them.
 bool is_same(const std::array<float, 4>& a, const std::array<float, 4>& b);
 bool is_same(const records::TracedCorner& a, const records::TracedCorner& b);
 bool is_same(const records::TracedFrame& a, const records::TracedFrame& b);
@@ -64,7 +64,8 @@ bool is_same(const std::array<T, 3>& a, const std::array<T, 3>& b);
 template <typename T>
 bool is_same(const std::optional<T>& a, const std::optional<T>& b);
 
-/// Of numbers by pairs: the first and the second are one's and the other's, and so on.
+/// Compares the arguments in pairs: the first with the second, the third with the fourth, and so
+/// on.
 template <typename T, typename... Rest>
 bool are_same(const T& a, const T& b, const Rest&... rest) {
   if constexpr (sizeof...(rest) == 0) {
@@ -137,7 +138,7 @@ bool is_same(const Result<T>& a, const Result<T>& b) {
   }
 }
 
-/// What draw_over() answers, and what it leaves.
+/// The result of draw_over(), and the picture that it leaves.
 struct DrawnOver {
   Result<void> result;
   cases::Picture picture;
@@ -154,8 +155,8 @@ bool RecordingBackend::is_answered_alike_by(Backend& other) const {
                      [&other](const auto& is_answered_alike) { return is_answered_alike(other); });
 }
 
-/// The answer to a question, which is kept with it: question(backend), with copies of whatever else
-/// it asks about.
+/// Asks question(backend), records the question with its answer, and returns the answer. The
+/// question must own copies of all its other data.
 template <typename Question>
 auto RecordingBackend::asked(const Question& question) const {
   auto answer = question(*answering_);

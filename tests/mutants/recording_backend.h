@@ -1,7 +1,7 @@
 #pragma once
 
-// What a law asks a backend in the course of one check, recorded, so that the same can be asked of
-// another backend without the law, whose oracle takes far longer than any drawing.
+// Records what a law asks a backend during one check. Another backend can then be asked the same
+// questions without running the law, whose oracle takes far longer than any drawing.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace rastercheck::mutants {
 
-/// Answers as another backend does, and keeps questions and answers.
+/// Passes questions on to another backend, and records the questions and answers.
 class RecordingBackend : public backends::Backend,
                          backends::PictureDrawer,
                          backends::Assembler,
@@ -23,12 +23,12 @@ class RecordingBackend : public backends::Backend,
                          backends::Tracer,
                          backends::WaysOfDrawing {
  public:
-  /// `answering` outlives it.
+  /// `answering` must outlive this object.
   explicit RecordingBackend(backends::Backend& answering) : answering_(&answering) {}
 
-  /// Whether `other` gives the same answers to the questions kept, to the bit. A law, which knows
-  /// nothing but the case and the answers, then finds of the other what it has found of this one:
-  /// up to the first difference it asks the same.
+  /// True if `other` gives the same answers to the recorded questions, to the bit. The law's
+  /// verdict on `other` is then the same as on this backend: a law knows nothing but the case and
+  /// the answers, and asks the same questions until an answer differs.
   bool is_answered_alike_by(backends::Backend& other) const;
 
   backends::About about() const override;
@@ -59,7 +59,7 @@ class RecordingBackend : public backends::Backend,
   auto asked(const Question& question) const;
 
   backends::Backend* answering_;
-  /// Each asks a backend and says whether its answer is the one kept.
+  /// Each function asks a backend one question; true if the answer equals the recorded answer.
   mutable std::vector<std::function<bool(backends::Backend&)>> questions_;
 };
 

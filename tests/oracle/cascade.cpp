@@ -105,7 +105,8 @@ std::uint64_t total(const records::LevelCounts& levels) {
   return levels.filter + levels.interval + levels.exact;
 }
 
-/// Each sample of a triangle's box is looked at once, each value that is defined judged once.
+/// Checks the counts of levels: each sample of a triangle's box is decided at most once, and each
+/// defined value is judged once.
 std::string miscounted_levels(const SceneTruth& scene, const records::Judgement& judgement) {
   std::uint64_t samples = 0;
   for (std::size_t t = 0; t < scene.source().triangles.size(); ++t) {
@@ -121,7 +122,7 @@ std::string miscounted_levels(const SceneTruth& scene, const records::Judgement&
       values += kind == AttributeKind::coverage ? 0 : count;
     }
   }
-  // Of a triangle that is culled, or has no area, no sample need be looked at.
+  // Samples of a triangle that is culled or has no area need not be decided.
   if (total(judgement.levels.samples) > samples) return "more samples than there are";
   if (total(judgement.levels.values) != values) return "levels of values";
   return {};
@@ -186,7 +187,7 @@ std::string disagreement(const SceneTruth& scene, const cases::Fragments& drawn)
     if (in.empty() && level == Level::exact && by_interval > 0) in = "asked intervals";
     if (!in.empty()) return at_level(level, in);
   }
-  // What follows is of the first level's outcome, and needs no other.
+  // The checks below are about the judgement that starts at the filter only.
   const records::Judgement unseen = judge(scene, drawn, options).judgement;
   if (!(unseen == one.judged.judgement)) return "no one is shown samples";
   for (const unsigned jobs : {2U, 3U}) {
@@ -213,7 +214,8 @@ std::string wrong_verdict(const SceneTruth& scene) {
       const int x = static_cast<int>(s.place.x);
       const int y = static_cast<int>(s.place.y);
       const records::SampleVerdict right = truth->judge(x, y, static_cast<int>(s.place.sample));
-      // A sample that a level forbids by mistake is asked again for the reason, but is extra then.
+      // If a level forbids a sample by mistake, the judge decides again to learn the reason, but
+      // counts the fragment as extra.
       const bool is_extra = s.fragment_class == records::FragmentClass::extra;
       const bool is_right =
           s.decision.verdict == right.verdict &&

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the judge's levels have to agree in (oracle/judge.h): everything but what answered, and how
-// narrow the enclosures are that it gave.
+// What the judge's levels have to agree in (oracle/judge.h): everything except which level
+// answered, and how narrow its enclosures are.
 
 #include <array>
 #include <string>
@@ -13,12 +13,12 @@ namespace rastercheck::oracle {
 
 inline constexpr std::array<Level, 3> kLevels{Level::filter, Level::interval, Level::exact};
 
-/// A judgement from that level on, without the referee.
+/// Options of a judgement that starts at this level, without the referee.
 inline JudgeOptions from(Level level, unsigned jobs = 1) {
   return {.self_check_one_in = 0, .first_level = level, .jobs = jobs};
 }
 
-/// What a judgement gives, and the samples that it handed out, in their order.
+/// The result of a judgement, and the samples that it handed out, in their order.
 struct Outcome {
   JudgedDrawing judged;
   std::vector<JudgedSample> samples;
@@ -26,20 +26,21 @@ struct Outcome {
 Outcome outcome_of(const SceneTruth& scene, const cases::Fragments& drawn,
                    const JudgeOptions& options);
 
-/// The first thing in which two levels' outcomes differ and should not; empty where there is none.
+/// Returns the first thing in which the outcomes of two levels differ but must not; empty if there
+/// is none.
 std::string difference(const Outcome& a, const Outcome& b);
 
-/// The same of outcomes that are to be equal to the last bit.
+/// Like difference(), for outcomes that must be equal to the last bit.
 std::string difference_in_bits(const Outcome& a, const Outcome& b);
 
-/// All that is to hold of a drawing, in words where it does not: the levels agree, and answered as
-/// often as was asked; neither threads nor who watches change anything; what is ordinary can be
-/// hidden, and nothing else.
+/// Checks all that must hold for a drawing, and returns in words what does not: the levels agree
+/// and answer each question once; threads and observers change nothing; only ordinary samples can
+/// be hidden.
 std::string disagreement(const SceneTruth& scene, const cases::Fragments& drawn);
 
-/// Holds the verdicts of all samples, by each level, against TriangleTruth::judge, and the exact
-/// triangle's against the referee: the first difference, empty where there is none. Without a depth
-/// test.
+/// Compares the verdicts of all samples, at each level, with TriangleTruth::judge, and those of the
+/// exact level with the referee. Returns the first difference, or an empty string. For cases
+/// without a depth test.
 std::string wrong_verdict(const SceneTruth& scene);
 
 }  // namespace rastercheck::oracle

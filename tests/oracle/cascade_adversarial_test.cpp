@@ -1,5 +1,5 @@
-// The cascade where its levels are most likely to part: ties and samples beside them, errors at
-// their bound and beside it, numbers at the ends of their ranges. What is expected is calculated by
+// The cascade where its levels are most likely to disagree: ties and samples beside them, errors at
+// and beside their bound, numbers at the ends of their ranges. Expected results are calculated by
 // hand or in rationals.
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ using records::Histogram;
 using records::Reason;
 using records::Verdict;
 
-/// A case whose clip-space origin is, but for (du, dv), at a sample of pixel (1, 1), so that edges
-/// through the origin pass the sample as closely as float32 can say.
+/// A case whose clip-space origin lies (du, dv) away from a sample of pixel (1, 1), so that edges
+/// through the origin pass the sample as closely as float32 can express.
 cases::Case around_sample(cases::Rules rules, int samples, std::size_t sample, float du, float dv,
                           const std::array<cases::ClipVertex, 3>& positions,
                           const std::array<std::vector<float>, 3>& values = {}) {
@@ -43,7 +43,7 @@ cases::Case around_sample(cases::Rules rules, int samples, std::size_t sample, f
   return c;
 }
 
-/// A number of some size between 2^-149 and `most`, or 0.
+/// A number with a random exponent between 2^-149 and `most`, or 0.
 float random_offset(float most) {
   if (*rc::gen::inRange(0, 3) == 0) return 0;
   const int exponent = *rc::gen::inRange(-149, 1);
@@ -53,7 +53,7 @@ float random_offset(float most) {
 
 // ---- coverage
 
-/// What a judgement decides of a sample, which is drawn, from that level on.
+/// The verdict of a judgement that starts at this level, for one sample, which is drawn.
 Verdict verdict_at(const SceneTruth& scene, Level level, int x, int y, int sample) {
   cases::Fragments drawn;
   push(drawn, 0, x, y, sample, 0, std::vector<float>(scene.source().attributes.size()));
@@ -64,13 +64,13 @@ Verdict verdict_at(const SceneTruth& scene, Level level, int x, int y, int sampl
   return verdict;
 }
 
-// By hand. Every edge below runs through the origin, which is 2^-60 pixels beside the sample, at
-// it, or as far on the other side. In Vulkan's window y runs downwards, and ties belong to left and
-// top edges: those with the triangle to the right of them, or below.
+// By hand. Every edge below runs through the origin, which lies on the sample, or 2^-60 or 2^-149
+// pixels to either side of it. In Vulkan's window y runs downwards, and ties belong to left and top
+// edges: the triangle lies to the right of its left edges and below its top edges.
 TEST(CascadeNearEdges, ASampleBesideAnEdgeIsOnItsSide) {
   struct Edge {
     std::array<cases::ClipVertex, 3> triangle;
-    float du;  ///< moves the triangle so that the sample comes to lie inside
+    float du;  ///< moves the triangle so that the sample lies inside
     float dv;
     bool owns_ties;
   };
@@ -81,7 +81,7 @@ TEST(CascadeNearEdges, ASampleBesideAnEdgeIsOnItsSide) {
       {{{{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}}, 0, -1, true},        // top
       {{{{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1}}}, 0, 1, false},       // bottom
       {{{{-1, -1, 0, 1}, {1, 1, 0, 1}, {1, -1, 0, 1}}}, -1, 1, true},      // left, falling
-      {{{{-s, -s, 0, s}, {9, 9, 0, 9}, {s, -3 * s, 0, s}}}, -1, 1, true},  // the same, in depth
+      {{{{-s, -s, 0, s}, {9, 9, 0, 9}, {s, -3 * s, 0, s}}}, -1, 1, true},  // the same edge, other w
   }};
   for (const int samples : {1, 4, 16}) {
     const int last = samples - 1;
@@ -110,7 +110,7 @@ cases::ClipVertex grid_vertex() {
   return {x * w, y * w, 0, w};
 }
 
-// Kills: a tie that is no tie, or given to the wrong side; clip distances that are.
+// Kills: ties at edges or clip distances that are not recognised, or are given to the wrong side.
 RC_GTEST_PROP(CascadeNearEdges, VerdictsAtAndBesideTiesAreTheReferees, ()) {
   const auto rules = one_of({cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d});
   const auto samples = one_of({1, 4, 16});
@@ -120,13 +120,13 @@ RC_GTEST_PROP(CascadeNearEdges, VerdictsAtAndBesideTiesAreTheReferees, ()) {
   const cases::ClipVertex a = grid_vertex();
   cases::ClipVertex b = grid_vertex();
   const cases::ClipVertex c = grid_vertex();
-  // The edge from a runs through the origin, as often as not.
+  // In half of the cases the edge from a runs through the origin.
   if (*rc::gen::arbitrary<bool>()) b = {-a.x, -a.y, 0, std::abs(a.w)};
   cases::Case tried = around_sample(rules, samples, sample, du, dv, {a, b, c});
   tried.depth_clamp = true;
   tried.fill_rule = one_of({cases::TieRule::top_left, cases::TieRule::bottom_left});
   if (*rc::gen::arbitrary<bool>()) {
-    // Zero at the origin, up to the offset.
+    // The distance is zero at the origin, but for the offset.
     tried.clip_distance_count = 1;
     const float slope = grid_float(1);
     for (const auto& p : tried.positions) tried.clip_distances.push_back(p.x + slope * p.y);
@@ -149,8 +149,8 @@ cases::Case all_kinds() {
   return c;
 }
 
-/// The same, with clip positions that are 2^exponent times as large, by a camera where float32 does
-/// not hold them.
+/// The case of all_kinds() with clip positions 2^exponent times as large; a camera scales them if
+/// float32 cannot hold them.
 cases::Case scaled(int exponent) {
   cases::Case c = all_kinds();
   int rest = exponent;
@@ -172,8 +172,9 @@ cases::Case scaled(int exponent) {
   return c;
 }
 
-// An edge function is of degree two in the positions: its coefficients leave the filter's range at
-// 2^±600, and the doubles' beyond 2^-1074 and 2^1024. The window knows nothing of all that.
+// An edge function has degree two in the positions: its coefficients leave the filter's range at
+// 2^±600, and the range of doubles below 2^-1074 and above 2^1024. The factor does not change
+// window positions.
 TEST(CascadeScale, AFactorOfAllPositionsChangesNothing) {
   const cases::Case unscaled = all_kinds();
   const SceneTruth scene(unscaled, cases::contract_of(unscaled));
@@ -192,8 +193,8 @@ TEST(CascadeScale, AFactorOfAllPositionsChangesNothing) {
   }
 }
 
-// Where the grid is coarser than the triangle is wide, its placements turn either way, and it may
-// be drawn though it is culled.
+// If the grid is coarser than the triangle is wide, some placements of the triangle reverse its
+// orientation, and a culled triangle may be drawn.
 TEST(CascadeSnapping, ATriangleThatIsCulledMayBePlacedTheOtherWay) {
   for (const float width : {0x1p-6F, 0.125F, 0.25F, 0.5F, 0.75F, 1.0F, 1.5F}) {
     for (const cases::Basis basis : {cases::Basis::snapped, cases::Basis::unspecified}) {
@@ -214,7 +215,8 @@ TEST(CascadeSnapping, ATriangleThatIsCulledMayBePlacedTheOtherWay) {
 }
 
 // Vertices at (1.5, 1.5), (4.7, 1.5) and (1.5, 4.7) may be placed on (3, 3), (4, 0) and (0, 4),
-// which turn the other way, though no vertex is as near to the opposite edge as it may be moved.
+// which reverses the orientation, although no vertex can be moved as far as the opposite edge is
+// away.
 TEST(CascadeSnapping, SoMayOneThatIsAsHighAsItIsWide) {
   for (const cases::Cull cull : {cases::Cull::back, cases::Cull::front}) {
     cases::Case c =
@@ -231,9 +233,9 @@ TEST(CascadeSnapping, SoMayOneThatIsAsHighAsItIsWide) {
 
 // ---- values
 
-// Triangle 0 may be placed in several ways, so that its values lie within what is open though far
-// from those of the exact triangle; triangle 1, on the grid, in one. The worst excess is
-// triangle 1's, however large triangle 0's ideal errors are.
+// Triangle 0 may be placed in several ways, so that its values lie within the permitted range
+// although they are far from those of the exact triangle. Triangle 1, on the grid, has one
+// placement. The worst excess is triangle 1's, however large triangle 0's ideal errors are.
 TEST(CascadeExtremes, AnExcessIsKeptBesideLargerIdealErrors) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4,
@@ -246,7 +248,7 @@ TEST(CascadeExtremes, AnExcessIsKeptBesideLargerIdealErrors) {
   c.basis = cases::Basis::snapped;
   const SceneTruth scene(c, cases::contract_of(c));
   cases::Fragments drawn = perfect(scene);
-  // These are the least values that are open; so those of triangle 0 are within.
+  // These are the least permitted values; so triangle 0's values, moved upwards, stay permitted.
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (drawn.triangle[i] == 0) drawn.attributes[i] = moved(drawn.attributes[i], 8);
   }
@@ -259,18 +261,19 @@ TEST(CascadeExtremes, AnExcessIsKeptBesideLargerIdealErrors) {
             10 * errors.excess.extremes.most_negative->error.lo);
 }
 
-/// A kind's statistics by definition: each covered fragment's errors in rationals.
+/// The statistics of an attribute kind by definition: the errors of each covered fragment in
+/// rationals.
 struct Tally {
   std::uint64_t correct = 0;
   std::uint64_t beyond = 0;
   Histogram histogram;
-  Enclosure most;  ///< the largest errors on either side, to the double,
+  Enclosure most;  ///< enclosures of the largest errors of either sign,
   Enclosure least;
-  std::size_t most_at = 0;  ///< and the first fragments that have them
+  std::size_t most_at = 0;  ///< and the first fragments that have these errors
   std::size_t least_at = 0;
 };
 
-/// Whether a zero is drawn where all vertices have the other.
+/// True if a zero is drawn and all vertices have the zero of the other sign.
 bool is_other_zero(const cases::Case& c, std::uint32_t triangle, std::size_t attribute,
                    float actual) {
   const cases::Triangle& vertices = c.triangles[triangle];
@@ -280,7 +283,8 @@ bool is_other_zero(const cases::Case& c, std::uint32_t triangle, std::size_t att
          });
 }
 
-/// Of drawings by an exact contract, in the order of places and each place once, of finite values.
+/// Tallies a drawing under an exact contract. The drawing has finite values, is ordered by place,
+/// and has each place once.
 std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fragments& drawn) {
   std::map<AttributeKind, Tally> tallies;
   const cases::Case& c = scene.source();
@@ -339,7 +343,7 @@ std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fr
   return tallies;
 }
 
-/// Whether that is the extreme that stands for an error, of that fragment.
+/// True if `extreme` reports this error at the place of fragment i.
 bool is_extreme(const std::optional<records::WorstError>& extreme, const Enclosure& error,
                 const cases::Fragments& drawn, std::size_t i) {
   if (!extreme) return error == Enclosure{0, 0};
@@ -348,7 +352,7 @@ bool is_extreme(const std::optional<records::WorstError>& extreme, const Enclosu
          extreme->place.sample == drawn.sample[i];
 }
 
-/// Where a judgement differs from the definition; empty where it does not.
+/// Returns where a judgement differs from the definition; empty if nowhere.
 std::string wrong_statistics(const SceneTruth& scene, const cases::Fragments& drawn) {
   const std::map<AttributeKind, Tally> tallies = tally_of(scene, drawn);
   for (const Level level : kLevels) {
@@ -374,7 +378,7 @@ std::string wrong_statistics(const SceneTruth& scene, const cases::Fragments& dr
   return {};
 }
 
-/// A small number, a tiny one, any, or one that others are likely to have too.
+/// A small number, a tiny one, an arbitrary one, or one that other values are likely to equal.
 float hard_float() {
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
@@ -386,8 +390,8 @@ float hard_float() {
   }
 }
 
-// Kills: whatever makes a value's enclosure too narrow, counts it in another bucket or class, or
-// loses an extreme.
+// Kills: any fault that makes a value's enclosure too narrow, counts the value in a wrong bucket or
+// class, or loses an extreme.
 RC_GTEST_PROP(CascadeValues, StatisticsAreThoseOfTheDefinition, ()) {
   cases::Case c = random_exact_case();
   if (*rc::gen::inRange(0, 4) > 0) {
@@ -414,16 +418,16 @@ RC_GTEST_PROP(CascadeValues, StatisticsAreThoseOfTheDefinition, ()) {
   RC_ASSERT(wrong == "");
 }
 
-/// Over the whole of the target, from 1 at the viewport's left side to 1 + 2^-23 at its right one:
-/// the value at the sample is 1 + 2^-24 (1 − du/1.5), its ulp 2^-23.
+/// A triangle over the whole target, with values from 1 at the viewport's left side to 1 + 2^-23 at
+/// its right side: the value at the sample is 1 + 2^-24 (1 − du/1.5), its ulp 2^-23.
 cases::Case half_way(float du) {
   return around_sample(cases::Rules::vulkan, 1, 0, du, 0,
                        {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 3, 0, 1}}},
                        {{{1}, {1 + 0x1p-23F}, {1}}});
 }
 
-// By hand: the errors of the two floats around are 1/2 + du/3 and −1/2 + du/3 ULP; the bound is
-// 1/2.
+// By hand: the errors of the two neighbouring floats are 1/2 + du/3 and −1/2 + du/3 ULP; the bound
+// is 1/2.
 TEST(CascadeValues, AnErrorAtTheBoundIsWithinItAndOneBesideIsNot) {
   for (const float du :
        {0.0F, 3 * 0x1p-40F, -3 * 0x1p-40F, 3 * 0x1p-60F, -3 * 0x1p-60F, 0x1p-149F, -0x1p-149F}) {
@@ -448,9 +452,9 @@ TEST(CascadeValues, AnErrorAtTheBoundIsWithinItAndOneBesideIsNot) {
   }
 }
 
-// 1/w vanishes at the sample but for the offset, w being 1/x; the triangle lies where it is
-// positive and covers the second of four samples, whose values are taken at that centre. Beyond the
-// horizon not even an affine value is defined.
+// 1/w vanishes at the sample, but for the offset, because w is 1/x. The triangle lies where w is
+// positive and covers the second of four samples, whose values are taken at the pixel centre.
+// Beyond the horizon even an affine value is undefined.
 TEST(CascadeValues, AreUndefinedFromTheHorizonOn) {
   for (const float du : {0.0F, 0x1p-24F, -0x1p-24F, 0x1p-60F, -0x1p-60F, 0x1p-149F, -0x1p-149F}) {
     cases::Case c = around_sample(cases::Rules::vulkan, 1, 0, du, 0,
@@ -467,7 +471,7 @@ TEST(CascadeValues, AreUndefinedFromTheHorizonOn) {
       const records::Judgement judgement = judge(scene, drawn, from(level)).judgement;
       for (const AttributeKind kind : {AttributeKind::smooth, AttributeKind::noperspective}) {
         const records::ErrorStatistics& errors = judgement.errors.at(kind);
-        // With the triangle moved right the centre lies to the left of the horizon.
+        // If the triangle is moved right, the centre lies to the left of the horizon.
         const bool is_judged = du < 0;
         EXPECT_EQ(errors.not_judged.contains(records::NotJudged::undefined), !is_judged) << du;
         EXPECT_EQ(errors.excess.histogram.count_in(Histogram::kZeroBucket), is_judged ? 1U : 0U)
@@ -478,8 +482,8 @@ TEST(CascadeValues, AreUndefinedFromTheHorizonOn) {
   }
 }
 
-// By hand: the value is 2 − 2x, 7/4 at most at a vertex but 2 at the centre, which the triangle
-// does not hold. ulp(2) is 2^-22, twice that of the vertices' values.
+// By hand: the value is 2 − 2x, at most 7/4 at a vertex but 2 at the centre, which lies outside the
+// triangle. ulp(2) is 2^-22, twice that of the vertices' values.
 TEST(CascadeValues, BeyondTheVerticesUlpGrowWithThem) {
   cases::Case c = around_sample(cases::Rules::vulkan, 1, 0, 0, 0,
                                 {{{0.125F, -1, 0, 1}, {0.125F, 1, 0, 1}, {1.125F, 0, 0, 1}}},
@@ -503,8 +507,8 @@ TEST(CascadeValues, BeyondTheVerticesUlpGrowWithThem) {
   }
 }
 
-// Where a triangle's values are all one, each is 0 ULP off, to the first level too, and the zeros
-// of the wrong sign are told.
+// If all values of a triangle are equal, each has an error of 0 ULP, to the first level too, and
+// zeros of the wrong sign are reported.
 TEST(CascadeValues, ConstantsAndZerosAreExactToTheFirstLevel) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 8, 8,

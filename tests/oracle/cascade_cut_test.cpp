@@ -1,6 +1,6 @@
-// Coverage of triangles that clip planes cut, by the cascade's first level: behind the eye, beside
-// sides of the viewport that are open, without area, and with edges far shorter than the target, so
-// that what is open at their ends opens far away.
+// Coverage of triangles that clip planes cut, by the cascade's first level: triangles behind the
+// eye, beside sides of the viewport that are open, without area, or with edges far shorter than the
+// target. With short edges, a small freedom at their ends becomes a large one far away.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -16,7 +16,7 @@
 namespace rastercheck::oracle::cascade_cut_test {
 namespace {
 
-/// A vertex that is seen, beside the view, or behind the eye.
+/// A vertex in view, beside the view, or behind the eye.
 cases::ClipVertex cut_vertex() {
   const auto w = one_of({1.0F, 1.5F, 0.37F, 4.0F, 0x1p-9F, 0.0F, -0x1p-9F, -0.5F, -2.0F});
   const auto reach = one_of({1.0F, 1.0F, 1.5F, 6.0F});
@@ -27,7 +27,7 @@ cases::ClipVertex cut_vertex() {
   return {x * size, y * size, z * size, w};
 }
 
-/// A vertex a few pixels from another, of a target of that size.
+/// A vertex a few pixels from `p`, in a target of this size.
 cases::ClipVertex beside(const cases::ClipVertex& p, int size) {
   const float step = 2 / static_cast<float>(size);
   const float dx = ordinary_float(step);
@@ -35,8 +35,8 @@ cases::ClipVertex beside(const cases::ClipVertex& p, int size) {
   return {p.x + dx * p.w, p.y + dy * p.w, p.z, p.w};
 }
 
-/// Two vertices in view, from one side to the other, and one behind the eye or far off: of four
-/// such triangles three are seen.
+/// Two vertices in view, on opposite sides, and one behind the eye or far off: three of four such
+/// triangles are visible.
 std::array<cases::ClipVertex, 3> seen_vertices() {
   const float left = ordinary_float(1);
   const float right = ordinary_float(1);
@@ -60,7 +60,7 @@ cases::Case cut_case() {
     b = seen[1];
     c = seen[2];
   }
-  // Without area, to the bit: on one line, or two vertices in one place.
+  // Triangles with exactly no area: three vertices on one line, or two in one place.
   const auto kind = *rc::gen::inRange(0, 8);
   if (kind == 0) {
     const float x = grid_float(1);
@@ -107,9 +107,9 @@ cases::Contract cut_contract(const cases::Case& c) {
   return contract;
 }
 
-// Kills: a boundary of a cut triangle that is taken for certain nearer than it may be off, in any
-// reading; a box that leaves out samples that may be drawn; samples beside open sides that are
-// taken for required.
+// Kills: a sample treated as decided although a boundary of a cut triangle may still move past it,
+// in any reading; a box that leaves out samples that may be drawn; samples beside open sides that
+// are treated as required.
 RC_GTEST_PROP(CascadeCut, LevelsGiveTheVerdictsOfEachSample, ()) {
   const cases::Case c = cut_case();
   const SceneTruth scene(c, cut_contract(c));
@@ -120,7 +120,8 @@ RC_GTEST_PROP(CascadeCut, LevelsGiveTheVerdictsOfEachSample, ()) {
   RC_ASSERT(wrong == "");
 }
 
-/// The same in front of or behind another triangle, of which nothing or something else is open.
+/// A case of cut_case() in front of or behind another triangle, which has no open choices or
+/// different ones.
 cases::Case framed_case() {
   cases::Case c = cut_case();
   c.depth_test = cases::DepthTest::less;
@@ -137,7 +138,7 @@ cases::Case framed_case() {
   return c;
 }
 
-// Kills: a depth that some placement may have, taken for one that none has.
+// Kills: a depth that some placement may have, treated as one that no placement has.
 RC_GTEST_PROP(CascadeCut, LevelsAgreeOnFrames, ()) {
   const cases::Case c = framed_case();
   cases::Contract contract = cut_contract(c);

@@ -1,5 +1,6 @@
-// The cascade where a contract leaves values open: values at the ends of what is permitted and
-// beside them, of triangles that placements move by much or little, flip, or cut.
+// The cascade where a contract leaves values open: values at the ends of the permitted range and
+// beside them, of triangles that are moved by much or little, flipped, or cut, depending on the
+// placement.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -15,7 +16,7 @@
 namespace rastercheck::oracle::cascade_open_test {
 namespace {
 
-/// A vertex somewhere around the target, in front of the eye more often than not.
+/// A vertex around the target, usually in front of the eye.
 cases::ClipVertex open_vertex(bool is_on_grid, int size) {
   const auto w = one_of({1.0F, 1.0F, 1.5F, 0.37F, 4.0F, 0x1p-20F, 30.0F});
   const float x = is_on_grid ? std::floor(ordinary_float(2) * static_cast<float>(size)) /
@@ -36,8 +37,8 @@ cases::Snapping open_snapping() {
   return snapping;
 }
 
-/// One triangle, mostly of a few to some dozen pixels, and attributes that vary by much, little or
-/// not at all.
+/// One triangle, usually of between a few and some dozen pixels, with attributes that vary by much,
+/// by little or not at all.
 cases::Case open_case() {
   const int size = one_of({4, 9, 24});
   const auto is_on_grid = *rc::gen::inRange(0, 4) == 0;
@@ -55,7 +56,7 @@ cases::Case open_case() {
          one_of({cases::Interpolation::smooth, cases::Interpolation::noperspective}),
          one_of({cases::Location::sample, cases::Location::center, cases::Location::centroid})});
   }
-  // Has one vary along one axis only, so that moves along the other hardly change it.
+  // Sometimes the first attribute varies along x only, so that moves along y hardly change it.
   const auto is_along_x = *rc::gen::inRange(0, 3) == 0;
   const auto is_zero = *rc::gen::inRange(0, 5) == 0;
   for (std::size_t vertex = 0; vertex < 3; ++vertex) {
@@ -83,7 +84,7 @@ cases::Contract open_contract(const cases::Case& c) {
   return contract;
 }
 
-/// A float at or beside an end of what is permitted, or somewhere between.
+/// A float at or beside an end of the permitted range, or somewhere between its ends.
 float near_end(const std::optional<ValueRange>& range, Dice& dice) {
   if (!range) return 0;
   const float lo = range->lo.nearest_float();
@@ -116,8 +117,8 @@ cases::Fragments drawn_at_ends(const SceneTruth& scene, Dice& dice) {
   return drawn;
 }
 
-// Kills: an inner bound that is too wide, an outer one that is too narrow; an excess that is not
-// that of the nearest reading.
+// Kills: an inner bound that is too wide; an outer bound that is too narrow; an excess that is not
+// the distance to the nearest reading.
 RC_GTEST_PROP(CascadeOpen, LevelsAgreeAtTheEndsOfWhatIsPermitted, ()) {
   const cases::Case c = open_case();
   const SceneTruth scene(c, open_contract(c));
@@ -128,7 +129,7 @@ RC_GTEST_PROP(CascadeOpen, LevelsAgreeAtTheEndsOfWhatIsPermitted, ()) {
   RC_ASSERT(difference == "");
 }
 
-/// A triangle in perspective of some 70 pixels, off the grid.
+/// A triangle in perspective, about 70 pixels wide, off the grid.
 cases::Case ordinary_case(cases::Basis basis, float position_error) {
   cases::Case c = small_case(cases::Rules::vulkan, 96, 96,
                              {{{-0.737F, -0.813F, 0.137F, 1.0F},
@@ -150,14 +151,14 @@ double filtered_share(const cases::Case& c) {
          static_cast<double>(values.filter + values.interval + values.exact);
 }
 
-// That doubles decide at all, or the law above would be about nothing. Perfect drawings have the
-// least value that is permitted, which is the hardest to be sure of where the basis is snapped.
+// Checks that doubles decide at all; otherwise the law above would test nothing. Perfect drawings
+// have the least permitted value, which is the hardest to decide if the basis is snapped.
 TEST(CascadeOpen, DoublesDecideWhatLiesWithin) {
   EXPECT_GT(filtered_share(ordinary_case(cases::Basis::unspecified, 0)), 0.4);
   EXPECT_GT(filtered_share(ordinary_case(cases::Basis::snapped, 0.5F)), 0.4);
 }
 
-// Every level's answers are the same to the bit whichever vectors the filter computes with.
+// Every level's answers are the same to the bit, whichever vector instructions the filter uses.
 TEST(CascadeOpen, AllTargetsGiveTheSameBits) {
   cases::Case c = ordinary_case(cases::Basis::unspecified, 0.5F);
   c.framebuffer = {32, 32, 4};

@@ -1,5 +1,5 @@
-// What a judgement counts and keeps, where the cascade is most likely to lose or double some of it:
-// sums, extremes of the same size, borders of words, batches and chunks.
+// What a judgement counts and keeps where the cascade is most likely to lose or double some of it:
+// sums, extremes of equal size, borders of words, batches and chunks.
 
 #include <gtest/gtest.h>
 
@@ -20,14 +20,15 @@ using records::Enclosure;
 using records::FragmentClass;
 using records::Histogram;
 
-/// A constant of 1 over a target, in each of some attributes of one kind.
+/// A triangle over the whole target, with attributes of one kind that all have the constant value
+/// 1.
 cases::Case of_ones(int width, int height, std::size_t attributes = 1) {
   const std::vector<float> ones(attributes, 1.0F);
   return small_case(cases::Rules::vulkan, width, height,
                     {{{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}}}, {{ones, ones, ones}});
 }
 
-// By hand: 1 + 2^17 is 2^40 ULP of 1 too much, the most that is summed.
+// By hand: 1 + 2^17 is too large by 2^40 ULP of 1, the largest error that is summed.
 TEST(CascadeSums, TheLargestErrorThatIsSummedIsSummedByAllLevels) {
   const cases::Case c = of_ones(1, 1);
   cases::Contract contract = cases::contract_of(c);
@@ -47,7 +48,7 @@ TEST(CascadeSums, TheLargestErrorThatIsSummedIsSummedByAllLevels) {
 
 // ---- extremes
 
-/// The places of the extremes of the smooth values, each "triangle:x,y/sample a attribute".
+/// The places of the extremes of the smooth values, each as "triangle:x,y/sample a attribute".
 std::string extremes_of(const records::Judgement& judgement) {
   std::string places;
   const records::Extremes& extremes = judgement.errors.at(AttributeKind::smooth).excess.extremes;
@@ -72,7 +73,7 @@ cases::Contract within_four(const cases::Case& c) {
   return contract;
 }
 
-// Values are judged attribute by attribute, extremes are ordered by place.
+// Values are judged attribute by attribute, but extremes are ordered by place.
 TEST(CascadeExtremes, OfEqualErrorsTheFirstPlaceCountsWhicheverTheAttribute) {
   for (const bool is_open : {false, true}) {
     const cases::Case c = of_ones(4, 1, 3);
@@ -93,7 +94,7 @@ TEST(CascadeExtremes, OfEqualErrorsTheFirstPlaceCountsWhicheverTheAttribute) {
   }
 }
 
-// With a depth test samples are judged row by row, extremes are ordered by triangle first.
+// With a depth test, samples are judged row by row, but extremes are ordered by triangle first.
 TEST(CascadeExtremes, OfEqualErrorsTheFirstTriangleCountsWithADepthTestToo) {
   cases::Case c = small_case(cases::Rules::vulkan, 2, 1,
                              {{{0, -3, 0, 1}, {3, 0, 0, 1}, {0, 3, 0, 1}}}, {{{1}, {1}, {1}}});
@@ -111,16 +112,16 @@ TEST(CascadeExtremes, OfEqualErrorsTheFirstTriangleCountsWithADepthTestToo) {
   }
 }
 
-/// Its value is x · 2^-120, so that all fragments' errors in ULP of 1 differ by less than doubles
-/// tell: each of them may be the extreme, and none is known to be.
+/// The value is x · 2^-120, so that the fragments' errors in ULP of 1 differ by less than doubles
+/// can tell: each fragment may be the extreme, and none is known to be.
 cases::Case of_almost_nothing(int width) {
   const float far = 0x1p120F;
   return small_case(cases::Rules::vulkan, width, 1,
                     {{{-1, -1, 0, 1}, {far, -1, 0, 1}, {-1, 3, 0, 1}}}, {{{0}, {1}, {0}}});
 }
 
-// Candidates are settled when there are 64 of them. By hand: 0x1.4p-25 is 0.3125 ULP of 1, within a
-// bucket, so that intervals tell all but the extremes.
+// Candidates for extremes are decided when there are 64 of them. By hand: 0x1.4p-25 is 0.3125 ULP
+// of 1, which lies within a bucket, so that intervals decide everything but the extremes.
 TEST(CascadeExtremes, OfMoreCandidatesThanAreKeptNoneIsLost) {
   for (const int width : {63, 64, 65, 129, 200}) {
     const cases::Case c = of_almost_nothing(width);
@@ -164,7 +165,7 @@ TEST(CascadeBorders, EveryFragmentOfARowIsJudgedOnce) {
       const auto all = static_cast<std::uint64_t>(2 * n);
       EXPECT_EQ(judgement.counts, (records::Counts{all, 0, 0, 0})) << n;
       if (level == Level::filter) {
-        // No sample is near an edge, and none beyond the row is asked for.
+        // No sample is near an edge, and samples beyond the end of the row are not asked for.
         EXPECT_EQ(judgement.levels.samples, (records::LevelCounts{all, 0, 0})) << n;
       }
       EXPECT_EQ(errors.classes[FragmentClass::correct], all) << n;
@@ -180,8 +181,8 @@ TEST(CascadeBorders, EveryFragmentOfARowIsJudgedOnce) {
   }
 }
 
-/// Layers of one triangle over a target, without a depth test, each with an error of 1 ULP at its
-/// first fragment, and the one named with 2.
+/// Layers of one triangle over a target, without a depth test. Each has an error of 1 ULP at its
+/// first fragment; layer `worst` has an error of 2 ULP.
 void expect_layers(int width, int height, std::uint32_t layers, std::uint32_t worst) {
   cases::Case c = of_ones(width, height);
   c.triangles.assign(layers, {0, 1, 2});
@@ -191,7 +192,7 @@ void expect_layers(int width, int height, std::uint32_t layers, std::uint32_t wo
   ASSERT_EQ(drawn.size(), layers * each);
   for (std::uint32_t t = 0; t < layers; ++t) drawn.attributes[t * each] = 1 + 0x1p-23F;
   drawn.attributes[worst * each + each - 1] = 1 + 0x1p-22F;
-  drawn.x[drawn.size() - 1] = 0;  // a second one there: extra, and one is missing
+  drawn.x[drawn.size() - 1] = 0;  // a second fragment there: extra, and one is missing
   drawn.y[drawn.size() - 1] = 0;
   const bool is_moved_worst = worst + 1 == layers;
   for (const unsigned jobs : {1U, 2U, 3U}) {
@@ -234,7 +235,7 @@ TEST(CascadeBorders, EveryTriangleOfAChunkIsJudgedOnce) {
   }
 }
 
-// Or as many as have 32768 fragments.
+// A chunk also ends when its triangles have 32768 fragments.
 TEST(CascadeBorders, EveryFragmentOfAChunkIsJudgedOnce) {
   expect_layers(128, 128, 3, 1);
   expect_layers(64, 257, 3, 0);

@@ -36,7 +36,7 @@ TEST(Conditioning, IsNotAQuestionOfAFlatAttribute) {
 }
 
 TEST(KappaD, IsTheWorstCancellationOfAWeight) {
-  // e_0 sums 1/8 + 1/8 + 1, D = 1.
+  // The magnitudes of e_0's terms sum to 1/8 + 1/8 + 1, and D = 1.
   EXPECT_EQ(at_first_pixel({{{1}, {2}, {3}}}).kappa_d->to_string(), "5/4");
 }
 

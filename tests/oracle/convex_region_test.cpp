@@ -60,8 +60,8 @@ TEST(ConvexRegion, IsCutAboveALevel) {
   EXPECT_EQ(twice_area(region), Field(4, 3));
 }
 
-/// The same polygon by its definition, with divisions: of all points where two of the lines meet
-/// those that are on no wrong side, in no order.
+/// The corners of the same polygon by definition, computed with divisions: the points where two of
+/// the lines meet and that are not on the wrong side of any line. Sorted by coordinates.
 std::vector<std::array<Field, 2>> corners_by_definition(const std::vector<Line>& lines) {
   std::vector<std::array<Field, 2>> corners;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -83,16 +83,16 @@ std::vector<std::array<Field, 2>> corners_by_definition(const std::vector<Line>&
   return corners;
 }
 
-// Kills: a side that is not kept with its corner, doubles that are trusted too far, a corner on a
-// line that is dropped. Lines with small coefficients meet in corners again and again; scaled ones
-// are the same lines, for which doubles say nothing.
+// Kills: a side that is not kept with its corner; doubles that are trusted too far; a corner on a
+// line that is dropped. Lines with small coefficients often meet in common corners. The scaled cuts
+// are the same lines, but doubles cannot decide them.
 TEST(ConvexRegion, HasTheCornersOfItsDefinition) {
   std::mt19937 engine(5);
   const auto integer = [&engine](int lo, int hi) {
     return lo + static_cast<int>(engine() % static_cast<unsigned>(hi - lo + 1));
   };
   for (int i = 0; i < 3000; ++i) {
-    const Point lo{Ring(integer(-4, 0)), Ring(integer(-4, 0))};  // braces: from left to right
+    const Point lo{Ring(integer(-4, 0)), Ring(integer(-4, 0))};  // braces evaluate left to right
     const Point hi{Ring(integer(0, 4)), Ring(integer(0, 4))};
     std::vector<Line> lines{{Ring(1), Ring(0), -lo.u},
                             {Ring(-1), Ring(0), hi.u},

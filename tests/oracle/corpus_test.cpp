@@ -1,6 +1,7 @@
-// The corpus (cases/corpus): what its files are called, and what those of ties and boundaries draw,
-// derived by hand from the fill rules (RULES §2). Pictures show window rows from v = 0 on, a sample
-// a character: the triangle that has to draw it, "o" where that is left open, "." where not.
+// The corpus (cases/corpus): the names of its files, and what its cases with ties and boundaries
+// draw, derived by hand from the fill rules (RULES §2). Pictures show window rows from v = 0 on,
+// one character per sample: the triangle that must draw the sample, "o" if drawing it is left open,
+// "." if no triangle may draw it.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ cases::Case corpus_case(const std::string& stem) {
   return c ? *c : cases::Case{};
 }
 
-/// Sample 0 of each pixel; "*" where more than one triangle draws it.
+/// The picture of sample 0 of each pixel; "*" if more than one triangle draws it.
 std::string picture(const cases::Case& c) {
   const auto width = static_cast<std::size_t>(c.framebuffer.width);
   std::vector<std::string> rows(static_cast<std::size_t>(c.framebuffer.height),
@@ -82,7 +83,7 @@ TEST(Corpus, SaysInASentenceOfItsOwnWhatEachCaseIsFor) {
   }
 }
 
-// Every case is for something that is seen: what draws nothing says so, and nothing else does.
+// Every case draws something, except the cases whose names say that they draw nothing.
 TEST(Corpus, SaysWhereNothingIsDrawn) {
   for (const auto& file : corpus_files()) {
     const cases::Case c = corpus_case(file.stem().string());
@@ -96,9 +97,9 @@ TEST(Corpus, SaysWhereNothingIsDrawn) {
   }
 }
 
-// One edge at u or v = 1.5 or 2.5, all else far off. A left edge owns its samples, a right one does
-// not, whatever the rule; of the upper and the lower one the rule takes one, as displayed: where
-// window y points up the upper one is that of greater v.
+// One edge at u or v = 1.5 or 2.5; all other edges are far off. Under every rule a left edge owns
+// its samples and a right edge does not. The rule chooses between the upper and the lower edge, as
+// displayed: if window y points up, the upper edge has the greater v.
 TEST(Corpus, TiesOnOneEdgeGoByTheRule) {
   const char* const left = ".000/.000/.000/.000";
   const char* const right = "00../00../00../00..";
@@ -120,7 +121,7 @@ TEST(Corpus, TiesOnOneEdgeGoByTheRule) {
                 {"tie-bottom-edge-bottom-left-y-up", "..../0000/0000/0000"}});
 }
 
-// A slanting edge has A != 0: its samples belong to the triangle on its right, for which A > 0.
+// A slanting edge has A != 0: its samples belong to the triangle on its right, the one with A > 0.
 TEST(Corpus, TiesOnDiagonalsGoToTheRight) {
   const char* const four = "0001/3011/3211/2221";
   expect_drawn({{"tie-diagonals-top-left-y-down", four},
@@ -135,7 +136,7 @@ TEST(Corpus, TiesOnDiagonalsGoToTheRight) {
                 {"degenerate-but-one-ulp", "..../.0../..0./...."}});
 }
 
-// Two edges meet on a sample: both have to own it.
+// Two edges meet on a sample: the triangle covers the sample only if both edges own it.
 TEST(Corpus, TiesAtVerticesNeedBothEdges) {
   expect_drawn({{"vertices-on-samples", "000./00../0.../...."},
                 {"vertices-on-samples-perspective", "000./00../0.../...."},
@@ -159,7 +160,7 @@ TEST(Corpus, ALeastFloatBesideASampleIsNoTie) {
                 {"edge-least-float-right-of-samples", "..0/..0/..0"}});
 }
 
-// The far borders are open under D3D, and left open by the others.
+// The far borders exclude their samples under D3D; the other rules leave these samples open.
 TEST(Corpus, ViewportBordersThroughSamples) {
   expect_drawn({{"viewport-left-on-samples", ".000/.000/.000/.000"},
                 {"viewport-right-on-samples", "00o./00o./00o./00o."},
@@ -173,7 +174,8 @@ TEST(Corpus, ViewportBordersThroughSamples) {
                 {"scissor-beyond-the-framebuffer", "00../00../00../00.."}});
 }
 
-// A depth plane through u = 1.5, or v = 1.5 or 2.5: its boundary is inside, whichever way it faces.
+// A depth plane through u = 1.5, or v = 1.5 or 2.5: its boundary counts as inside, whichever way
+// the plane faces.
 TEST(Corpus, DepthPlanesThroughSamplesKeepThem) {
   const char* const kept = ".000/.000/.000/.000";
   const char* const lost = "..00/..00/..00/..00";
@@ -192,7 +194,8 @@ TEST(Corpus, DepthPlanesThroughSamplesKeepThem) {
                 {"near-plane-on-a-vertex", "..../.0../..../...."}});
 }
 
-// A clip distance of zero goes by its own normal, as an edge's; under D3D it is inside.
+// A clip distance of zero is decided by the distance's own normal, like an edge's tie; under D3D it
+// is inside.
 TEST(Corpus, ClipDistancesThroughSamples) {
   expect_drawn({{"clip-distance-tie-row", "..../0000/0000/0000"},
                 {"clip-distance-tie-row-opengl", "..../..../0000/0000"},
@@ -220,8 +223,8 @@ TEST(Corpus, FacingIsThatOfTheDisplay) {
       {{"cull-negative-height", ccw}, {"cull-back-behind-the-eye", "..../..../0000/0000"}});
 }
 
-// Of equal depths the first drawn stays; the planes of the diagonal meet on u = v, and of u < v and
-// u > v each has the nearer half.
+// At equal depths the first triangle drawn stays. The planes of the diagonal meet on u = v, and for
+// u < v and u > v each plane is nearer on one half.
 TEST(Corpus, EqualDepthsKeepTheFirstDrawn) {
   expect_drawn({{"depth-test-equal", "0000/0000/0000/0000"},
                 {"depth-test-equal-different-w", "0000/0000/0000/0000"},
@@ -230,7 +233,8 @@ TEST(Corpus, EqualDepthsKeepTheFirstDrawn) {
                 {"depth-test-equal-on-a-diagonal", "0111/0011/0001/0000"}});
 }
 
-// A left edge half a grid unit from u = 2.5, the samples of column 2, which lie on the grid.
+// A left edge half a grid unit from u = 2.5, where the samples of column 2 lie; they are grid
+// points.
 TEST(Corpus, SnappingTiesGoToTheEvenPointOrUp) {
   const char* const onto = "..00/..00/..00/..00";
   const char* const beyond = "...0/...0/...0/...0";
@@ -245,9 +249,10 @@ TEST(Corpus, SnappingTiesGoToTheEvenPointOrUp) {
                 {"snap-position-error-d3d", "..o0/..o0/..o0/..o0"}});
 }
 
-// Vertices at (1.5, 1.5), (4.5, 1.5), (1.5, 4.5) go to (2, 2), (4, 2), (2, 4), or half up to (2,
-// 2), (5, 2), (2, 5): samples on the hypotenuse belong to the right. A vertex at (-1.5, 0) goes to
-// -2 or -1, from where the edge to (4, 4) is at u = 0.25 or 0.875 where v = 1.5.
+// Vertices at (1.5, 1.5), (4.5, 1.5), (1.5, 4.5) snap to (2, 2), (4, 2), (2, 4), or if halves round
+// up to (2, 2), (5, 2), (2, 5). Samples on the hypotenuse belong to the triangle on its right. A
+// vertex at (-1.5, 0) snaps to u = -2 or -1; the edge from there to (4, 4) passes v = 1.5 at u =
+// 0.25 or 0.875.
 TEST(Corpus, SnappingToWholePixels) {
   const std::string none(8, '.');
   const auto rows = [&none](std::vector<std::string> drawn) {

@@ -1,4 +1,4 @@
-// Verdicts, by hand (RULES §2). Pictures show window rows from v = 0 on, a sample a character.
+// Verdicts, by hand (RULES §2). Pictures show window rows from v = 0 on, one character per sample.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ cases::Case window_triangle(Rules rules, const ClipVertex& a, const ClipVertex& 
   return small_case(rules, 4, 4, {a, b, c});
 }
 
-/// Its two legs run exactly through samples; the hypotenuse u + v = 4 too.
+/// A triangle whose two legs, and hypotenuse u + v = 4, run exactly through samples.
 cases::Case tied(Rules rules) {
   return window_triangle(rules, at_window(0.5F, 0.5F), at_window(3.5F, 0.5F),
                          at_window(0.5F, 3.5F));
@@ -108,14 +108,15 @@ TEST(TieRule, UnspecifiedPermitsWhatLiesOnAnEdge) {
 }
 
 TEST(WindowY, OfD3dRunsAgainstNdcY) {
-  // NDC (−1,−1), (1,−1), (−1,1): its right angle is at the display's bottom left, v = 4.
+  // NDC (−1,−1), (1,−1), (−1,1): the right angle is at the bottom left of the display, v = 4.
   const auto c =
       small_case(Rules::d3d, 4, 4, {{{-1, -1, 0, 1}, {0.75F, -1, 0, 1}, {-1, 0.75F, 0, 1}}});
   EXPECT_EQ(picture(c), "..../#.../##../###.");
 }
 
 TEST(Eye, BehindItAVertexOpensAWedgeBeyondTheOppositeEdge) {
-  // w = −1 at window (2, 0): what is drawn lies beyond the edge (0,2)–(4,2), away from it.
+  // w = −1 at window (2, 0): the visible part lies beyond the edge (0,2)–(4,2), on the side away
+  // from that vertex.
   const auto c =
       window_triangle(Rules::vulkan, at_window(2, 0, -1), at_window(0, 2), at_window(4, 2));
   EXPECT_EQ(picture(c), "..../..../####/####");
@@ -168,7 +169,7 @@ TEST(ClipDistance, AndItsNegativeShareEverySampleOnce) {
   EXPECT_EQ(reason(c, 1, 0), records::Reason::tie);
   for (float& d : c.clip_distances) d = -d;
   EXPECT_EQ(picture(c), "#.../#.../#.../#...");
-  c.rules = Rules::d3d;  // f >= 0 takes the zero on both sides
+  c.rules = Rules::d3d;  // f >= 0 includes zero on both sides
   c.viewport = {0, 4, 4, -4, 0, 1};
   EXPECT_EQ(picture(c), "##../##../##../##..");
 }
@@ -181,7 +182,8 @@ TEST(ClipDistance, ThatIsZeroEverywhereCutsNothing) {
 }
 
 TEST(Facing, IsAsDisplayed) {
-  // (0,0) → (4,0) → (0,4): with v down this turns clockwise on the screen, with v up the other way.
+  // (0,0) → (4,0) → (0,4): with v down this turns clockwise on the screen, with v up
+  // counter-clockwise.
   const auto drawn = [](Rules rules, Cull cull, FrontFace front) {
     auto c = window_triangle(rules, at_window(0, 0), at_window(3.75F, 0), at_window(0, 3.75F));
     c.cull = cull;
@@ -197,7 +199,8 @@ TEST(Facing, IsAsDisplayed) {
 }
 
 TEST(Viewport, BoundsItHalfOpen) {
-  // Sample 12 of the 16-sample pattern lies on its pixel's left side: x = 2 is the far border.
+  // Sample 12 of the 16-sample pattern lies on the left side of its pixel, so x = 2 is the far
+  // border of the viewport.
   auto c = window_triangle(Rules::d3d, {-8, -8, 0, 1}, {8, -8, 0, 1}, {0, 16, 0, 1});
   c.framebuffer.samples = 16;
   c.viewport = {0, 0, 2, 4, 0, 1};
@@ -238,7 +241,7 @@ TEST(Distance, OfATriangleWithoutAreaIsNone) {
 }
 
 // By hand: z = 1/2 + v/8 over 8 rows, so that the far plane z = w lies at v = 4; max|z| + max|w| is
-// 7/2, and an error e of it moves the plane by 28 e rows.
+// 7/2, and an error e relative to it moves the plane by 28 e rows.
 TEST(ClipError, LeavesOpenWhatIsNearAPlaneByItsDistance) {
   cases::Case c = small_case(cases::Rules::vulkan, 1, 8,
                              {{{-1, -1, 0.5F, 1}, {3, -1, 0.5F, 1}, {-1, 3, 2.5F, 1}}}, {});

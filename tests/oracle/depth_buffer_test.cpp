@@ -1,5 +1,5 @@
-// What a depth buffer begins with and how finely it compares, and how far edges of cut triangles
-// may be off: expected by hand.
+// The initial value of a depth buffer, how finely the buffer compares, and how far edges of cut
+// triangles may be off. Expected results are calculated by hand.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// Two corner triangles of a 4×4 target, on its six pixels x + y < 3, at depths of their own.
+/// Two triangles in a corner of a 4×4 target, over its six pixels x + y < 3, at the given depths.
 cases::Case layers(float first, float second) {
   cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
                              {{{-1, -1, first, 1}, {1, -1, first, 1}, {-1, 1, first, 1}}});
@@ -39,7 +39,7 @@ cases::Fragments drawing(std::uint32_t triangle, float depth) {
   return drawn;
 }
 
-/// How many of a drawing's samples are of a class.
+/// The number of a drawing's samples of a class.
 std::uint64_t count(const cases::Case& c, const cases::Contract& contract,
                     const cases::Fragments& drawn, FragmentClass fragment_class) {
   const records::Judgement judgement = judge(SceneTruth(c, contract), drawn).judgement;
@@ -52,7 +52,7 @@ std::uint64_t count(const cases::Case& c, const cases::Fragments& drawn,
   return count(c, cases::contract_of(c), drawn, fragment_class);
 }
 
-// Kills: fragments of depth 1 that have to be drawn, though buffers begin at 1.
+// Kills: fragments of depth 1 that must be drawn, although the buffer may begin at 1.
 TEST(DepthBuffer, MayBeginWithOneWhereTheCaseDoesNotSay) {
   const cases::Case c = layers(1, 1);
   EXPECT_EQ(count(c, drawing(0, 1), FragmentClass::correct), 6U);
@@ -72,8 +72,8 @@ TEST(DepthBuffer, BeginsWithWhatTheCaseSays) {
   EXPECT_EQ(count(c, drawing(0, 0.5F), FragmentClass::extra), 6U);
 }
 
-// Kills: "less or equal" against what the buffer begins with. Depths are exact here, so the
-// contract promises them.
+// Kills: "less or equal" in the comparison with the initial depth. The contract's bound for depths
+// is 0, so that depths are exact.
 TEST(DepthBuffer, KeepsWhatItBeginsWithOfEqualDepths) {
   cases::Case c = layers(0.75F, 0.75F);
   c.depth_clear = 0.75F;
@@ -81,18 +81,20 @@ TEST(DepthBuffer, KeepsWhatItBeginsWithOfEqualDepths) {
   contract.bounds.depth.constant = 0;
   EXPECT_EQ(count(c, contract, {}, FragmentClass::missing), 0U);
   EXPECT_EQ(count(c, contract, drawing(0, 0.75F), FragmentClass::extra), 6U);
-  // Half an ulp of 1, the greater end of the range, and a computed depth may be less.
+  // Under the case's own contract, a computed depth may be less by half an ulp of 1, the greater
+  // end of the range.
   EXPECT_EQ(count(c, drawing(0, 0.75F), FragmentClass::correct), 6U);
 }
 
 TEST(DepthBuffer, LeavesOpenWhetherADepthIsLessThanItsBeginning) {
-  cases::Case c = layers(1 - 0x1p-24F, 1 - 0x1p-24F);  // half an ulp of 1 before 1
+  cases::Case c = layers(1 - 0x1p-24F, 1 - 0x1p-24F);  // half an ulp of 1 below 1
   EXPECT_EQ(count(c, {}, FragmentClass::missing), 0U);
   c = layers(1 - 0x1p-23F, 1 - 0x1p-23F);
   EXPECT_EQ(count(c, {}, FragmentClass::missing), 6U);
 }
 
-// The second triangle is nearer by 2^-20: more than 2 steps of 2^-24, less than one of 2^-16.
+// The second triangle is nearer by 2^-20: more than 2 steps of 2^-24, but less than one step of
+// 2^-16.
 TEST(DepthBuffer, ComparesAsFinelyAsTheContractSays) {
   const cases::Case c = layers(0.5F, 0.5F - 0x1p-20F);
   cases::Contract contract = cases::contract_of(c);
@@ -127,13 +129,13 @@ TEST(DepthBuffer, IsHeededWhereFragmentsAreListed) {
   EXPECT_EQ(listed(records::Verdict::required), 0U);
   EXPECT_EQ(listed(records::Verdict::permitted), 0U);
   c.depth_clear.reset();
-  c.triangles.erase(c.triangles.begin());  // the one at depth 1
+  c.triangles.erase(c.triangles.begin());  // leaves the one at depth 1
   EXPECT_EQ(listed(records::Verdict::required), 0U);
   EXPECT_EQ(listed(records::Verdict::permitted), 6U);
 }
 
-// Kills: a guard band about the window's origin alone, by which everything may be clipped where the
-// viewport is narrower.
+// Kills: a guard band around the window's origin alone, so that everything may be clipped if the
+// band is narrower than the viewport.
 TEST(GuardBand, IsTheViewportAtLeast) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 64, 64, {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}}});
@@ -154,19 +156,20 @@ TEST(GuardBand, IsTheViewportAtLeast) {
   }
   EXPECT_TRUE(judged(0, 16, 21).first);
   EXPECT_NE(judged(0, 26, 21).second, records::Verdict::permitted);
-  // A vertex a hair outside may be clipped, and with it the hypotenuse moved.
+  // A vertex slightly outside may be clipped, and the hypotenuse moved with it.
   c.positions[1].x = 1 + 0x1p-20F;
   EXPECT_NE(judged(32768, 26, 21).second, records::Verdict::permitted);
   EXPECT_EQ(judged(0, 26, 21).second, records::Verdict::permitted);
-  // Two vertices at x = 8, between the window's origin and the viewport, are within neither; the
+  // Two vertices at x = 8, between the window's origin and the viewport, are inside neither; the
   // edge from (38, 0) to (8, 30) runs through the sample at (26.5, 11.5).
   c.positions = {{-1.5F, -1, 0, 1}, {0.375F, -1, 0, 1}, {-1.5F, 0.875F, 0, 1}};
   EXPECT_NE(judged(32768, 26, 11).second, records::Verdict::permitted);
   EXPECT_EQ(judged(0, 26, 11).second, records::Verdict::permitted);
 }
 
-// The left edge lies at x = 1.506, 0.006 pixels or 1.536 units of 1/256 to the right of the samples
-// of column 1. All vertices lie beyond a guard band of a pixel, so that the triangle is cut.
+// The left edge lies at x = 1.506, which is 0.006 pixels or 1.536 units of 1/256 to the right of
+// the samples of column 1. All vertices lie outside a guard band of one pixel, so that the triangle
+// is cut.
 TEST(CutEdges, AreOffByTheToleranceAndThePositionError) {
   constexpr float kLeft = 1.506F / 2 - 1;
   const cases::Case c = small_case(cases::Rules::vulkan, 4, 4,

@@ -65,7 +65,7 @@ TEST(Derivatives, AreNotGivenWhereSeveralPlacementsAreOpen) {
 }
 
 TEST(Derivatives, AreNotGivenWhereTheValueIsUndefined) {
-  // w1 = −1: 1/w = 1 − u/2 vanishes at u = 2, before the centre of pixel 2.
+  // w1 = −1: 1/w = 1 − u/2 vanishes at u = 2, left of the centre of pixel 2.
   auto c = corner(-1, {{{0}, {1}, {0}}});
   for (const auto interpolation :
        {cases::Interpolation::smooth, cases::Interpolation::noperspective}) {
@@ -112,7 +112,8 @@ cases::Case with_centroid(cases::Rules rules, int samples) {
   return c;
 }
 
-// 8/(8 − u)²: pixel (0, 0) is covered whole, of (3, 0) samples 0 and 2, the former at u = 27/8.
+// The derivative is 8/(8 − u)². Pixel (0, 0) is covered completely; of pixel (3, 0) only samples 0
+// and 2 are covered, and sample 0 lies at u = 27/8.
 TEST(ScaledDerivatives, OfACentroidAreWhereItIs) {
   const Truth d3d(with_centroid(cases::Rules::d3d, 4));
   EXPECT_EQ(d3d->scaled_derivatives(0, 0, 0, 3)->exact.du.to_string(), "32/225");
@@ -129,7 +130,7 @@ TEST(ScaledDerivatives, AreNotGivenWhereTheValueIsUndefined) {
   EXPECT_FALSE(Truth(c)->judge_derivatives(0, 2, 0, 0, std::array{0.0F, 0.0F}, 1));
 }
 
-// The exact derivatives are 32/225 and 0, their units ulp(2/5) = 2^-25 and ulp(8/15) = 2^-24.
+// The exact derivatives are 32/225 and 0; their units are ulp(2/5) = 2^-25 and ulp(8/15) = 2^-24.
 TEST(JudgedDerivatives, AreDecidedExactly) {
   const Truth truth(corner(2, {{{0}, {1}, {0}}}));
   const auto judged = [&truth](float du, float dv, float bound) {
@@ -150,7 +151,7 @@ TEST(JudgedDerivatives, AreDecidedExactly) {
   EXPECT_FALSE(none[1].error);
 }
 
-// From −3e38 to 3e38 within a pixel: 6e38.
+// The value grows from −3e38 to 3e38 within one pixel: its derivative is 6e38.
 TEST(JudgedDerivatives, BeyondFloatHaveToBeInfinite) {
   auto c = corner(1, {{{-3e38F}, {3e38F}, {-3e38F}}});
   c.positions[1].x = -0.5F;
@@ -170,7 +171,7 @@ Rational difference(const Truth& truth, int x, int y, WindowAxis axis) {
 
 TEST(QuadDifference, IsTakenAcrossTheEvenAlignedQuad) {
   const Truth truth(corner(2, {{{0}, {1}, {0}}}));
-  // r(3/2) − r(1/2) = 3/13 − 1/15, for both pixels of the quad.
+  // r(3/2) − r(1/2) = 3/13 − 1/15 for both pixels of the quad.
   EXPECT_EQ(difference(truth, 0, 0, WindowAxis::x).to_string(), "32/195");
   EXPECT_EQ(difference(truth, 1, 0, WindowAxis::x).to_string(), "32/195");
   EXPECT_EQ(difference(truth, 1, 1, WindowAxis::y).to_string(), "0");
@@ -191,7 +192,7 @@ TEST(QuadDifference, HasABoundByTheTwoValues) {
   EXPECT_EQ(at(2, 0, WindowAxis::x).exact.to_string(), "32/99");
   EXPECT_EQ(at(3, 0, WindowAxis::x).exact, at(2, 0, WindowAxis::x).exact);
   EXPECT_EQ(at(2, 0, WindowAxis::y).exact, Rational(0));
-  // M = M' = 1, and g is 11/9 from column 2, less than 1 from column 3.
+  // M = M' = 1, and g is 11/9 as seen from column 2 and less than 1 as seen from column 3.
   EXPECT_EQ(at(2, 0, WindowAxis::x).allowed.to_string(), "10/9");
   EXPECT_EQ(at(3, 0, WindowAxis::x).allowed, Rational(1));
   EXPECT_FALSE(at(2, 0, WindowAxis::x).is_next_to_horizon);
@@ -202,7 +203,8 @@ TEST(QuadDifference, EndsAtTheHorizon) {
   EXPECT_TRUE(behind->quad_difference(0, WindowAxis::x, 0, 0, 0, 1));
   EXPECT_FALSE(behind->quad_difference(0, WindowAxis::x, 2, 0, 0, 1));
   EXPECT_TRUE(behind->quad_difference(0, WindowAxis::y, 0, 0, 0, 1));
-  // A little more than 3/5: 1/w is about 1 − u · 2/3, and at column 1 little more than 0.
+  // With a little more than 3/5, 1/w is about 1 − u · 2/3, which is only a little more than 0 at
+  // column 1.
   const Truth next(corner(-0.6F, {{{0}, {1}, {0}}}));
   EXPECT_TRUE(next->quad_difference(0, WindowAxis::x, 0, 0, 0, 1).value().is_next_to_horizon);
   EXPECT_FALSE(next->quad_difference(0, WindowAxis::x, 1, 0, 0, 1).value().is_next_to_horizon);

@@ -36,7 +36,7 @@ float spoiled(float value, Dice& dice) {
   }
 }
 
-/// Some place, of the case or not.
+/// Moves fragment i to another place, which may lie outside the case.
 void misplace(const SceneTruth& scene, Dice& dice, cases::Fragments& drawn, std::size_t i) {
   const cases::Case& c = scene.source();
   switch (dice.between(0, 4)) {

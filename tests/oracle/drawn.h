@@ -1,6 +1,6 @@
 #pragma once
 
-// The first triangle of a case and its exact answers, in the few words hand-checked tests need.
+// The first triangle of a case and its exact answers, with short accessors for hand-checked tests.
 
 #include <string>
 #include <utility>
@@ -13,7 +13,7 @@
 
 namespace rastercheck::oracle {
 
-/// One sample per pixel, the contract the case asks for itself.
+/// For one sample per pixel, under the contract that the case itself asks for.
 struct Drawn {
   explicit Drawn(const cases::Case& c) : scene(c, cases::contract_of(c)), triangle(scene, 0) {}
 

@@ -1,4 +1,5 @@
-// The filter's kernels against rationals, on every kind of vectors, and these against each other.
+// Compares the filter's kernels with rationals, with every kind of vector instructions, and the
+// kinds with each other.
 
 #include "oracle/internal/filter_kernels.h"
 
@@ -24,7 +25,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A number of that size or so with twice as many bits as a double.
+/// A number of about this size with twice as many bits as a double.
 Ring long_number(Dice& dice, int exponent) {
   const auto part = [&dice](int e) {
     return Ring(std::ldexp(static_cast<double>(dice.bits() >> 11) - 0x1p52, e - 52));
@@ -32,7 +33,7 @@ Ring long_number(Dice& dice, int exponent) {
   return part(exponent) + part(exponent - 54);
 }
 
-/// A line that comes within some 2^-50 of its size of zero at a sample.
+/// A line whose value at a sample is zero to within about 2^-50 of the size of its terms.
 Line line_through(Dice& dice, const Point& p, int exponent) {
   const Ring a = dice.one_in(8) ? Ring(0) : long_number(dice, exponent - dice.between(0, 9));
   const Ring b = dice.one_in(8) ? Ring(0) : long_number(dice, exponent);
@@ -56,8 +57,8 @@ Field at(const FilterLine& line, double x, double y) {
   return Field(line.a) * Field(x) + Field(line.b) * Field(y) + Field(line.c);
 }
 
-/// How far the exact line, whose coefficients are within kNearDoubleError of the filter's, may be
-/// from the filter's there.
+/// The largest difference, at (x, y), between the filter's line and the exact line, whose
+/// coefficients are within kNearDoubleError of the filter's.
 Field slack_of(const FilterLine& line, double x, double y) {
   return Field(kNearDoubleError) * at({std::abs(line.a), std::abs(line.b), std::abs(line.c)}, x, y);
 }
@@ -72,7 +73,7 @@ bool bit(const std::vector<std::uint64_t>& words, int j) {
   return (words[static_cast<std::size_t>(j) / 64] >> (j % 64) & 1U) != 0;
 }
 
-// By hand: x − k/2 and y − 1/4, where y is 1/4 or more.
+// By hand: x − k/2 and y − 1/4, with y at least 1/4.
 TEST_P(FilterKernels, RowsAreClassifiedToTheBit) {
   for (const int count : {1, 7, 63, 64, 65, 127, 128, 129, 200}) {
     for (int k = -1; k <= 2 * count; ++k) {
@@ -92,7 +93,7 @@ TEST_P(FilterKernels, RowsAreClassifiedToTheBit) {
   }
 }
 
-// Kills: a band that is less than the coefficients' errors and the roundings.
+// Kills: a band that is smaller than the errors of the coefficients plus the roundings.
 TEST_P(FilterKernels, NoSampleIsOnTheOtherSideOfALineThatItIsClassifiedBy) {
   Dice dice(1);
   int decided = 0;
@@ -156,8 +157,8 @@ TEST(FilterLines, AreMadeOfCoefficientsWithinTheLimitsOnly) {
   EXPECT_TRUE(is_made(Ring(0), Ring(0), Ring(0)));
 }
 
-// CGAL's own conversion goes wrong at both ends of the doubles' range: 2^1024 is infinity to it,
-// and where rounding is upwards the least numbers become 2^-1074 and more.
+// CGAL's own conversion is wrong at both ends of the range of doubles: 2^1024 becomes infinity, and
+// when rounding upwards the smallest numbers become 2^-1074 and more.
 TEST(IntervalLines, HoldNumbersBeyondTheDoubles) {
   const Ring big(0x1p1000);
   const Ring small(0x1p-1000);
@@ -182,7 +183,8 @@ TEST(IntervalLines, HoldNumbersBeyondTheDoubles) {
   }
 }
 
-/// Three edges about a box, most of them within some 2^-50 of their size of zero at a sample.
+/// Three edges across a box, most of them zero at a sample to within about 2^-50 of their terms'
+/// size.
 struct Edges {
   PixelBox box;
   std::array<Line, 3> exact;
@@ -197,8 +199,8 @@ Edges random_edges(Dice& dice) {
   edges.box = {0, 0, dice.between(1, 40), dice.between(1, 40)};
   const int exponent = dice.pick({0, 20, -560, 560});
   const Place near = random_place(dice, edges.box);
-  // Mostly those that the sample is not next to are well above zero there, and D with them; else
-  // two cancel, or all are next to it, and D is close to zero.
+  // Usually one edge is close to zero at the sample, and the others, and so D, are well above zero.
+  // In the other cases two edges cancel, or all are close to zero, and D is close to zero.
   const int kind = dice.between(0, 5);
   const auto past = static_cast<std::size_t>(dice.between(0, 3));
   const Ring height = magnitude(long_number(dice, exponent + 3)) + Ring(std::ldexp(1.0, exponent));
@@ -222,7 +224,7 @@ Edges random_edges(Dice& dice) {
   return edges;
 }
 
-/// Some of a batch's samples.
+/// A few of a batch's samples, among them the first and the last.
 std::vector<std::size_t> some_lanes(Dice& dice, int count) {
   return {0, static_cast<std::size_t>(count) - 1,
           static_cast<std::size_t>(dice.between(0, count - 1)),
@@ -244,7 +246,7 @@ TEST_P(FilterKernels, WeightsAreWithinTheirBounds) {
     weigh_samples(edges.lines, edges.x, edges.y, edges.count, weights);
     for (const std::size_t k : some_lanes(dice, edges.count)) {
       const std::array<Field, 3> exact = exact_edges(edges, k);
-      Field off = 0;  // at most, coefficients being as far off as they may
+      Field off = 0;  // bound, with the largest allowed errors of coefficients
       for (std::size_t i = 0; i < 3; ++i) {
         const Field e(weights.e[i][k]);
         const Field slack = slack_of(edges.lines[i], edges.x[k], edges.y[k]);
@@ -275,7 +277,7 @@ struct Value {
   Batch<double> computed{};
 };
 
-/// Vertex values and computed ones, many of them the same; some huge, some subnormal.
+/// Values of vertices and computed values, many of them equal; some huge, some subnormal.
 Value random_value(Dice& dice, const Edges& edges) {
   Value value;
   const float common = dice.real(-3, 3);
@@ -308,7 +310,8 @@ Value random_value(Dice& dice, const Edges& edges) {
   return value;
 }
 
-// Kills: an edge's band or D's error that is left out, a radius without its quotient's roundings.
+// Kills: an edge's band, or the error of D, that is left out; a radius without the roundings of its
+// quotient.
 TEST_P(FilterKernels, ErrorsOfValuesAreEnclosed) {
   Dice dice(3);
   int narrow = 0;
@@ -339,7 +342,8 @@ TEST_P(FilterKernels, ErrorsOfValuesAreEnclosed) {
       const Field divisor =
           value.filter.is_perspective ? Field(e[0] + e[1] + e[2]) : Field(value.determinant);
       const Field error = sum / divisor * Field(value.filter.units);
-      // Strictly, unless it is 0: what ends at a limit is below it.
+      // The error lies strictly inside, unless it is 0: an enclosure that ends at a limit counts as
+      // below it.
       const bool is_zero = lo[k] == 0 && hi[k] == 0;
       ASSERT_TRUE(is_zero || (Field(lo[k]) < error && error < Field(hi[k]))) << round;
       ASSERT_TRUE(is_zero ? sign_of(error) == 0 : !is_constant) << round;
@@ -372,8 +376,7 @@ TEST_P(FilterKernels, WhatIsNoNumberHasNoFiniteEnclosure) {
   }
 }
 
-/// Ends of enclosures that try counting hardest: borders of buckets and limits, and their
-/// neighbours.
+/// Ends of enclosures that are hardest to count: borders of buckets, limits, and their neighbours.
 double random_end(Dice& dice, double bound) {
   const auto border = [&dice] {
     const int last = static_cast<int>(records::Histogram::kBorderCount) - 1;
@@ -385,7 +388,7 @@ double random_end(Dice& dice, double bound) {
   return dice.one_in(2) ? size : -size;
 }
 
-// Kills: a bucket's border that belongs to the next one, a sum rounded inwards or to nearest.
+// Kills: a border counted in the next bucket; a sum rounded inwards or to nearest.
 TEST_P(FilterKernels, ErrorsAreCountedAsHistogramAndSumCountThem) {
   Dice dice(4);
   int counted_in_all = 0;
@@ -398,7 +401,7 @@ TEST_P(FilterKernels, ErrorsAreCountedAsHistogramAndSumCountThem) {
     Batch<double> hi;
     for (std::size_t k = 0; k < lo.size(); ++k) {
       lo[k] = random_end(dice, bound);
-      // Mostly of the same bucket.
+      // Usually in the same bucket.
       hi[k] = dice.one_in(3) ? random_end(dice, bound)
                              : std::nextafter(lo[k], dice.one_in(2) ? kInfinity : lo[k]);
       if (lo[k] > hi[k]) std::swap(lo[k], hi[k]);
@@ -427,7 +430,7 @@ TEST_P(FilterKernels, ErrorsAreCountedAsHistogramAndSumCountThem) {
   EXPECT_GT(counted_in_all, 1000);
 }
 
-/// All that the kernels make of some batches, to the bit.
+/// Everything that the kernels compute for some batches, to the bit.
 std::vector<std::uint64_t> all_bits() {
   std::vector<std::uint64_t> bits;
   const auto add = [&bits](const Batch<double>& batch, int count) {

@@ -1,5 +1,5 @@
 // The oracle leaves the processor's floating-point control as it found it: rounding mode, flushing,
-// masks. A backend that ran after it would otherwise compute something else.
+// masks. Otherwise a backend that runs afterwards would compute something else.
 
 #include <gtest/gtest.h>
 #include <xmmintrin.h>
@@ -67,12 +67,12 @@ TEST(FloatingPointState, OracleCallsLeaveTheControlBitsAlone) {
 }
 
 TEST(FloatingPointState, SubnormalsCountWhenTheProcessorFlushesThem) {
-  // All of the 4 × 4 framebuffer, by coordinates that are subnormal throughout.
+  // A triangle over all of the 4 × 4 framebuffer, with coordinates that are all subnormal.
   const float s = 0x1p-130F;
   const cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
                                    {{{-s, -s, 0, s}, {3 * s, -s, 0, s}, {-s, 3 * s, 0, s}}},
                                    {{{0x1p-149F}, {0x1p-149F}, {0x1p-149F}}});
-  // The left side lies before the near plane, by a subnormal number.
+  // The left side lies in front of the near plane by a subnormal number.
   const cases::Case cut =
       small_case(cases::Rules::vulkan, 4, 4,
                  {{{-1, -1, -0x1p-140F, 1}, {3, -1, 0x1p-140F, 1}, {-1, 3, -0x1p-140F, 1}}});

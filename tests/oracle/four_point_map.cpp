@@ -20,13 +20,13 @@ Columns columns_of(const FourPoints& points) {
 
 Field determinant(const Column& a, const Column& b, const Column& c) { return a.dot(b.cross(c)); }
 
-/// Of p_3 = Σ c_i p_i, the c_i det(p_0, p_1, p_2); the last is that determinant.
+/// The determinants c_i det(p_0, p_1, p_2), where p_3 = Σ c_i p_i; the last is det(p_0, p_1, p_2).
 using Shares = std::array<Field, 4>;
 
 tl::expected<Shares, FourPointError> shares_of(const Columns& p, Side side) {
   Shares shares{determinant(p[3], p[1], p[2]), determinant(p[0], p[3], p[2]),
                 determinant(p[0], p[1], p[3]), determinant(p[0], p[1], p[2])};
-  // Each is 0 where the three points in it lie on a line.
+  // Each determinant is 0 if its three points lie on a line.
   using Three = std::array<std::size_t, 3>;
   constexpr std::array<Three, 4> kPoints{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
   for (std::size_t i = shares.size(); i-- > 0;) {
@@ -52,7 +52,7 @@ tl::expected<FourPointMap, FourPointError> FourPointMap::infer(const FourPoints&
   const auto betas = shares_of(q, Side::to);
   if (!betas) return tl::unexpected(betas.error());
 
-  // Without the factor (β_0/α_0) of the sum, p_0 goes to q_0.
+  // Dividing the factors by the first one, β_0/α_0, makes the matrix map p_0 to exactly q_0.
   const Field first = (*betas)[0] / (*alphas)[0];
   Eigen::Matrix<Field, 3, 3> sum = Eigen::Matrix<Field, 3, 3>::Constant(Field(0));
   for (std::size_t i = 0; i < 3; ++i) {

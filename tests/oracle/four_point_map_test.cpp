@@ -26,7 +26,7 @@ FourPointMap map_of(const FourPoints& from, const FourPoints& to) {
   return FourPointMap::infer(from, to).value();
 }
 
-/// "x y", or "infinite".
+/// The image as "x y", or "infinite".
 std::string text_at(const FourPointMap& map, double x, double y) {
   const auto image = map.at(x, y);
   if (!image) return "infinite";
@@ -48,11 +48,11 @@ TEST(FourPointMap, OfPointsToThemselvesIsTheIdentity) {
   EXPECT_EQ(text_of(map_of(others, others)), "1 0 0;0 1 0;0 0 1;");
 }
 
-// Heckbert's closed form for the unit square to (0,0), (4,0), (3,2), (1,2): the corners'
+// Heckbert's closed form for the map of the unit square to (0,0), (4,0), (3,2), (1,2): the corners'
 // differences are Σ = (−2, 0), Δ1 = (1, −2), Δ2 = (−2, 0), so that det(Δ1, Δ2) = −4, g = 0/−4 = 0,
 // h = det(Δ1, Σ)/−4 = 1, and
 //   x = ((4 − 0) s + (1 + 1) t)/(t + 1),   y = (2 + 2) t/(t + 1).
-// The square's diagonals meet in (1/2, 1/2), those of the trapezoid in (2, 4/3).
+// The square's diagonals meet in (1/2, 1/2), the trapezoid's in (2, 4/3).
 TEST(FourPointMap, OfTheSquareToATrapezoid) {
   const FourPointMap map = map_of(kSquare, {point(0, 0), point(4, 0), point(3, 2), point(1, 2)});
   EXPECT_EQ(text_of(map), "4 2 0;0 4 0;0 1 1;");
@@ -62,7 +62,7 @@ TEST(FourPointMap, OfTheSquareToATrapezoid) {
   EXPECT_EQ(text_at(map, 5, -1), "infinite");
 }
 
-// Turned by the angle of the triangle 3-4-5: (3x − 4y, 4x + 3y)/5.
+// A turn by the larger angle of the triangle 3-4-5: (3x − 4y, 4x + 3y)/5.
 TEST(FourPointMap, OfATurn) {
   const FourPointMap map = map_of({point(0, 0), point(5, 0), point(5, 5), point(0, 5)},
                                   {point(0, 0), point(3, 4), point(-1, 7), point(-4, 3)});
@@ -70,8 +70,8 @@ TEST(FourPointMap, OfATurn) {
   EXPECT_EQ(text_at(map, 10, 5), "2 11");
 }
 
-// The points at infinity of both axes, the origin and (1, 1) to (1, 0), (0, 1), the origin and
-// (1/3, 1/3): x/(x + y + 1) and y/(x + y + 1).
+// The points at infinity of both axes, the origin and (1, 1) are mapped to (1, 0), (0, 1), the
+// origin and (1/3, 1/3), by x/(x + y + 1) and y/(x + y + 1).
 TEST(FourPointMap, TakesPointsAtInfinity) {
   const FourPointMap map = map_of({point(1, 0, 0), point(0, 1, 0), point(0, 0), point(1, 1)},
                                   {point(1, 0), point(0, 1), point(0, 0), point(1, 1, 3)});
@@ -80,7 +80,7 @@ TEST(FourPointMap, TakesPointsAtInfinity) {
   EXPECT_EQ(text_at(map, -3, 2), "infinite");
 }
 
-// Kills: a factor per point taken for the map's own.
+// Kills: a point's own factor treated as part of the map.
 TEST(FourPointMap, DoesNotDependOnFactorsOfPoints) {
   const FourPoints to{point(0, 0), point(4, 0), point(3, 2), point(1, 2)};
   const FourPointMap scaled =
@@ -90,8 +90,9 @@ TEST(FourPointMap, DoesNotDependOnFactorsOfPoints) {
   EXPECT_EQ(text_at(scaled, 0.25, 3), "7/4 3");
 }
 
-// The matrix takes the first point to the first as given: of a quad (x, y, w) to (u, v, 1) the last
-// number of the others' images is their w_r, when the first one's is 1.
+// The matrix takes the first point of one side to the first of the other exactly as given. For a
+// quad (x, y, w) with parameters (u, v, 1), the last number of each image is the corner's w_r, if
+// that of the first corner is 1.
 TEST(FourPointMap, KeepsTheFirstPointsFactor) {
   const FourPointMap map =
       map_of({point(0, 0, 2), point(3, 0, 3), point(2, 2, 2), point(0, 1)}, kSquare);
@@ -112,9 +113,9 @@ TEST(FourPointMap, SaysWhichPointsLieOnALine) {
             (FourPointError{Side::from, {0, 2, 3}}));
   EXPECT_EQ(error({first[3], first[0], first[1], first[2]}, kSquare),
             (FourPointError{Side::from, {1, 2, 3}}));
-  // Both sides: the first is named.
+  // If both sides have points on a line, the first side is named.
   EXPECT_EQ(error({first[3], first[0], first[1], first[2]}, first).side, Side::from);
-  // Coinciding, and none at all.
+  // Two points that coincide, and a triple (0, 0, 0) that is not a point.
   EXPECT_EQ(error(kSquare, {kSquare[0], kSquare[1], kSquare[2], point(2, 2, 2)}),
             (FourPointError{Side::to, {0, 2, 3}}));
   EXPECT_EQ(error(kSquare, {point(0, 0, 0), kSquare[1], kSquare[2], kSquare[3]}),
@@ -131,8 +132,9 @@ FourPoints random_points() {
   return points;
 }
 
-/// The map's matrix with 1 as its last number, from x' (g x + h y + 1) = a x + b y + c and y' alike
-/// at the four points: eight linear equations in a … h. Nothing where they have no one solution.
+/// The map's matrix with 1 as its last number, from x' (g x + h y + 1) = a x + b y + c and the same
+/// for y' at the four points: eight linear equations in a … h. Returns nullopt if they have no
+/// unique solution.
 std::optional<Eigen::Matrix<Field, 8, 1>> by_linear_equations(const FourPoints& from,
                                                               const FourPoints& to) {
   Eigen::Matrix<Field, 8, 8> a = Eigen::Matrix<Field, 8, 8>::Constant(Field(0));

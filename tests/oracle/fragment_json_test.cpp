@@ -48,7 +48,7 @@ TEST(FragmentJson, IsNullWhereThereIsNothing) {
   }
 }
 
-// On one line: without orientation there is no distance.
+// The vertices lie on one line: a triangle without orientation has no distances.
 TEST(FragmentJson, HasNoDistanceOfATriangleWithoutOrientation) {
   cases::Case c = corner(1);
   c.positions[2] = {0, -1, 0, 1};

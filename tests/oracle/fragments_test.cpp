@@ -66,7 +66,7 @@ TEST(DepthTest, KeepsTheFirstDrawnOfEqualDepths) {
 }
 
 TEST(DepthTest, PermitsBothWherePermittedCoverageLeavesItOpen) {
-  // The nearer layer's left side passes the sample of pixel (0, 0) within half a grid unit.
+  // The left side of the nearer layer passes within half a grid unit of the sample of pixel (0, 0).
   cases::Case c = layers({0.5F, 0.25F});
   c.positions[3].x = -0.51F;  // window u = 0.49
   c.positions[5].x = -0.51F;

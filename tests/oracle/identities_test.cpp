@@ -28,7 +28,7 @@ std::array<RingVector3, 3> random_columns() {
   return {first, second, third};
 }
 
-/// A functional at a homogeneous point.
+/// The value of a functional at a homogeneous point.
 Ring at(const Line& line, const RingVector3& p) {
   return line.a * p[0] + line.b * p[1] + line.c * p[2];
 }
@@ -118,7 +118,7 @@ RC_GTEST_PROP(Interpolation, OneOverWAndROverWAreScreenAffine, ()) {
 }
 
 RC_GTEST_PROP(CameraForm, IsTheClipFormWhereTheImagePlaneInvertsTheProjection, ()) {
-  // A camera: rows of a matrix that takes V − C to (X, Y, w).
+  // A camera: the rows of a matrix that takes V − C to (X, Y, w).
   FieldMatrix3 projection;
   for (Eigen::Index i = 0; i < 9; ++i) projection(i / 3, i % 3) = Field(double{grid_float(2)});
   const Field determinant = projection.determinant();
@@ -130,7 +130,7 @@ RC_GTEST_PROP(CameraForm, IsTheClipFormWhereTheImagePlaneInvertsTheProjection, (
   FieldVector3 eye;
   for (Eigen::Index i = 0; i < 3; ++i) eye[i] = Field(double{grid_float(4)});
 
-  // The columns of the inverse, by cofactors: each is orthogonal to two rows.
+  // The columns of the inverse, by cofactors: each column is orthogonal to two rows.
   const FieldVector3 rows[3] = {projection.row(0), projection.row(1), projection.row(2)};
   const ImagePlane plane{eye, rows[1].cross(rows[2]) / determinant,
                          rows[2].cross(rows[0]) / determinant,
@@ -145,9 +145,10 @@ RC_GTEST_PROP(CameraForm, IsTheClipFormWhereTheImagePlaneInvertsTheProjection, (
   RC_ASSERT(*camera_form == *clip_form);
 }
 
-/// Points around a hub, counter-clockwise by construction: directions of growing angle.
+/// Points around a hub, counter-clockwise by construction: their directions have growing angles.
 std::vector<cases::ClipVertex> random_rim(float hub_x, float hub_y) {
-  // Twelve directions whose consecutive angles are below 180 degrees even where some are left out.
+  // Twelve directions. Consecutive angles stay below 180 degrees even if some directions are left
+  // out.
   constexpr std::array<std::pair<int, int>, 12> kDirections{{{4, 0},
                                                              {4, 1},
                                                              {3, 3},
@@ -174,7 +175,8 @@ std::vector<cases::ClipVertex> random_rim(float hub_x, float hub_y) {
 }
 
 RC_GTEST_PROP(Coverage, AFanCoversItsHubOnceAndNoSampleTwice, ()) {
-  // A hub exactly on the sample of pixel (3, 4): window 3.5 of 8 is NDC −1/8, 4.5 is 1/8.
+  // The hub lies exactly on the sample of pixel (3, 4): window 3.5 of 8 is NDC −1/8, and 4.5 is
+  // 1/8.
   const std::vector<cases::ClipVertex> rim = random_rim(-0.125F, 0.125F);
   const auto rules = one_of({cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d});
   cases::Case c = small_case(rules, 8, 8, {});
@@ -211,7 +213,8 @@ RC_GTEST_PROP(Coverage, AFanCoversItsHubOnceAndNoSampleTwice, ()) {
 }
 
 RC_GTEST_PROP(Coverage, ASquareSplitByADiagonalIsCoveredOnce, ()) {
-  // Seed 002's quadrilateral as two triangles, every edge through samples, w at random.
+  // Heckbert & Moreton 1991's quadrilateral as two triangles: every edge runs through samples, and
+  // w is random.
   const auto rules = one_of({cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d});
   cases::Case c = small_case(rules, 8, 8, {});
   c.fill_rule = one_of({cases::TieRule::top_left, cases::TieRule::bottom_left});
@@ -233,7 +236,8 @@ RC_GTEST_PROP(Coverage, ASquareSplitByADiagonalIsCoveredOnce, ()) {
       covered += truth.judge(i % 8, i / 8, 0).verdict == records::Verdict::required ? 1 : 0;
     }
   }
-  // Window 1.5 … 6.5: of the six rows and columns that the sides pass, five of each are inside.
+  // The square spans window 1.5 … 6.5: its sides pass six rows and six columns of samples, and five
+  // of each are inside.
   RC_ASSERT(covered == 25);
 }
 

@@ -19,8 +19,8 @@ using records::FragmentClass;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// The corner triangle of a 4×4 target: pixels with x + y < 3, and the diagonal's ties. u runs from
-/// 0 at the left to 4 at the right border; v is a constant.
+/// The corner triangle of a 4×4 target: it covers the pixels with x + y < 3, and the diagonal's
+/// samples are ties. u runs from 0 at the left border to 4 at the right; v is a constant.
 class JudgeOf : public testing::Test {
  protected:
   JudgeOf()
@@ -80,8 +80,8 @@ TEST_F(JudgeOf, TheOrderOfFragmentsDoesNotMatter) {
   EXPECT_EQ(judged(), in_order);
 }
 
-// By hand: u is 1/2 at the first pixel, its vertices reach 4, so a scale ULP is 2^-21. One step of
-// 1/2, 2^-24, is 1/8 of it; four are 1/2, the bound; five are beyond.
+// By hand: u is 1/2 at the first pixel and up to 4 at its vertices, so a scale ULP is 2^-21. One
+// step of 1/2 is 2^-24, 1/8 of a scale ULP; four steps are 1/2, the bound; five are beyond.
 TEST_F(JudgeOf, ErrorsAreInScaleUlpAndHeldAgainstTheBound) {
   drawn_.attributes[0] = 0.5F + 4 * 0x1p-24F;
   EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::beyond_bound), 0U);
@@ -95,7 +95,7 @@ TEST_F(JudgeOf, ErrorsAreInScaleUlpAndHeldAgainstTheBound) {
 }
 
 // By hand: snapping moves the left side from 33/64 to 1/2, and r at u = 3/2 from 63/479 to 2/15,
-// some 15,000 ULP of 1. Drawn is the latter, which the basis names or does not.
+// some 15,000 ULP of 1. The drawn value is 2/15, which is right only for some bases.
 TEST(Judge, MeasuresPrecisionAgainstTheTriangleThatTheBasisNames) {
   const auto worst = [](cases::Basis basis) {
     const float left = 33.0F / 64 / 2 - 1;
@@ -135,7 +135,7 @@ TEST_F(JudgeOf, TheOtherZeroIsWrongWhereAllVerticesHaveTheSame) {
   EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::wrong_sign_of_zero), 1U);
 }
 
-/// The classes of the values of one drawn fragment, whose vertices have the attributes 0 thrice.
+/// The classes of the values of one drawn fragment; its vertices all have the attribute 0.
 class JudgeUnder : public testing::Test {
  protected:
   records::ClassCounts classes_of(const cases::Contract& contract, cases::Interpolation declared,
@@ -151,7 +151,8 @@ class JudgeUnder : public testing::Test {
   }
 };
 
-// Kills: the sign of a zero asked of who does not promise it, or not asked of copies.
+// Kills: requiring the sign of a zero although the contract does not promise it; not requiring the
+// sign of copied values.
 TEST_F(JudgeUnder, AContractWithoutSignsOfZeroAnyZeroIsRight) {
   cases::Contract contract;
   contract.keeps_sign_of_zero = false;
@@ -161,7 +162,7 @@ TEST_F(JudgeUnder, AContractWithoutSignsOfZeroAnyZeroIsRight) {
       1U);
 }
 
-// Kills: a number asked for where nothing is promised.
+// Kills: requiring a number although the contract promises nothing about the value.
 TEST_F(JudgeUnder, AContractWithoutABoundNaNIsNotJudged) {
   cases::Contract contract;
   const auto nan_of = [&] {
@@ -208,8 +209,8 @@ TEST_F(JudgeOf, PermittedSamplesAreRightEitherWay) {
   EXPECT_EQ(classes[FragmentClass::extra], 0U);
 }
 
-// 1/w is 1 at the left and 2^-30 at the right border, and a bound that grows towards it allows
-// there what it does not allow at the left.
+// 1/w is 1 at the left border and 2^-30 at the right border. A bound that grows towards the right
+// allows errors there that it does not allow at the left.
 TEST(JudgedBounds, GrowTowardsTheHorizon) {
   const cases::Case c = small_case(
       cases::Rules::vulkan, 4, 4,
@@ -218,7 +219,7 @@ TEST(JudgedBounds, GrowTowardsTheHorizon) {
   contract.bounds.smooth = {0.5F, 0.25F};
   const SceneTruth scene(c, contract);
   cases::Fragments drawn = perfect(scene);
-  // By hand: 1/w is 7/8, 5/8, 3/8, 1/8 in the four columns, so the bound of an error of 1 ULP is
+  // By hand: 1/w is 7/8, 5/8, 3/8, 1/8 in the four columns, so the bound for an error of 1 ULP is
   // about 0.79, 0.9, 1.17 and 2.5.
   for (float& value : drawn.attributes) value = std::nextafter(value, 2.0F);
   std::string beyond;
@@ -243,7 +244,7 @@ cases::Case layers(const std::vector<float>& depths) {
   return c;
 }
 
-/// The classes of what is drawn of the layers, in words.
+/// Draws on the layers and returns the classes of the samples, in words.
 std::string judge_layers(const std::vector<float>& depths, const cases::Fragments& drawn) {
   const SceneTruth scene(layers(depths), cases::contract_of(layers(depths)));
   std::string classes;
@@ -268,7 +269,7 @@ TEST(JudgedNearest, TheNearestIsCorrectAndAnotherTheWrongTriangle) {
   EXPECT_EQ(judge_layers({0.5F, 0.25F}, both), "wrong triangle;extra;");
 }
 
-// Two depths less than an ULP apart round to what may be the same float: either may be drawn.
+// Two depths less than an ULP apart may round to the same float: either layer may be drawn.
 TEST(JudgedNearest, DepthsThatRoundingMayExchangeAreOpen) {
   const float near = 0.5F;
   const float far = std::nextafter(near, 1.0F);
@@ -278,8 +279,8 @@ TEST(JudgedNearest, DepthsThatRoundingMayExchangeAreOpen) {
             "wrong triangle;");
 }
 
-// The centre of a pixel whose second sample alone is covered lies outside the triangle, where a
-// noperspective value runs beyond the largest float32.
+// Only the second sample of the pixel is covered; the pixel's centre lies outside the triangle,
+// where a noperspective value exceeds the largest float32.
 TEST(JudgedInfinity, IsRightWhereTheExactValueIsBeyondFloat) {
   cases::Case c = small_case(cases::Rules::vulkan, 1, 1,
                              {{{-1, 0.25F, 0, 1}, {-1, -1, 0, 1}, {0.25F, -1, 0, 1}}},
@@ -299,7 +300,8 @@ TEST(JudgedInfinity, IsRightWhereTheExactValueIsBeyondFloat) {
   }
 }
 
-// Kills: whatever the judge and the fragments disagree on; and every sample is counted once.
+// Kills: any disagreement between the judge and for_each_fragment(); a sample that is not counted
+// exactly once.
 RC_GTEST_PROP(Judged, AFaultlessDrawingIsCorrect, ()) {
   const cases::Case c = random_exact_case();
   const SceneTruth scene(c, cases::contract_of(c));
@@ -316,7 +318,7 @@ RC_GTEST_PROP(Judged, AFaultlessDrawingIsCorrect, ()) {
   RC_ASSERT(counts.undecided == 0U);
 }
 
-// Kills: a thread that waits for the turn of a chunk that failed.
+// Kills: a thread that waits forever for the turn of a chunk that has failed.
 TEST(JudgeInThreads, PassesOnWhatASinkThrows) {
   struct Stop {};
   for (const cases::DepthTest test : {cases::DepthTest::none, cases::DepthTest::less}) {
@@ -336,9 +338,9 @@ TEST(JudgeInThreads, PassesOnWhatASinkThrows) {
   }
 }
 
-// By hand: w = 1 at u = 0 and 2 at u = 4, where the attribute is 0 and 1. Linear in the window it
-// is u/4, which is what is claimed; in perspective it is u/(8 − u). At u = 1/2 that is 1/8 and
-// 1/15.
+// By hand: w = 1 at u = 0 and w = 2 at u = 4, where the attribute is 0 and 1. A value linear in the
+// window is u/4, which is claimed; in perspective the value is u/(8 − u). At u = 1/2 these are 1/8
+// and 1/15.
 TEST(JudgeOfAClaim, HoldsValuesAgainstItAndTellsTheErrorOfPerspective) {
   const cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {2, -2, 0, 2}, {-1, 1, 0, 1}}},
@@ -374,7 +376,7 @@ TEST(JudgeOfAClaim, HoldsValuesAgainstItAndTellsTheErrorOfPerspective) {
             1U);
 }
 
-// Window positions of vertices are none where w <= 0, so that nothing is linear between them.
+// Vertices with w <= 0 have no window position, so that no value is linear between them.
 TEST(JudgeOfAClaim, LeavesAffineValuesFreeWhereSomeWIsNotPositive) {
   const cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {2, -2, 0, -2}, {-1, 1, 0, 1}}},

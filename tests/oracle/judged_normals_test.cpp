@@ -10,13 +10,13 @@ namespace {
 
 using records::FragmentClass;
 
-/// One normal of a model, judged.
+/// Judges one normal of a model.
 JudgedNormal judged_normal(const cases::Matrix4& model, const cases::Normal& normal,
                            const cases::Normal& computed, float bound) {
   return judge_normals(model, std::span(&normal, 1), std::span(&computed, 1), bound).front();
 }
 
-// C = diag(6, 3, 2), so that (1, 2, 3) becomes (6, 6, 6).
+// The cofactor matrix is C = diag(6, 3, 2), so that (1, 2, 3) becomes (6, 6, 6).
 TEST(JudgedNormals, AreTheImagesByCofactors) {
   const cases::Matrix4 model{1, 0, 0, 9, 0, 2, 0, 9, 0, 0, 3, 9, 0, 0, 0, 1};
   const auto class_at = [&model](float x, float bound) {
@@ -35,7 +35,8 @@ TEST(JudgedNormals, AreTheImagesByCofactors) {
   EXPECT_FALSE(judged.is_singular);
 }
 
-// (3, 4) / 5 is rational: with no bound 2^-51 and half an ulp are allowed of 0, no more.
+// (3, 4) / 5 is rational: with bound 0, the coordinate 0 may be off by 2^-51 and half an ulp, but
+// no more.
 TEST(JudgedNormals, AreDecidedExactly) {
   const auto class_at = [](float z) {
     return judged_normal(cases::kIdentity, {3, 4, 0}, {0.6F, 0.8F, z}, 0)
@@ -58,7 +59,8 @@ TEST(JudgedNormals, TakeTheSignOfTheDeterminant) {
   }
 }
 
-// The cofactors of what presses z flat are 0 but for the last: only z of a normal is left.
+// The model flattens z, so that all its cofactors but the last are 0: only the z of a normal
+// remains.
 TEST(JudgedNormals, WithoutAnImageHaveToBeZero) {
   cases::Matrix4 model = cases::kIdentity;
   model[10] = 0;

@@ -13,7 +13,7 @@ namespace {
 using cases::ClipVertex;
 using records::FragmentClass;
 
-/// Coordinate x of vertex 0, which the projection's first row and `first` make, judged.
+/// Judges coordinate x of vertex 0, which is the product of the projection's first row and `first`.
 JudgedNumber judged_x(const cases::Matrix4& projection, const ClipVertex& first, float bound,
                       float computed) {
   cases::Case c = small_case(cases::Rules::vulkan, 4, 4, {{first, {0, 0, 0, 1}, {1, 0, 0, 1}}});
@@ -24,7 +24,8 @@ JudgedNumber judged_x(const cases::Matrix4& projection, const ClipVertex& first,
   return judge_transform(c, positions, bound)[0][0];
 }
 
-// 2^40 − 2^40: allowed are half an ulp of the computed number and bound · 2^-53 · 2^41.
+// The exact value is 2^40 − 2^40; the allowed error is half an ulp of the computed number and bound
+// · 2^-53 · 2^41.
 TEST(JudgedTransform, AllowsHalfAnUlpAndTheBoundsShareOfTheSizes) {
   cases::Matrix4 projection = cases::kIdentity;
   projection[1] = 0x1p40F;
@@ -38,7 +39,7 @@ TEST(JudgedTransform, AllowsHalfAnUlpAndTheBoundsShareOfTheSizes) {
   EXPECT_EQ(at(0x1.0002p-12F, 1.5F).fragment_class, FragmentClass::correct);
   EXPECT_TRUE(at(0, 1).is_cancelled);
   EXPECT_EQ(at(0x1p-12F, 1).exact, Rational(0));
-  // In ulp(2^-12) = 2^-35: 2^-12 is 2^23 of them.
+  // In units of ulp(2^-12) = 2^-35, 2^-12 is 2^23 units.
   EXPECT_EQ(at(0x1p-12F, 1).error, (records::Enclosure{0x1p23, 0x1p23}));
   EXPECT_EQ(at(0x1p-12F, 1).bound, (records::Enclosure{0x1p23 + 0.5, 0x1p23 + 0.5}));
 }
@@ -49,7 +50,7 @@ TEST(JudgedTransform, TakesAnUlpOfSubnormalsForTwoToTheMinus149) {
   const auto at = [&projection](float computed, float x) {
     return judged_x(projection, {x, 0, 0, 1}, 0, computed);
   };
-  EXPECT_EQ(at(0x1p-149F, 0x1.8p-49F).fragment_class, FragmentClass::correct);  // 1 1/2 of it
+  EXPECT_EQ(at(0x1p-149F, 0x1.8p-49F).fragment_class, FragmentClass::correct);  // 1.5 · 2^-149
   EXPECT_EQ(at(0x1p-148F, 0x1.8p-49F).fragment_class, FragmentClass::correct);
   EXPECT_EQ(at(0, 0x1.8p-49F).fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(at(0, 0x1p-50F).fragment_class, FragmentClass::correct);

@@ -1,4 +1,5 @@
-// The side of a line on which a point lies, as doubles tell it: never wrong, and seldom open.
+// The side of a line on which a point lies, as decided by doubles: never wrong, and seldom
+// undecided.
 
 #include "oracle/internal/line.h"
 
@@ -17,11 +18,11 @@ TEST(Line, IsOnOneSideFarFromItself) {
   const Line f = line(3, -2, 5);
   EXPECT_EQ(f.certain_side(near_point(point(1, 1))), 1);
   EXPECT_EQ(f.certain_side(near_point(point(-3, 1))), -1);
-  EXPECT_EQ(f.certain_side(near_point(point(-1, 1))), 0);  // on it
+  EXPECT_EQ(f.certain_side(near_point(point(-1, 1))), 0);  // on the line
   EXPECT_EQ(f.certain_side(near_point(HomogeneousPoint(Ring(2), Ring(2), Ring(2)))), 1);
 }
 
-// 6 at (1, 1), where a step of r along both axes changes it by 5 r.
+// The value is 6 at (1, 1), and a step of r along both axes changes it by 5 r.
 TEST(Line, StaysOnOneSideWithinReach) {
   const Line f = line(3, -2, 5);
   EXPECT_EQ(f.certain_side(near_point(point(1, 1)), 1.0), 1);
@@ -30,7 +31,7 @@ TEST(Line, StaysOnOneSideWithinReach) {
   EXPECT_EQ(line(-3, 2, -5).certain_side(near_point(point(1, 1)), 1.25), 0);
 }
 
-// Kills: an answer from coefficients that no double is near.
+// Kills: an answer computed from coefficients that doubles cannot approximate.
 TEST(Line, OfCoefficientsThatNoDoubleHoldsIsLeftToExactNumbers) {
   Ring tiny(0x1p-1000);
   tiny = tiny * tiny;
@@ -49,9 +50,10 @@ TEST(Line, OfCoefficientsThatNoDoubleHoldsIsLeftToExactNumbers) {
   EXPECT_EQ(large.sign_at(point(3, 0)), 1);
 }
 
-// 3/2 and a little more than that, times ±2^-1074, the least double: in doubles the former is 2 of
-// them and the latter 1, as the coefficient loses 2^-54 and what is left is less than 3/2.
-// Kills: quotients that are trusted because what they are made of is.
+// The two terms are 3/2 and a little more than 3/2, times ±2^-1074, the smallest double. In doubles
+// the first term is rounded to 2 · 2^-1074 and the second to 1 · 2^-1074, because the coefficient
+// loses 2^-54 and the rest is less than 3/2. Kills: quotients that are trusted because their
+// operands are.
 TEST(Line, AtAPointThatIsTooNearForProductsIsLeftToExactNumbers) {
   const Ring scale(0x1p-479);
   const Line f(scale, scale * -(Ring(1.25) + Ring(0x1p-54)), Ring(0));
@@ -60,7 +62,8 @@ TEST(Line, AtAPointThatIsTooNearForProductsIsLeftToExactNumbers) {
   EXPECT_EQ(f.certain_side(near_point(p)), 0);
 }
 
-// Of lines of many bits that pass a point at a distance of 2^-k of their terms, for all k.
+// Lines with many bits whose value at a point is ±2^-k times the size of their terms, with k from 0
+// to 69.
 TEST(Line, IsNeverOnTheWrongSide) {
   std::mt19937_64 engine(1);
   const auto random = [&engine] {

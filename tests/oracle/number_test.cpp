@@ -58,7 +58,7 @@ TEST(NearestFloat, OverflowsHalfAnUlpBeyondTheLargest) {
 RC_GTEST_PROP(NearestFloat, IsTheConversionOfEveryDouble, ()) {
   const auto bits = *rc::gen::arbitrary<std::uint64_t>();
   const auto exponent = *rc::gen::inRange<std::uint64_t>(1023 - 160, 1023 + 135);
-  // All bits of the fraction and the sign, an exponent that float32 knows.
+  // Random fraction and sign bits, with an exponent in the range of float32.
   const auto value = std::bit_cast<double>((bits & 0x800fffffffffffffULL) | (exponent << 52));
   RC_ASSERT(nearest_float(Field(value)) == static_cast<float>(value));
 }

@@ -1,5 +1,6 @@
-// Contracts that leave open which viewport is drawn by (RULES §7), against triangles that are drawn
-// by one of these, in rational numbers of this file's own.
+// Contracts that permit several viewports (Contract::viewport_error; docs/judge-a-driver.md, What a
+// driver is held to), compared with triangles drawn by one of these viewports. The test computes
+// the triangles in rational numbers of its own.
 
 #include <CGAL/Gmpq.h>
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ struct Place {
   Gmpq v;
 };
 
-/// Twice the area of a, b, c; positive where they turn from u to v.
+/// Twice the signed area of a, b, c; positive if they turn from u to v.
 Gmpq area(const Place& a, const Place& b, const Place& c) {
   return (b.u - a.u) * (c.v - a.v) - (c.u - a.u) * (b.v - a.v);
 }
@@ -36,7 +37,7 @@ struct Sides {
   std::array<Gmpq, 2> v;
 };
 
-/// Those of a case, each moved by up to `error`.
+/// The sides of a case's viewport, each moved by up to `error`.
 Sides moved_sides(const cases::Viewport& viewport, double error) {
   const auto moved = [error](double side) {
     const int eighths = one_of({-8, 8, -8, 8, 0, 3, -5});
@@ -59,7 +60,7 @@ Place window_position(const cases::ClipVertex& p, const Sides& sides) {
   return {along(Gmpq(p.x) / Gmpq(p.w), sides.u), along(Gmpq(p.y) / Gmpq(p.w), sides.v)};
 }
 
-/// One triangle as an implementation may draw it: coverage by `placed`, values by `valued`.
+/// One triangle as an implementation may draw it: `placed` gives the coverage, `valued` the values.
 struct Drawn {
   Sides sides;
   std::array<Place, 3> placed;
@@ -78,7 +79,7 @@ bool is_covered(const Drawn& drawn, const Place& p) {
          area(a, b, p) * whole > zero;
 }
 
-/// The attribute at p; nothing where 1/w <= 0.
+/// The attribute at p; nullopt if 1/w <= 0.
 std::optional<Gmpq> value_at(const Drawn& drawn, const cases::Case& c, const Place& p) {
   const auto& [first, second, third] = drawn.valued;
   const std::array<Gmpq, 3> weights{area(p, second, third), area(first, p, third),
@@ -122,7 +123,7 @@ Drawn some_drawing(const cases::Case& c, double error) {
                         (c.basis == cases::Basis::unspecified && *rc::gen::arbitrary<bool>());
   for (std::size_t i = 0; i < 3; ++i) {
     const Place exact = window_position(c.positions[i], drawn.sides);
-    // Less than a unit: a rounding to either neighbour.
+    // Less than a unit: rounding to either neighbour.
     const auto step = [&unit] { return unit * Gmpq(one_of({-63, 63, -63, 63, 0, 20}), 64); };
     const Gmpq along_u = step();
     const Gmpq along_v = step();
@@ -133,14 +134,14 @@ Drawn some_drawing(const cases::Case& c, double error) {
 }
 
 bool lies_within(const Gmpq& value, const ValueRange& range) {
-  // Exact fractions as text are the way out of the oracle.
+  // The oracle hands out exact fractions only as text.
   const auto number = [](const Rational& rational) { return Gmpq(rational.to_string()); };
   return value >= number(range.lo) && value <= number(range.hi);
 }
 
-// Kills: vertices that are boxed as if each had a viewport of its own, or corners of the viewport's
-// box taken for all there is (both of RULES §7); a rounding that is measured in pixels of the wrong
-// viewport; values of the exact triangle that are held to the viewport that was asked for.
+// Kills: giving each vertex a box of its own, as if each could have another viewport; considering
+// only the extreme viewports; measuring the rounding in pixels of the wrong viewport; judging
+// values of the exact triangle by the requested viewport.
 RC_GTEST_PROP(OpenViewport, LeavesOpenWhateverOneOfItsViewportsDraws, ()) {
   const cases::Case c = viewport_case();
   cases::Contract contract = cases::contract_of(c);
@@ -170,8 +171,8 @@ RC_GTEST_PROP(OpenViewport, LeavesOpenWhateverOneOfItsViewportsDraws, ()) {
   RC_CLASSIFY(covered > 0 && with_value == covered, "all values known");
 }
 
-/// The left half of a viewport of 16 pixels that begins at 1/2, whose sides may be a pixel off.
-/// Attribute: window x of the viewport that was asked for, less 1/2.
+/// A triangle over the left half of a viewport that is 16 pixels wide, begins at 1/2, and whose
+/// sides may be off by a pixel. The attribute is window x of the requested viewport, less 1/2.
 struct LeftHalf {
   cases::Case source =
       small_case(cases::Rules::vulkan, 20, 16,
@@ -187,9 +188,9 @@ struct LeftHalf {
   }
 };
 
-// By hand: the edge is at x = 8.5, off by the viewport's pixel and by a unit of 1/256 pixel, which
-// is 8/7 as large where the viewport is 14 pixels wide: 1.0045 pixels. So 6.5 (2 away) is inside,
-// 7.5 and 9.5 (1 away) are open, 10.5 is outside.
+// By hand: the edge is at x = 8.5. It may be off by the viewport's pixel and by a unit of 1/256
+// pixel, which is 8/7 as large in a viewport of 14 pixels: together 1.0045 pixels. So 6.5 (2 away)
+// is inside, 7.5 and 9.5 (1 away) are open, and 10.5 is outside.
 TEST(OpenViewport, MovesEdgesByTheViewportAndTheRounding) {
   const LeftHalf half;
   const SceneTruth scene(half.source, half.contract);
@@ -204,7 +205,7 @@ TEST(OpenViewport, MovesEdgesByTheViewportAndTheRounding) {
   EXPECT_EQ(truth.judge(2, 8, 0).verdict, Verdict::required);
 }
 
-// At x = 4.5 the attribute is 4 in the viewport that was asked for; moved by 1.0045 pixels it is
+// At x = 4.5 the attribute is 4 in the requested viewport; if moved by up to 1.0045 pixels, it is
 // between 2.9955 and 5.0045.
 TEST(OpenViewport, MovesValuesByNoMore) {
   const LeftHalf half;
@@ -218,8 +219,8 @@ TEST(OpenViewport, MovesValuesByNoMore) {
   EXPECT_NEAR(range->hi.nearest_double(), 4 + most, 1e-9);
 }
 
-// A triangle far smaller than the viewport's error: it is somewhere, whole, and its values are
-// those of its vertices, however far away samples are from where it was asked for.
+// A triangle far smaller than the viewport's error is drawn somewhere, as a whole. Its values are
+// those of its vertices, however far the samples are from the requested position.
 TEST(OpenViewport, DoesNotTakeSmallTrianglesApart) {
   cases::Case c = small_case(cases::Rules::vulkan, 16, 16,
                              {{{0, 0, 0.5F, 1}, {0.0625F, 0, 0.5F, 1}, {0, 0.0625F, 0.5F, 1}}},
@@ -243,8 +244,9 @@ TEST(OpenViewport, DoesNotTakeSmallTrianglesApart) {
   }
 }
 
-// By hand: three vertices at the window's (8, 8), which a grid of 1/4 pixel may pull apart, by 1/4
-// or 2/7 pixel in a viewport of 14 pixels. (8.5, 8.5) may be covered, 2 pixels away nothing is.
+// By hand: three vertices at the window's (8, 8), which a grid of 1/4 pixel may pull apart by 1/4
+// pixel, or by 2/7 pixel in a viewport of 14 pixels. The sample (8.5, 8.5) may be covered; samples
+// 2 pixels away may not.
 TEST(OpenViewport, MayGiveAPointAnArea) {
   cases::Case c = small_case(cases::Rules::vulkan, 16, 16,
                              {{{0, 0, 0.5F, 1}, {0, 0, 0.5F, 1}, {0, 0, 0.5F, 1}}});

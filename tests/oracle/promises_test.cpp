@@ -1,5 +1,5 @@
-// Promises of single triangles (cases::TrianglePromise): what is not promised is permitted, and all
-// else judged.
+// Promises for single triangles (cases::TrianglePromise): whatever is not promised is permitted,
+// and everything else is judged.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using records::NotJudged;
 using records::Reason;
 using records::Verdict;
 
-/// 4 × 4 pixels; triangle 0 covers the left half, triangle 1 all, deeper.
+/// 4 × 4 pixels; triangle 0 covers the left half, triangle 1 covers everything and is farther away.
 cases::Case two_triangles() {
   cases::Case c;
   c.framebuffer = {4, 4, 1};
@@ -31,7 +31,7 @@ cases::Case two_triangles() {
   return c;
 }
 
-/// A contract by which nothing is promised of triangle 0.
+/// A contract that promises nothing about triangle 0.
 cases::Contract without_the_first(const cases::Case& c) {
   cases::Contract contract = cases::contract_of(c);
   contract.triangles.resize(2);
@@ -67,7 +67,7 @@ TEST(TrianglePromise, WhatIsNotMadeIsCountedAndAllElseJudged) {
   const cases::Case c = two_triangles();
   const SceneTruth scene(c, without_the_first(c));
   cases::Fragments drawn;
-  draw(drawn, 0, 3, 0, 7, 12345);  // anything
+  draw(drawn, 0, 3, 0, 7, 12345);  // any values
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) draw(drawn, 1, x, y, 0.75F, x == 2 && y == 1 ? 3.0F : 2.0F);
   }
@@ -83,7 +83,7 @@ TEST(TrianglePromise, WhatIsNotMadeIsCountedAndAllElseJudged) {
   EXPECT_EQ(judged.judgement.counts.required, 16U);
 }
 
-// Kills: a frame that is dropped, or all of whose pixels are open, because of one triangle.
+// Kills: a frame that is dropped, or whose pixels are all left open, because of one triangle.
 TEST(TrianglePromise, UnderADepthTestWhatShowsOthersStaysJudged) {
   cases::Case c = two_triangles();
   c.depth_test = cases::DepthTest::less;
@@ -92,9 +92,9 @@ TEST(TrianglePromise, UnderADepthTestWhatShowsOthersStaysJudged) {
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) {
       if (x == 0 && y == 0) {
-        draw(drawn, 0, x, y, 7, 12345);  // what nothing is promised of may hide the other
+        draw(drawn, 0, x, y, 7, 12345);  // a triangle without promises may hide the other
       } else if (x == 3 && y == 3) {
-        continue;  // but something has to be drawn
+        continue;  // but one of them must be drawn
       } else {
         draw(drawn, 1, x, y, 0.75F, x == 2 && y == 1 ? 3.0F : 2.0F);
       }
@@ -121,8 +121,8 @@ TEST(TrianglePromise, BoundsAreTheTrianglesOwn) {
   EXPECT_TRUE(TriangleTruth(scene, 1).is_value_free(0));
 }
 
-/// A triangle that crosses the left side of a viewport from x = 0.47, cut there: its new vertices
-/// may be rounded to 0.5, so that the centre at 0.5 lies on the edge of what is left.
+/// A viewport whose left side, at about x = 0.47, cuts a triangle: the new vertices may be rounded
+/// to 0.5, so that the centre at 0.5 may lie on the edge of the remaining part.
 TEST(TrianglePromise, SamplesBesideTheSidesAreOpenWhereCutsAre) {
   cases::Case c = two_triangles();
   c.coverage = cases::Snapping{4, cases::Rounding::unspecified, 0};

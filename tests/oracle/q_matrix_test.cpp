@@ -1,5 +1,5 @@
-// The rasterizer's q-matrix (rasterizer/methods/q_matrix.h) against the exact camera form, solved
-// by elimination (oracle/internal/camera_form.h): of small whole numbers both are exact.
+// Compares the rasterizer's q-matrix (rasterizer/methods/q_matrix.h) with the exact camera form,
+// solved by elimination (oracle/internal/camera_form.h): for small integers both are exact.
 
 #include "rasterizer/methods/q_matrix.h"
 
@@ -17,7 +17,7 @@ using rasterizer::QMatrixError;
 using rasterizer::QMatrixResult;
 using rasterizer::Triple;
 
-/// Whole numbers of −12…12, the same in every run.
+/// Integers from −12 to 12, the same in every run.
 class SmallNumbers {
  public:
   Triple<double> triple() { return {next(), next(), next()}; }
@@ -29,7 +29,7 @@ class SmallNumbers {
 
 FieldVector3 exact(const Triple<double>& v) { return {Field(v[0]), Field(v[1]), Field(v[2])}; }
 
-/// Q of what stands for |det M| Q.
+/// Q, from a result that holds |det M| Q.
 FieldMatrix3 quotient_of(const QMatrixResult<double>& result) {
   FieldMatrix3 q;
   for (int i = 0; i < 3; ++i) {
@@ -69,7 +69,7 @@ std::optional<FieldMatrix3> exact_q(const Scene& scene) {
                   plane);
 }
 
-// Kills: a transpose; a sign of det; degenerate mappings missed.
+// Kills: a transposed matrix; a wrong sign of det; degenerate mappings that are missed.
 TEST(QMatrix, OfTheCameraFormIsTheExactOne) {
   SmallNumbers numbers;
   int regular = 0;
@@ -97,14 +97,15 @@ TEST(QMatrix, OfTheCameraFormIsTheExactOne) {
   EXPECT_GT(degenerate, 200);
 }
 
-// (X, Y, w) of a vertex is [a b c]^-1 (V − C); where det [a b c] is ±1 these are whole numbers.
-// Kills: the clip form's rows in another order than the vertices'.
+// (X, Y, w) of a vertex is [a b c]^-1 (V − C), which has integer coordinates if det [a b c] is ±1.
+// Kills: rows of the clip form that are not in the order of the vertices.
 TEST(QMatrix, OfTheClipFormIsThatOfTheCameraForm) {
   SmallNumbers numbers;
   int regular = 0;
   for (int i = 0; i < 1'000; ++i) {
     Scene scene = random_scene(numbers);
-    // A product of a lower and an upper triangle with ones, and a sign.
+    // The product of a lower and an upper triangular matrix with ones on their diagonals, and a
+    // sign.
     const Triple<double> low = numbers.triple();
     const Triple<double> up = numbers.triple();
     const double sign = i % 2 == 0 ? 1 : -1;

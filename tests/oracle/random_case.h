@@ -1,7 +1,7 @@
 #pragma once
 
-// Random cases for laws about the oracle itself. One draw per statement: the order of draws in one
-// expression differs between compilers.
+// Random cases for laws about the oracle itself. Each statement draws at most once, because the
+// order of draws within one expression differs between compilers.
 
 #include <rapidcheck.h>
 
@@ -15,20 +15,20 @@
 
 namespace rastercheck::oracle {
 
-/// Any finite float32, by its bits: exponents are as likely at the ends as in the middle.
+/// Any finite float32, by its bits: all exponents are equally likely.
 inline float any_float() {
   const auto bits = *rc::gen::arbitrary<std::uint32_t>();
   const float value = std::bit_cast<float>(bits);
   return std::isfinite(value) ? value : std::bit_cast<float>(bits & 0xbfffffffU);
 }
 
-/// k/64 with |k| <= 64·limit: such positions meet samples and each other exactly.
+/// k/64 with |k| <= 64·limit: positions of this form hit samples and each other exactly.
 inline float grid_float(int limit) {
   const int k = *rc::gen::inRange(-64 * limit, 64 * limit + 1);
   return static_cast<float>(k) / 64.0F;
 }
 
-/// An ordinary number with 24 random bits, within ±limit.
+/// A number with up to 24 random bits, uniform within ±limit.
 inline float ordinary_float(float limit) {
   const int mantissa = *rc::gen::inRange(-(1 << 24), (1 << 24) + 1);
   return static_cast<float>(mantissa) * 0x1p-24F * limit;
@@ -59,7 +59,7 @@ Enum one_of(std::initializer_list<Enum> choices) {
   return *rc::gen::elementOf(std::vector<Enum>(choices));
 }
 
-/// One triangle and random state, drawn exactly: samples, rules, viewport, culling, qualifiers,
+/// One triangle with random state, drawn exactly: samples, rules, viewport, culling, qualifiers,
 /// clip distances.
 inline cases::Case random_exact_case() {
   const cases::ClipVertex first = random_vertex();
@@ -93,7 +93,7 @@ inline cases::Case random_exact_case() {
   return c;
 }
 
-/// Has the first triangle cover most of its target, unless a vertex lies behind the eye.
+/// Makes the first triangle cover most of its target, unless a vertex lies behind the eye.
 inline void cover_most(cases::Case& c) {
   constexpr std::array<std::array<float, 2>, 3> kCorners{{{-2, -2}, {3, -2}, {-2, 3}}};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -33,8 +33,8 @@ TEST(Rational, EnclosesItself) {
   EXPECT_EQ(third.hi, 0.33333333333333337);
 }
 
-// 2^53 + 1 lies midway between two doubles, a little more is nearer to the upper one.
-// Kills: an enclosure's lower end taken for the nearest.
+// 2^53 + 1 lies midway between two doubles; a slightly larger number is nearer to the upper one.
+// Kills: an enclosure's lower end returned as the nearest double.
 TEST(Rational, HasANearestDouble) {
   EXPECT_EQ(ratio(3, 8).nearest_double(), 0.375);
   EXPECT_EQ(ratio(1, 3).nearest_double(), 0.3333333333333333);

@@ -1,5 +1,5 @@
-// The two paths against each other: the ring path that never divides, and the dividing one written
-// from seed 001.
+// Compares the oracle's two paths: the ring path, which never divides, and the dividing path, which
+// is written from the Rasterization slides.
 
 #include "oracle/referee.h"
 
@@ -17,7 +17,8 @@ std::vector<Fragment> fast_fragments(const cases::Case& c) {
   std::vector<Fragment> fragments;
   const SceneTruth scene(c, cases::contract_of(c));
   for_each_fragment(scene, [&fragments](const Fragment& f, const TriangleTruth&) {
-    // The referee knows no third answer; the far border of the viewport is its only source here.
+    // The referee has no verdict for permitted samples; here these come only from the far border of
+    // the viewport.
     if (f.decision.verdict == records::Verdict::required) fragments.push_back(f);
     return true;
   });
@@ -46,7 +47,7 @@ std::string text(const std::optional<ValueRange>& value) {
   return value ? value->lo.to_string() : "undefined";
 }
 
-/// Everything both say of a case, so that a difference shows itself.
+/// Everything that a path says about a case, as text, so that a test shows where two paths differ.
 template <typename Fragments>
 std::string transcript(const Fragments& fragments) {
   std::string all;
@@ -81,11 +82,12 @@ RC_GTEST_PROP(Referee, AgreesWithTheRingPathThroughACamera, ()) {
 }
 
 TEST(Referee, IsNotVacuous) {
-  // Seed 001's triangle as a small case: half of a 4 × 4 square, 6 or 10 of 16 samples.
+  // The Rasterization slides' triangle as a small case: half of a 4 × 4 square, 6 or 10 of 16
+  // samples.
   const cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}}},
                  {{{0}, {1}, {2}}});
-  EXPECT_EQ(referee_fragments(c).size(), 6U);  // the hypotenuse's four belong to the other half
+  EXPECT_EQ(referee_fragments(c).size(), 6U);  // the hypotenuse belongs to the other half
   EXPECT_EQ(transcript(fast_fragments(c)), transcript(referee_fragments(c)));
 }
 

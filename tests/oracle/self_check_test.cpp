@@ -19,7 +19,7 @@ RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfARightFragment, ()) {
   RC_ASSERT(!difference);
 }
 
-// Of samples that are not covered, too.
+// Checks samples that are not covered, too.
 RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfAnySample, ()) {
   const cases::Case c = random_exact_case();
   const SceneTruth scene(c, cases::contract_of(c));

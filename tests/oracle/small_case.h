@@ -11,7 +11,7 @@
 
 namespace rastercheck::oracle {
 
-/// One triangle of clip positions on a width × height framebuffer whose viewport is all of it;
+/// One triangle of clip positions on a width × height framebuffer that the viewport fills;
 /// `values[i]` are vertex i's attributes, all smooth.
 inline cases::Case small_case(cases::Rules rules, int width, int height,
                               const std::array<cases::ClipVertex, 3>& positions,

@@ -15,7 +15,8 @@ using cases::Snapping;
 using records::Reason;
 using records::Verdict;
 
-/// The candidates, of which snap(), asked of a vertex at that place, has to say the same.
+/// The candidates for a coordinate. snap() must give the same ones for a vertex at this place,
+/// whatever its w.
 std::pair<long, long> range(double coordinate, const Snapping& snapping) {
   const GridRange r = candidates(Field(coordinate), snapping);
   for (const double w : {1.0, 3.0, 0x1.fffffep-3, 0x1p-100}) {
@@ -42,7 +43,7 @@ TEST(Candidates, OfAnUnspecifiedRoundingAreTheNeighbours) {
   EXPECT_EQ(range(0.5, {4, Rounding::unspecified, 0.25F}), std::pair(7L, 9L));
 }
 
-// As near to a tie and to the grid as a double is.
+// Coordinates as near to a tie, or to the grid, as doubles allow.
 TEST(Candidates, BesideATieAreThoseOfItsSide) {
   const Snapping named{4, Rounding::nearest_even, 0};
   EXPECT_EQ(range(0.53125 - 0x1p-54, named), std::pair(8L, 8L));
@@ -53,14 +54,14 @@ TEST(Candidates, BesideATieAreThoseOfItsSide) {
 }
 
 TEST(Candidates, OfAPositionErrorAreAllWithinHalfAUnitMore) {
-  // D3D: 0.6 units around 8.5 are 7.9 … 9.1 after rounding, 8 and 9.
+  // D3D: 8.5 units with an error of 0.6 units is 7.9 … 9.1, which rounds to 8 and 9.
   EXPECT_EQ(range(0.53125, {4, Rounding::nearest_even, 0.125F}), std::pair(8L, 9L));
   EXPECT_EQ(range(0.5, {4, Rounding::nearest_even, 0.25F}), std::pair(8L, 8L));
   EXPECT_EQ(range(0.5, {4, Rounding::nearest_even, 0.5F}), std::pair(7L, 9L));
 }
 
-/// Its left side is at window u = 33/64, 1/64 to the right of the samples of column 0, which a grid
-/// of 1/16 moves onto them (8.25 units → 8).
+/// A triangle whose left side is at window u = 33/64, 1/64 to the right of the samples of column 0.
+/// A grid of 1/16 moves the side onto these samples (8.25 units → 8).
 cases::Case near_column(const cases::Coverage& coverage, cases::Basis basis) {
   const float left = 33.0F / 64 / 2 - 1;
   cases::Case c =
@@ -92,16 +93,16 @@ TEST(Snapping, UnspecifiedPermitsWhatSomePlacementCovers) {
 }
 
 TEST(Snapping, ManyPlacementsAreBoundedByTheirBoxes) {
-  // Four units of error: 9 × 9 candidates a vertex, far more than are enumerated.
+  // Four units of error allow 9 × 9 candidates for a vertex, far more than are enumerated.
   const auto c = near_column(Snapping{4, Rounding::nearest_even, 4}, cases::Basis::ideal);
   EXPECT_EQ(judge(c, 0, 1).verdict, Verdict::permitted);
   EXPECT_EQ(judge(c, 1, 1).verdict, Verdict::required);
 }
 
-// A point may be covered by the triangle of some positions between grid points and by none of the
-// grid points': where vertices need not be on the grid it is permitted. An apex at (1/2, 3/2) grid
-// units from the sample, about a degree wide: on the grid it passes the sample by, or has it on its
-// right edge, which owns nothing.
+// A sample may be covered if vertices lie between grid points, although no placement on grid points
+// covers it: if vertices need not be on the grid, the sample is permitted. The apex is (1/2, 3/2)
+// grid units from the sample and about one degree wide. On the grid it misses the sample, or has
+// the sample on its right edge, which owns no samples.
 TEST(Snapping, OffTheGridLeavesOpenWhatNoPlacementDecides) {
   constexpr float kUnit = 0x1p-8F;  // in NDC of a target of 2 pixels: 2^-8 pixels
   cases::Case c = small_case(cases::Rules::vulkan, 2, 2,
@@ -124,9 +125,9 @@ TEST(Snapping, OffTheGridLeavesOpenWhatNoPlacementDecides) {
   }
 }
 
-// By hand, in whole pixels. (0, 0), (1, 0), (0, 1) lie on the grid, nowhere else to be placed,
-// though the mean is not farther from the edges than vertices may be from their positions; beside
-// the grid the second may come to lie on the first.
+// By hand, in whole pixels. (0, 0), (1, 0), (0, 1) lie on the grid and have one placement each,
+// although their mean is not farther from the edges than vertices may be from their positions. If
+// the second vertex lies off the grid, it may be placed on the first.
 TEST(Orientation, IsCertainWhereNoPlacementTurnsTheTriangle) {
   const auto is_certain = [](float u, float z, const cases::Coverage& coverage) {
     cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
@@ -166,8 +167,9 @@ TEST(Clipping, PermitsSamplesWithinAGridUnitOfWhatWasCut) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 8, 4, {{{0, 1, 0, -1}, {-0.5F, 0, 0, 1}, {0.5F, 0, 0, 1}}});
   c.coverage = Snapping{4, Rounding::nearest_even, 0};
-  // One vertex behind the eye, at window (4, 0), the others at (2, 2) and (6, 2): the edges to it
-  // are cut. One is the line u + v = 4, on which the sample at (1.5, 2.5) is open.
+  // One vertex is behind the eye, at window (4, 0); the others are at (2, 2) and (6, 2), and the
+  // edges from them to the first vertex are cut. One of these edges is the line u + v = 4, on which
+  // the sample at (1.5, 2.5) is open.
   EXPECT_EQ(judge(c, 1, 2).verdict, Verdict::permitted);
   EXPECT_EQ(judge(c, 1, 2).reason, Reason::nonpositive_w);
   EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::required);
@@ -175,8 +177,8 @@ TEST(Clipping, PermitsSamplesWithinAGridUnitOfWhatWasCut) {
 }
 
 TEST(Clipping, LeavesTheFacingOfASliverOpenWhereItComesFromSnappedVertices) {
-  // A sliver along v = u, thinner than a grid unit by far, cut by the near plane: its new vertices
-  // may land on either side of it.
+  // A sliver along v = u, far thinner than a grid unit, cut by the near plane: its new vertices may
+  // snap to either side of the line.
   cases::Case c = small_case(cases::Rules::d3d, 8, 8,
                              {{{-1, 1, -0.5F, 1}, {1, -1, 0.5F, 1}, {1, -0x1.ffep-1F, 0.5F, 1}}});
   c.coverage = Snapping{4, Rounding::nearest_even, 0};
@@ -194,10 +196,10 @@ TEST(Clipping, LeavesTheFacingOfASliverOpenWhereItComesFromSnappedVertices) {
 }
 
 /// In units of 1/256 pixel: A (519.375, 509.875) → (519, 510), C (519.625, 510.375) → (520, 510),
-/// and B behind the eye, w = −1, seen at (455.5, 510.125). The wedge that is visible opens from AC
-/// to the right; rounding turns AC from nearly upright to level, so that the line of the snapped
-/// edge goes right through the wedge. At x = 3344 the wedge reaches from 498.8 to 521.4: a sample
-/// at 512 is nine units and more from all sides, and no corner is moved by more than one.
+/// and B behind the eye, w = −1, seen at (455.5, 510.125). The visible wedge opens from AC to the
+/// right. Rounding turns AC from nearly upright to level, so that the line through the snapped edge
+/// runs right through the wedge. At x = 3344 the wedge reaches from 498.8 to 521.4: a sample at 512
+/// is more than nine units away from all sides, and no corner moves by more than one unit.
 TEST(Clipping, AnEdgeShorterThanAUnitDoesNotDecideFarFromIt) {
   const auto at = [](float x, float y, float w) {
     return cases::ClipVertex{(x - 2048) / 2048 * w, (y - 2048) / 2048 * w, 0, w};
@@ -217,8 +219,9 @@ TEST(Clipping, AnEdgeShorterThanAUnitDoesNotDecideFarFromIt) {
 }
 
 TEST(Clipping, GivesACentreThatIsTheSampleTheSamplesValue) {
-  // Cut by the near plane along u = 2, whole-pixel grid: what is permitted has a range, wherever
-  // the attribute is located, for one sample is one place.
+  // The triangle is cut by the near plane along u = 2, on a whole-pixel grid: a permitted sample
+  // has a range of values, the same range wherever the attribute is located, because a pixel with
+  // one sample has one place.
   cases::Case c =
       small_case(cases::Rules::d3d, 4, 4, {{{-1, 1, 0.5F, 1}, {3, 1, -1.5F, 1}, {-1, -3, 0.5F, 1}}},
                  {{{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}});
@@ -241,8 +244,8 @@ TEST(Clipping, GivesACentreThatIsTheSampleTheSamplesValue) {
 }
 
 TEST(Clipping, ByTheNearPlaneIsOpenAlongTheClipEdge) {
-  // z/w = 1/2 − u/4 passes 0 at u = 2. Row 2 is more than a pixel away from the edges that were
-  // cut.
+  // z/w = 1/2 − u/4 passes 0 at u = 2. Row 2 is more than a pixel away from the triangle's cut
+  // edges.
   cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
                              {{{-1, -1, 0.5F, 1}, {3, -1, -1.5F, 1}, {-1, 3, 0.5F, 1}}});
   c.coverage = Snapping{0, Rounding::nearest_even, 0};
@@ -257,8 +260,8 @@ TEST(Clipping, ByTheNearPlaneIsOpenAlongTheClipEdge) {
   EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::forbidden);
 }
 
-// Kills: the product of the counts of both ends' placements, 131073^4, in 64 bits. On a grid of
-// 2^-16 pixels the greatest position error is a pixel.
+// Kills: the product of the numbers of placements at both ends of an edge, 131073^4, computed in 64
+// bits. On a grid of 2^-16 pixels the largest position error is a pixel.
 TEST(Clipping, TakesTheGreatestPositionError) {
   cases::Case c = small_case(cases::Rules::vulkan, 8, 8,
                              {{{-1, -1, 0.5F, 1}, {3, -1, -1.5F, 1}, {-1, 3, 0.5F, 1}}});

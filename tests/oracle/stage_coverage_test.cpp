@@ -1,4 +1,5 @@
-// Samples that hand-made traces lose or draw too much: the stage that was made to.
+// Hand-made traces in which one stage loses a sample or draws one too many: the split names that
+// stage.
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,8 @@ namespace {
 using records::SampleTrace;
 using records::Stage;
 
-/// The triangle covers pixel (1, 1) and not pixel (3, 3); the centre of pixel (3, 0) lies on its
-/// hypotenuse, which owns nothing.
+/// A trace without errors. The triangle covers pixel (1, 1) but not pixel (3, 3); the centre of
+/// pixel (3, 0) lies on its hypotenuse, which owns no samples.
 SampleTrace right_trace(const cases::Case& c, std::uint32_t x, std::uint32_t y, bool is_drawn) {
   SampleTrace trace = bare_trace(c, x + 0.5, y + 0.5);
   trace.is_drawn = is_drawn;
@@ -64,7 +65,7 @@ TEST(CoverageStage, IsTheDecisionOfATriangleWithoutATrace) {
   const StageSplit triangle(c, c, cases::contract_of(c), 0);
   EXPECT_EQ(triangle.coverage_stage(1, 1, 0, false, nullptr), Stage::coverage);
   EXPECT_EQ(triangle.coverage_stage(1, 1, 0, true, nullptr), std::nullopt);
-  // What was drawn without a trace tells of no stage.
+  // A sample drawn without a trace does not show which stage failed.
   EXPECT_EQ(triangle.coverage_stage(3, 3, 0, true, nullptr), std::nullopt);
 }
 
@@ -95,8 +96,8 @@ TEST(CoverageStage, IsTheSnapThatMovedACorner) {
 }
 
 TEST(CoverageStage, DoesNotTellCornersFromWhatSnappingMends) {
-  // The left edge at u = 1/2 owns the first sample. A corner at 0.52 is that of 1/2 on the grid,
-  // though as it is it leaves the sample outside.
+  // The left edge at u = 1/2 owns the first sample. A corner at 0.52 snaps to 1/2 on the grid,
+  // although without snapping it would leave the sample outside.
   cases::Case c = snapped_case();
   c.positions[0].x = -0.75F;
   c.positions[2].x = -0.75F;
@@ -120,7 +121,7 @@ TEST(CoverageStage, IsTheCornersOfAPartThatReachesTooFar) {
   trace.corners = window_corners();
   (*trace.corners)[1] = {3.5, 0, 1.75, 1, false, {0.125, 0.875, 0}};
   EXPECT_EQ(stage_of(c, 2, 0, trace), Stage::clip_space);
-  // A whole triangle says nothing of what clipping should have left of it.
+  // Without corners, the trace does not show what clipping should have left of the triangle.
   trace.corners.reset();
   EXPECT_EQ(stage_of(c, 2, 0, trace), Stage::coverage);
 }
@@ -140,7 +141,7 @@ TEST(CoverageStage, IsTheSetUpOfAWrongLine) {
   SampleTrace trace = right_trace(c, 1, 1, false);
   (*trace.lines)[0].c = 0;  // −(u + v)/4 + 1/2
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::set_up);
-  // Lines that did not decide are no fault.
+  // Lines that were not used for the decision are not blamed.
   trace.decision = "exactly";
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
 }
@@ -158,7 +159,7 @@ TEST(CoverageStage, IsTheWeightsThatWereComputedWrong) {
   SampleTrace trace = right_trace(c, 1, 1, false);
   trace.edges = {{-0.25, 0.375, 0.375}};
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::weights);
-  trace.edges = {{0, 0.375, 0.375}};  // a tie says nothing
+  trace.edges = {{0, 0.375, 0.375}};  // a tie is no evidence
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
 }
 
@@ -166,7 +167,7 @@ TEST(CoverageStage, IsTheDecisionOfWhatIsNotOfTheTriangleAlone) {
   cases::Case c = traced_case();
   c.scissor = cases::Scissor{2, 2, 2, 2};
   SampleTrace trace = right_trace(c, 1, 1, true);
-  (*trace.lines)[0].c = 1;  // says inside even more
+  (*trace.lines)[0].c = 1;  // counts as inside even more clearly
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
 }
 

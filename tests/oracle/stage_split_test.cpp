@@ -1,5 +1,5 @@
-// Splits of hand-made traces into which an error was put at one stage: that stage has it, to the
-// last digit, and no other has any.
+// Splits of hand-made traces in which one stage has an error: the split gives this stage the whole
+// error, to the last digit, and gives no error to the others.
 
 #include "oracle/stage_split.h"
 
@@ -21,7 +21,7 @@ using records::SampleTrace;
 using records::Stage;
 using records::TracedValue;
 
-/// Fractions of the parts that are not 0, by stage.
+/// The parts of an error that are not 0, as fractions, by stage.
 using Parts = std::map<Stage, std::string>;
 
 Rational ratio(int p, int q) { return to_rational(Field(p, q)); }
@@ -39,7 +39,8 @@ Parts parts_of(const std::optional<ExactSplit>& split) {
   return parts;
 }
 
-/// Attribute 0 of sample (0, 0), exact value 1/8, by planes and without an error.
+/// A trace without errors for attribute 0 of sample (0, 0): its exact value is 1/8, and it is
+/// evaluated by planes.
 SampleTrace right_trace(const cases::Case& c) {
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
   trace.frame = kFrame;
@@ -53,7 +54,7 @@ SampleTrace right_trace(const cases::Case& c) {
   return trace;
 }
 
-/// The same in what comes from corners or lines alone, with the value of those.
+/// A trace that holds nothing but this value, for tests that add corners or lines which give it.
 SampleTrace trace_ending_in(const cases::Case& c, double value) {
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
   trace.attributes[0].evaluated = value;
@@ -87,7 +88,7 @@ TEST(TracedSplit, NamesTheStagesThatWereTold) {
 
 TEST(TracedSplit, TellsTheRoundingOfTheCamerasPositions) {
   // x is scaled by s = (1 + 2^-23)² = 1 + 2^-22 + 2^-46, which rounds to t = 1 + 2^-22. Vertices at
-  // window x 2 ∓ 2s make r = 1/2 + (u − 2)/(4s), at u = 1/2 1/2 − 3/(8s).
+  // window x 2 ∓ 2s make r = 1/2 + (u − 2)/(4s), which is 1/2 − 3/(8s) at u = 1/2.
   cases::Case given = traced_case();
   given.camera.emplace();
   given.camera->model[0] = 0x1.000002p0F;
@@ -132,8 +133,9 @@ TEST(TracedSplit, TellsAMovedCorner) {
 }
 
 TEST(TracedSplit, TellsACornerThatClippingMade) {
-  // Half-way between the first two vertices in clip space: w = 3/2, (X, Y) = (4, 0). With their
-  // columns e_1 = u/4 and 1/w = 1 − u/8, so that share s of vertex 1 makes r = s u/4 / (1 − u/8).
+  // Half-way between the first two vertices in clip space: w = 3/2, (X, Y) = (4, 0). With this
+  // corner as column 1, e_1 = u/4 and 1/w = 1 − u/8, so that a share s of vertex 1 gives r = s u/4
+  // / (1 − u/8).
   const cases::Case c = traced_case(2);
   SampleTrace trace = trace_ending_in(c, 0.0625);
   trace.corners = window_corners();
@@ -173,7 +175,8 @@ TEST(TracedSplit, TellsAWrongPlane) {
 }
 
 TEST(TracedSplit, TellsAWrongLine) {
-  // With e_1 + V/16: noperspective 2 (1/16 + 1/16)/(3/4 + 1/4 + 1/8) = 2/9 in place of 1/8.
+  // With e_1 + V/16 instead of e_1, the noperspective value is 2 (1/16 + 1/16)/(3/4 + 1/4 + 1/8) =
+  // 2/9 instead of 1/8.
   cases::Case c = traced_case(2);
   c.attributes[0].interpolation = cases::Interpolation::noperspective;
   SampleTrace trace = trace_ending_in(c, 0.125);
@@ -181,7 +184,7 @@ TEST(TracedSplit, TellsAWrongLine) {
   trace.lines = lines(2);
   for (records::TracedLine& line : *trace.lines) line = {3 * line.a, 3 * line.b, 3 * line.c};
   trace.attributes[0].is_from_lines = true;
-  trace.attributes[0].weights = {{6, 0.5, 1}};  // eight times
+  trace.attributes[0].weights = {{6, 0.5, 1}};  // each weight times eight
   EXPECT_EQ(parts_of(split(c, trace)), Parts{});
   (*trace.lines)[1].b += 3.0 / 16;
   EXPECT_EQ(parts_of(split(c, trace)), (Parts{{Stage::set_up, "7/72"}, {Stage::weights, "-7/72"}}));
@@ -205,7 +208,7 @@ TEST(TracedSplit, TellsAnotherPlace) {
   value.evaluated = 0.1875;
   value.value = 0.1875F;
   EXPECT_EQ(parts_of(split(c, trace)), (Parts{{Stage::coverage, "1/16"}}));
-  // Without planes the last corners are asked there.
+  // Without planes, the last corners are evaluated at that place.
   value = {.u = 0.75, .v = 0.5, .evaluated = 0.1875, .value = 0.1875F};
   EXPECT_EQ(parts_of(split(c, trace)), (Parts{{Stage::coverage, "1/16"}}));
 }
@@ -224,7 +227,7 @@ TEST(TracedSplit, TellsWrongWeights) {
 }
 
 TEST(TracedSplit, TakesSharesForWhatCornersHaveInTheValue) {
-  // Whatever w, shares 3/4, 1/8, 1/8 of the values 0, 1, 0 make 1/8.
+  // Shares of 3/4, 1/8, 1/8 in the values 0, 1, 0 give 1/8, whatever w is.
   cases::Case c = traced_case(2);
   c.attributes[0].interpolation = cases::Interpolation::noperspective;
   SampleTrace trace = trace_ending_in(c, 0.125);
@@ -233,7 +236,7 @@ TEST(TracedSplit, TakesSharesForWhatCornersHaveInTheValue) {
   trace.attributes[0].shares = {{6, 2, 0}};
   EXPECT_EQ(parts_of(split(c, trace)),
             (Parts{{Stage::weights, "1/8"}, {Stage::evaluation, "-1/8"}}));
-  // A corner that clipping made half-way has 2/3 of the value there: (0 + 1·2)/2 over w = 3/2.
+  // A corner that clipping made half-way has 2/3 of vertex 1's value: (0 + 1·2)/2 over w = 3/2.
   trace.corners = window_corners();
   (*trace.corners)[1] = {4, 0, 0.25, 1.5, true, {0.5, 0.5, 0}};
   trace.attributes[0].shares = {{1, 3, 0}};
@@ -272,7 +275,7 @@ TEST(TracedSplit, TellsEvaluationFromRounding) {
   const auto result = split(c, trace);
   EXPECT_EQ(parts_of(result),
             (Parts{{Stage::evaluation, "1/1073741824"}, {Stage::rounding, "-1/1073741824"}}));
-  // A scale ULP is that of the greatest vertex value, 1.
+  // A scale ULP is the ULP of the greatest vertex value, 1.
   const records::ErrorSplit record = enclose(*result);
   ASSERT_EQ(record.parts.size(), 6U);
   EXPECT_EQ(record.parts[4].error, (records::Enclosure{0x1p-7, 0x1p-7}));
@@ -323,7 +326,7 @@ TEST(TracedSplit, OfDepthIsByItsOwnPlane) {
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
   trace.frame = kFrame;
   trace.corners = window_corners();
-  trace.depth.numerator = {1.0 / 32, 1.0 / 16, 1.0 / 4};  // and v/8
+  trace.depth.numerator = {1.0 / 32, 1.0 / 16, 1.0 / 4};  // u/8 + v/8
   trace.depth.evaluated = 0.125;
   trace.depth.value = 0.125F;
   EXPECT_EQ(parts_of(split(c, trace, std::nullopt)), (Parts{{Stage::set_up, "1/16"}}));
@@ -359,7 +362,7 @@ TEST(TracedSplit, OfDepthIsClampedWhereTheRulesClamp) {
   EXPECT_EQ(parts_of(split(c, trace, std::nullopt)), Parts{});
 }
 
-/// Attribute 0 is u; four samples, of which sample 0 of pixel (3, 0), at (27/8, 1/8), is covered
+/// Attribute 0 is u. There are four samples; sample 0 of pixel (3, 0), at (27/8, 1/8), is covered,
 /// and sample 3 is not.
 cases::Case centroid_case(cases::Rules rules) {
   cases::Case c = traced_case(1, rules);
@@ -385,7 +388,7 @@ TEST(TracedSplit, OfACentroidTakesAnyPlaceThatIsAllowed) {
   EXPECT_EQ(centroid_parts(cases::Rules::vulkan, 3.75, 0.75, &exact),
             (Parts{{Stage::coverage, "3/8"}}));
   EXPECT_EQ(exact, ratio(27, 8));
-  // Inside, but of the next pixel.
+  // Inside the triangle, but in the next pixel.
   EXPECT_EQ(centroid_parts(cases::Rules::vulkan, 2.5, 0.25, &exact),
             (Parts{{Stage::coverage, "-7/8"}}));
 }
@@ -438,8 +441,8 @@ TEST(AddsUp, IsFalseWhereAPartLacks) {
   EXPECT_FALSE(adds_up(*result, 0.125F));
 }
 
-/// Vertex 1 at window x = 4 + 1/64, which snaps to 4 on sixteenths: r = u/(4 + 1/64), 32/257 at
-/// u = 1/2, in place of 1/8.
+/// Vertex 1 is at window x = 4 + 1/64, which snaps to 4 on a grid of sixteenths: r = u/(4 + 1/64),
+/// which is 32/257 instead of 1/8 at u = 1/2.
 cases::Case snapped_case(cases::Basis basis, cases::Rounding rounding) {
   cases::Case c = traced_case();
   c.positions[1].x = 1 + 0x1p-7F;
@@ -468,7 +471,7 @@ TEST(UntracedSplit, PartsSnappingFromTheExcess) {
 
 TEST(UntracedSplit, LeavesAllOpenWithinTheRange) {
   const cases::Case c = snapped_case(cases::Basis::unspecified, cases::Rounding::unspecified);
-  // From u/4 to u/(4 + 1/16): [8/65, 1/8].
+  // The range is from u/(4 + 1/16) to u/4: [8/65, 1/8].
   EXPECT_EQ(untraced(c, 0.1243F),
             (Parts{{Stage::left_open, difference(Rational(0.1243F), ratio(32, 257))}}));
   EXPECT_EQ(untraced(c, 0.25F), (Parts{{Stage::left_open, "1/2056"}, {Stage::excess, "1/8"}}));
@@ -483,7 +486,7 @@ TEST(UntracedSplit, LeavesAllOpenThatTheRulesLeaveFree) {
 TEST(UntracedSplit, OfACentroidStartsAtTheFirstCoveredSample) {
   const cases::Case c = centroid_case(cases::Rules::vulkan);
   const StageSplit triangle(c, c, cases::contract_of(c), 0);
-  // The range is that of u in pixel and triangle: [3, 4].
+  // The range is that of u within the pixel and the triangle: [3, 4].
   EXPECT_EQ(parts_of(triangle.untraced(0, 3, 0, 0, 3.5F)), (Parts{{Stage::left_open, "1/8"}}));
   EXPECT_EQ(parts_of(triangle.untraced(0, 3, 0, 0, 5)),
             (Parts{{Stage::left_open, "5/8"}, {Stage::excess, "1"}}));

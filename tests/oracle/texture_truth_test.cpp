@@ -1,4 +1,4 @@
-// Texels of exact coordinates, filtered colours and levels that can be said by hand.
+// Texels of exact coordinates, filtered colours and levels that can be calculated by hand.
 
 #include "oracle/texture_truth.h"
 
@@ -12,7 +12,7 @@ namespace {
 using cases::Filter;
 using cases::Wrap;
 
-/// A texture whose four channels are alike.
+/// A texture with equal values in all four channels.
 cases::Texturing gray(int width, int height, const std::vector<std::uint8_t>& values,
                       Filter filter) {
   cases::Texturing texturing;
@@ -87,7 +87,8 @@ TEST(TextureTruth, BoundsGrowWithCoordinates) {
   EXPECT_EQ(color[0].allowed.hi, Rational(0.5 + 2 * 2 * 0x1p-10 + 3 * 0x1p-10));
 }
 
-// Of five texels in two: 0.4 of the third one in each, 254 · 0.4 = 101.6; of one row, itself.
+// Five texels become two: each takes 0.4 of the third texel, 254 · 0.4 = 101.6. A single row stays
+// as it is.
 TEST(TextureTruth, HalvesOddLevelsByWhatIsCovered) {
   const TextureTruth truth(gray(5, 1, {0, 0, 127, 10, 20}, Filter::trilinear));
   EXPECT_EQ(truth.level_count(), 3U);
@@ -109,7 +110,8 @@ TEST(TextureTruth, RoundsHalvesUp) {
       "1/255");
 }
 
-// At 0.625 level 0 is 0, level 1, of 0 and 128, is 96, and level 2 is 64: 48 at λ = 1/2, 80 at 3/2.
+// At 0.625, level 0 is 0, level 1 (texels 0 and 128) is 96, and level 2 is 64. So the colour is 48
+// at λ = 1/2 and 80 at λ = 3/2.
 TEST(TextureTruth, TakesInWholeLevelsOfARange) {
   const TextureTruth truth(gray(4, 1, {0, 0, 0, 255}, Filter::trilinear));
   const auto range =
@@ -127,7 +129,7 @@ TEST(TextureTruth, EnclosesTheLevelOfDetail) {
   const Derivatives zero{Rational(0), Rational(0)};
   EXPECT_EQ(truth.level_of_detail({zero, zero}, {zero, zero}, {}), (records::Enclosure{0, 0}));
   cases::TextureBounds bounds;
-  bounds.derivative_share = 0.25F;  // of the scale, 4 times the slope: from 0 to 8 texels
+  bounds.derivative_share = 0.25F;  // of the scale, which is 4 times the slope: 0 to 8 texels
   const records::Enclosure wide = truth.level_of_detail(s, t, bounds);
   EXPECT_EQ(wide.lo, 1);
   EXPECT_EQ(wide.hi, 3);

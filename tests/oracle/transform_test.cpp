@@ -33,7 +33,8 @@ TEST(Transform, AppliesModelThenViewThenProjection) {
 }
 
 TEST(Transform, RoundsOnceToEven) {
-  // 1 + 2^-24 is a tie, to 1; with 2^-60 more it is not. Summed in float32 both would be 1.
+  // 1 + 2^-24 is a tie, which rounds to 1; 2^-60 more is not a tie. A sum in float32 would give 1
+  // for both.
   const auto tie =
       with_projection({1, 0x1p-24F, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {1, 1, 0, 1});
   EXPECT_EQ(to_clip_case(tie, "f")->positions[0].x, 1.0F);

@@ -1,4 +1,4 @@
-// The divided map of a triangle, by hand.
+// The projective map of a triangle after the division, by hand.
 
 #include "oracle/triangle_truth.h"
 
@@ -30,10 +30,7 @@ TEST(QMatrixOfATriangle, IsTheInverseWithTheDivision) {
   EXPECT_EQ(texts(truth.edges(0, 1, 0).value()), (Texts{"1/2", "1/8", "3/8"}));
 }
 
-// M = columns (0, 0, 1), (8, 0, 2), (0, 12, 3): det M = 96 and, row by row of adj(M),
-// Q = ((-24, -24, 96), (12, 0, 0), (0, 8, 0)) / 96; at (1/2, 1/2) e = (3/4, 1/16, 1/24), whose
-// sum weighted by w is 3/4 + 1/8 + 1/8 = 1.
-// Kills: w left out, |det M| left in, a row of another vertex.
+// Kills: w left out; |det M| left in; the row of another vertex.
 TEST(QMatrixOfATriangle, HasTheWeightsOfAPerspectiveOne) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {2, -2, 0, 2}, {-3, 3, 0, 3}}});

@@ -41,14 +41,14 @@ TEST(Fractions, EncloseThemselves) {
   EXPECT_EQ(enclose(Fraction{ring(0), ring(3)}), (records::Enclosure{0, 0}));
 }
 
-// Kills: quotients of doubles where the operands are beyond their range.
+// Kills: quotients computed in double although the operands are beyond the range of double.
 TEST(Fractions, EncloseWhatDoublesCannotHold) {
   const Ring huge = ring(0x1p1000) * ring(0x1p1000);
   const records::Enclosure third = enclose(Fraction{huge, huge * ring(3)});
   EXPECT_EQ(third, enclose(Field(1, 3)));
 }
 
-// By hand: scale 4 has an ulp of 2^-21, and 1/3 of magnitude 4 is off by (f − 1/3) 2^21.
+// By hand: scale 4 has an ulp of 2^-21, so the error of f against 1/3 is (f − 1/3) 2^21.
 TEST(UlpErrors, AreMeasuredInUlpOfTheScale) {
   const Fraction third{ring(1), ring(3)};
   const UlpError error(ring(0.5), third, scale_exponent(ring(4)));
@@ -57,7 +57,7 @@ TEST(UlpErrors, AreMeasuredInUlpOfTheScale) {
   EXPECT_FALSE(error.is_zero());
 }
 
-// Below 2^-126, and of zeros, it is 2^-149.
+// For scales below 2^-126, and for zero, the unit is 2^-149.
 TEST(UlpErrors, HaveALeastUnit) {
   const UlpError of_zero(ring(0x1p-149), Fraction{}, scale_exponent(ring(0)));
   EXPECT_EQ(of_zero.value(), Field(1));
@@ -73,8 +73,8 @@ TEST(UlpErrors, ThatAreZeroSaySo) {
   EXPECT_EQ(exact.enclosure(), (records::Enclosure{0, 0}));
 }
 
-// The other implementation: oracle/ulp.h, which divides first. Kills: a wrong exponent where the
-// value is at or beyond a power of two of the scale.
+// Compares with the other implementation, oracle/ulp.h, which divides first. Kills: a wrong
+// exponent if the value is at or above a power of two that the scale is below.
 RC_GTEST_PROP(UlpErrors, AreThoseOfScaleUlpError, ()) {
   const float computed = random_float(4);
   const float numerator = random_float(4);

@@ -37,7 +37,7 @@ TEST(LocalUlpError, AgainstZeroCountsSmallestSubnormals) {
 TEST(ScaleUlpError, MeasuresByTheLargestVertexValue) {
   // ulp(4) = 2^-21: a step of 2^-23 is a quarter of it.
   EXPECT_EQ(scale_ulp_error(0x1.000002p0F, Rational(1), Rational(4)), (Enclosure{0.25, 0.25}));
-  // Cancelled to zero: one step of the scale's ulp, not 2^126 of its own.
+  // Cancelled to zero: the error is one step of the scale's ulp, not 2^126 of zero's own.
   EXPECT_EQ(scale_ulp_error(0x1p-23F, Rational(0), Rational(1)), (Enclosure{1, 1}));
 }
 

@@ -1,4 +1,4 @@
-// How far values may be off, by hand.
+// The bounds on errors of values, by hand.
 
 #include "oracle/internal/value_bound.h"
 
@@ -22,8 +22,9 @@ TEST(HorizonRatio, IsTheGreatestInverseWOverThatOfThePoint) {
   EXPECT_FALSE(horizon_ratio(setup, {Ring(0.5), Ring(-4), Ring(1)}).has_value());
 }
 
-// With w = 1, 1, −1 the horizon (1/w = 0) runs between the second and the third vertex's mirror:
-// 1/w = 1 at v = 4, −1 at v = 0, so 1/w = v/2 − 1, and greatest at the guard band's far side.
+// With w = 1, 1, −1 the horizon (1/w = 0) runs between the second vertex and the mirror image of
+// the third: 1/w = 1 at v = 4 and −1 at v = 0, so 1/w = v/2 − 1, which is greatest at the far side
+// of the guard band.
 TEST(HorizonRatio, OfATriangleThroughTheEyeGoesToItsClippedCorners) {
   cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
                              {{{-1, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, -1}}}, {{{0}, {1}, {0}}});
@@ -55,7 +56,7 @@ TEST(ValueBound, GrowsTowardsTheHorizon) {
   EXPECT_EQ(truth.value_bound(std::nullopt, 4, 4, 0)->to_string(), "2");
 }
 
-// Kills: no bound at all where the exact triangle has no area and its snapped one has.
+// Kills: no bound at all if the exact triangle has no area but its snapped triangle has.
 TEST(ValueBound, IsTheConstantWhereTheExactTriangleIsDegenerate) {
   const cases::Case c =
       small_case(cases::Rules::vulkan, 9, 9, {{{-1, -1, 0, 1}, {0, 0, 0, 1}, {1, 1, 0, 1}}},
@@ -66,8 +67,8 @@ TEST(ValueBound, IsTheConstantWhereTheExactTriangleIsDegenerate) {
   EXPECT_EQ(TriangleTruth(scene, 0).value_bound(0, 4, 4, 0)->to_string(), "1/2");
 }
 
-/// In perspective: (X, Y, w) = (0, 0, 1), (4, 0, 1), (0, 8, 2), whose edges are E_0 = 32 − 8 u − 8
-/// v, E_1 = 8 u and E_2 = 4 v, |det M| = 32.
+/// A triangle in perspective: (X, Y, w) = (0, 0, 1), (4, 0, 1), (0, 8, 2). Its edges are E_0 = 32 −
+/// 8 u − 8 v, E_1 = 8 u and E_2 = 4 v, and |det M| = 32.
 cases::Case in_perspective(float largest) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-2, 2, 0, 2}}},
@@ -77,7 +78,8 @@ cases::Case in_perspective(float largest) {
 }
 
 // By hand, at (1, 1). Magnitudes (|X|, |Y|, |w|): (4, 4, 1), (4, 4, 1) and (8, 8, 2), so |E|_0 =
-// |E|_1 = 16 + 16 + 64 and |E|_2 = 8 + 8 + 32; E = 16, 8, 4. K = 240/28; Σ |w||E| = 288 of 32.
+// |E|_1 = 16 + 16 + 64 and |E|_2 = 8 + 8 + 32; E = 16, 8, 4. K = 240/28; for noperspective values,
+// Σ |w||E| = 288 over 32.
 TEST(Condition, IsWhatTheWeightsAreMadeOfOverWhatTheyAre) {
   const cases::Case c = in_perspective(3);
   const SceneTruth truth(c, cases::contract_of(c));
@@ -89,7 +91,7 @@ TEST(Condition, IsWhatTheWeightsAreMadeOfOverWhatTheyAre) {
 }
 
 // The pixel's centre is at (1/2, 1/2): |E| = 80, 80, 40 and E = 24, 4, 2, K = 20/3. The range of
-// the values −1, 3 and 0 is 4, in ulp(3) = 2^-22.
+// the values −1, 3 and 0 is 4, measured in ulp(3) = 2^-22.
 TEST(ValueBound, GrowsWithTheConditionAndWithTheRange) {
   const cases::Case c = in_perspective(3);
   cases::Contract contract;
@@ -97,12 +99,12 @@ TEST(ValueBound, GrowsWithTheConditionAndWithTheRange) {
   const SceneTruth scene(c, contract);
   const TriangleTruth truth(scene, 0);
   EXPECT_EQ(truth.value_bound(0, 0, 0, 0)->to_string(), "43/2");  // 1/2 + 20 + 1
-  // K >= 1: 1/2 + 3 + 1, or hardly less.
+  // K is at least 1, so the bound is at least 1/2 + 3 + 1; least_bound() may be slightly less.
   EXPECT_LE(least_bound(truth.setup(), 0), 4.5);
   EXPECT_GT(least_bound(truth.setup(), 0), 4.5 * (1 - 0x1p-40));
 }
 
-// Kills: a promise about values all of whose digits may be lost.
+// Kills: a promise about values that may lose all their digits.
 TEST(ValueBound, IsNoneWhereAllDigitsMayBeLost) {
   const cases::Case c = in_perspective(3);
   cases::Contract contract;
@@ -118,7 +120,7 @@ TEST(ValueBound, IsNoneWhereAllDigitsMayBeLost) {
   EXPECT_FALSE(TriangleTruth(SceneTruth(c, contract), 0).value_bound({}, 0, 0, 0).has_value());
 }
 
-// What is claimed to be linear in the window has the condition of what is.
+// A value that is claimed to be linear in the window has the condition of a noperspective value.
 TEST(ValueBound, OfAnAffineClaimIsThatOfANoperspectiveValue) {
   const cases::Case c = in_perspective(3);
   cases::Contract contract;

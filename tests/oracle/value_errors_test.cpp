@@ -24,7 +24,8 @@ cases::Contract random_contract() {
   return contract;
 }
 
-/// The computed values that try a range hardest: its ends rounded, their neighbours, and others.
+/// The computed values that are hardest to judge: the ends of the range, rounded, their neighbours,
+/// and a few others.
 std::vector<float> values_near(const OpenValue& open) {
   std::vector<float> values{0.0F};
   const Field lo = open.range.lo.value();
@@ -57,7 +58,8 @@ Ring magnitude_of(const Scene& scene, const TriangleValues& values,
   return largest;
 }
 
-/// Compares every covered sample's errors with those of the ranges that TriangleValues gives.
+/// Compares the errors of every covered sample with those computed from the ranges that
+/// TriangleValues gives.
 void expect_errors_of_ranges(const TriangleSetup& setup) {
   const Scene& scene = *setup.scene;
   const TriangleValues values(setup);
@@ -88,8 +90,8 @@ void expect_errors_of_ranges(const TriangleSetup& setup) {
   }
 }
 
-// Kills: a reading that is not of the range, a bracket taken too early, ends that are not cut down,
-// a forgotten pole, clamping in the wrong order.
+// Kills: a reading outside the range; a bracket chosen too early; ends that are not clamped; a
+// forgotten pole; clamping in the wrong order.
 RC_GTEST_PROP(ValueErrors, AreThoseOfTheRange, ()) {
   cases::Case c = random_exact_case();
   if (*rc::gen::inRange(0, 8) == 0) c.attributes[0].location = cases::Location::centroid;
@@ -98,7 +100,7 @@ RC_GTEST_PROP(ValueErrors, AreThoseOfTheRange, ()) {
   expect_errors_of_ranges(TriangleSetup(truth.scene(), 0));
 }
 
-/// Ordinary triangles: all w positive, most of the target covered.
+/// Ordinary triangles: all w are positive, and most of the target is covered.
 RC_GTEST_PROP(ValueErrors, AreThoseOfTheRangeOfOrdinaryTriangles, ()) {
   cases::Case c = random_exact_case();
   for (cases::ClipVertex& p : c.positions) {

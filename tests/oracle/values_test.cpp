@@ -63,12 +63,13 @@ TEST(Center, ExtrapolatesWhereItIsNotCovered) {
   auto c = corner(Rules::vulkan, {{{0}, {4}, {0}}});  // r = u
   c.framebuffer.samples = 4;
   c.attributes[0].location = Location::center;
-  // Sample 0 of pixel (3, 0), at (3.375, 0.125), is covered; the centre, on the hypotenuse, is not.
+  // Sample 0 of pixel (3, 0), at (3.375, 0.125), is covered; the centre lies on the hypotenuse and
+  // is not covered.
   EXPECT_EQ(attribute(c, 3, 0, 0), "7/2");
 }
 
 TEST(Center, IsUndefinedBehindTheHorizon) {
-  // With w1 = −1 1/w is 1 at the left border and −1 at the right one: 1 − u/2, zero at u = 2.
+  // With w1 = −1, 1/w is 1 at the left border and −1 at the right border: 1 − u/2, zero at u = 2.
   auto c = corner(Rules::vulkan, {{{0}, {1}, {0}}}, {}, -1);
   c.attributes[0].location = Location::center;
   EXPECT_EQ(attribute(c, 2, 0), "undefined");
@@ -98,7 +99,7 @@ TEST(Centroid, OfVulkanIsAnyPointOfPixelAndTriangle) {
   c.framebuffer.samples = 4;
   c.attributes[0].location = Location::centroid;
   EXPECT_EQ(attribute(c, 0, 0), "[0, 1]");
-  c.attribute_values = {0, 0, 4};  // r = v; pixel (3, 0) holds v from 0 to 1 only at u = 3
+  c.attribute_values = {0, 0, 4};  // r = v; in pixel (3, 0), v reaches from 0 to 1 only at u = 3
   EXPECT_EQ(attribute(c, 3, 0, 0), "[0, 1]");
   c.attribute_values = {0, 4, 4};  // r = u + v, at most 4 on the hypotenuse
   EXPECT_EQ(attribute(c, 3, 0, 0), "[3, 4]");
@@ -120,7 +121,8 @@ TEST(Depth, RunsThroughTheDepthRangeInEitherOrder) {
 }
 
 TEST(Depth, IsAPlaneInWindowSpaceWhateverW) {
-  // z/w is linear: half-way between 0 and 1/2 at u = 2, though w runs from 1 to 4.
+  // z/w is linear in the window: at u = 2 it is half-way between 0 and 1/2, although w runs from 1
+  // to 4.
   const auto c = corner(Rules::vulkan, {}, {0, 0.5F, 0}, 4);
   EXPECT_EQ(depth(c, 1, 0), "3/16");
 }
@@ -138,7 +140,7 @@ TEST(Unspecified, GivesEveryValueAsARange) {
   c.attribute_values = {0, 7, 4, 7, 0, 7};
   c.coverage = cases::Snapping{8, cases::Rounding::unspecified, 0};
   c.basis = cases::Basis::unspecified;
-  // All vertices lie on the grid: one placement, and the range is a point.
+  // All vertices lie on the grid, so that there is one placement and each range is a point.
   EXPECT_EQ(attribute(c, 0, 0), "[1/2, 1/2]");
   EXPECT_EQ(depth(c, 0, 0), "[0, 0]");
   const SceneTruth scene(c, cases::contract_of(c));

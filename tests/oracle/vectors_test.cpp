@@ -1,4 +1,5 @@
-// The oracle against exact answers that a separate implementation computed (tests/oracle/vectors).
+// Compares the oracle with exact answers that a separate implementation computed
+// (tests/oracle/vectors).
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Every law under the contract that OpenGL and Vulkan make (backends/api_promise.h): what draws
-// within what that leaves open keeps them all, and what goes beyond it is noticed.
+// Checks every law under the contract of OpenGL and Vulkan (backends/api_promise.h): drawings that
+// this contract permits keep all laws, and larger deviations are noticed.
 
 #include <gtest/gtest.h>
 
@@ -20,19 +20,19 @@
 namespace rastercheck::properties::api_laws_test {
 namespace {
 
-/// One way to draw that the APIs leave open.
+/// A way to draw that the APIs permit.
 struct Way {
   std::string name;
   cases::Coverage coverage;
   cases::Basis basis = cases::Basis::ideal;
   cases::TieRule tie_rule = cases::TieRule::top_left;
   std::string backend = "cpu";
-  float shift = 0;  ///< of the viewport, in pixels
+  float shift = 0;  ///< shift of the viewport, in pixels
 };
 
 std::ostream& operator<<(std::ostream& out, const Way& way) { return out << way.name; }
 
-/// Draws with `cpu` in such a way, and promises no more than the APIs do.
+/// Draws with `cpu` in the given way, and promises no more than the APIs do.
 class Driver : public backends::Backend {
  public:
   explicit Driver(Way way)
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Way{"four_bits", grid(4), cases::Basis::snapped, cases::TieRule::bottom_left}),
     [](const testing::TestParamInfo<Way>& test) { return test.param.name; });
 
-// Kills: laws to the bit asked of who promises none.
+// Kills: laws about equal bits, applied to a backend that does not promise equal bits.
 TEST(ApiLaws, ThatRestOnInvarianceAreNotAsked) {
   Driver driver(Way{"exact", std::nullopt});
   const auto cpu = backends::make_backend("cpu").value();
@@ -113,7 +113,7 @@ TEST(ApiLaws, ThatRestOnInvarianceAreNotAsked) {
   }
 }
 
-// Kills: a contract that leaves everything open.
+// Kills: a contract that permits everything.
 TEST(ApiLaws, NoticeASixteenthOfAPixel) {
   Driver driver(
       Way{"shifted", grid(8), cases::Basis::snapped, cases::TieRule::top_left, "cpu", 1.0F / 16});

@@ -1,14 +1,15 @@
 #pragma once
 
-// Backends that draw as the textbook method does, whose contract leaves ties and snapping open, or
-// as another backend, and then go wrong in one way, and a case small enough to say by hand what
-// each law has to find.
+// Backends that draw like the textbook method, whose contract leaves ties and snapping open, or
+// like another backend, and then go wrong in one way; and a case small enough to work out by hand
+// what each law has to find.
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,15 +26,16 @@ namespace rastercheck::properties {
 using Damage = std::function<void(const cases::Case&, cases::Fragments&)>;
 using TransformDamage = std::function<void(const cases::Case&, std::vector<cases::ClipVertex>&)>;
 using NormalDamage = std::function<void(const cases::Matrix4&, std::vector<cases::Normal>&)>;
-/// Goes wrong with what is to be assembled.
+/// Damages the input of assembly.
 using AssemblyDamage =
     std::function<void(const cases::Case&, cases::Topology&, std::vector<std::uint32_t>& indices)>;
-/// Goes wrong with what was drawn over a picture, and with what is said of it.
+/// Damages a picture that was drawn over, and the result that is reported.
 using OverDamage = std::function<void(const cases::Case&, Result<void>& drawn, cases::Picture&)>;
-/// Goes wrong with the pipeline that a picture is drawn by, or with the picture.
+/// Damages the pipeline that a picture is drawn by (PipelineDamage), or the picture.
 using PipelineDamage = std::function<void(cases::Pipeline&)>;
 using PictureDamage = std::function<void(const cases::Pipeline& asked_for, cases::Picture&)>;
-/// Goes wrong with what another way draws, or says that it cannot draw it.
+/// Damages what another way of drawing draws, or makes this way report that it cannot draw the
+/// case.
 using WayDamage = std::function<void(const cases::Case&, Result<cases::Fragments>&)>;
 using TraceDamage =
     std::function<void(const cases::SamplePlace&, std::optional<records::SampleTrace>&)>;
@@ -53,7 +55,7 @@ class DamagedBackend : public backends::Backend,
   cases::Contract promise(const cases::Case& c) const override {
     if (promised) return *promised;
     cases::Contract contract = inner_->promise(c);
-    contract.keeps_equal_depth = true;  // as it does of the simple planes that the tests draw
+    contract.keeps_equal_depth = true;  // true for the simple planes that the tests draw
     return contract;
   }
   backends::PictureDrawer* picture_drawer() override {
@@ -69,7 +71,7 @@ class DamagedBackend : public backends::Backend,
   std::optional<cases::Contract> promised;
   TraceDamage trace_damage;
   TransformDamage transform_damage;
-  /// Where it is set, there are two ways, and the other one draws so.
+  /// If set, there are two ways of drawing, and this damages the second.
   WayDamage way_damage;
   NormalDamage normal_damage;
   AssemblyDamage assembly_damage;
@@ -145,8 +147,8 @@ class DamagedBackend : public backends::Backend,
   Damage damage_;
 };
 
-/// The index of a triangle's fragment at a pixel's sample 0; the number of fragments where it drew
-/// none.
+/// The index of a triangle's fragment at a pixel's sample 0, or the number of fragments if the
+/// triangle has none there.
 inline std::size_t find(const cases::Fragments& drawn, std::uint32_t triangle, int x, int y) {
   std::size_t i = 0;
   while (i < drawn.size() && (drawn.triangle[i] != triangle || drawn.x[i] != x || drawn.y[i] != y ||
@@ -156,7 +158,13 @@ inline std::size_t find(const cases::Fragments& drawn, std::uint32_t triangle, i
   return i;
 }
 
+inline bool is_drawn(const cases::Fragments& drawn, std::uint32_t triangle, int x, int y) {
+  return find(drawn, triangle, x, y) < drawn.size();
+}
+
+/// Removes a fragment. Throws std::out_of_range if the triangle has none there.
 inline void drop(cases::Fragments& drawn, std::uint32_t triangle, int x, int y) {
+  if (!is_drawn(drawn, triangle, x, y)) throw std::out_of_range("no such fragment to drop");
   const auto i = static_cast<std::ptrdiff_t>(find(drawn, triangle, x, y));
   const auto count = static_cast<std::ptrdiff_t>(drawn.attribute_count);
   drawn.triangle.erase(drawn.triangle.begin() + i);
@@ -182,9 +190,11 @@ inline void add(cases::Fragments& drawn, std::uint32_t triangle, int x, int y) {
   if (!drawn.derivatives.empty()) drawn.derivatives.resize(drawn.attributes.size() * 2);
 }
 
+/// The value of an attribute of the fragment at a pixel's sample 0. Throws std::out_of_range if the
+/// triangle has no fragment there.
 inline float& value(cases::Fragments& drawn, std::uint32_t triangle, int x, int y,
                     std::size_t attribute) {
-  return drawn.attributes[find(drawn, triangle, x, y) * drawn.attribute_count + attribute];
+  return drawn.attributes.at(find(drawn, triangle, x, y) * drawn.attribute_count + attribute);
 }
 
 /// A square that fills 8×8 pixels, as two triangles that share the diagonal from the upper right to
@@ -193,8 +203,9 @@ inline float& value(cases::Fragments& drawn, std::uint32_t triangle, int x, int 
 ///   0 (0, 0)   1 (8, 0)      A = (0, 1, 2)   covers pixels with x + y < 7
 ///   2 (0, 8)   3 (8, 8)      B = (2, 1, 3)   covers pixels with x + y > 7
 ///
-/// Centres of pixels with x + y = 7 lie on the diagonal; top-left: they are B's, whose left edge it
-/// is. Attributes: 0 is the window x, 1 is one and 2 is zero everywhere.
+/// Centres of pixels with x + y = 7 lie on the diagonal. By the top-left rule they belong to B,
+/// because the diagonal is a left edge of B. Attributes: 0 is the window x; 1 is one and 2 is zero
+/// everywhere.
 inline cases::Case square() {
   cases::Case c;
   c.rules = cases::Rules::vulkan;
@@ -210,18 +221,18 @@ inline cases::Case square() {
   return c;
 }
 
-/// Loses pixel (7, 7) of the square: the last fragment of B, whatever its index is.
+/// Loses pixel (7, 7) of the square: a fragment of B, whatever index B has.
 inline void lose_last_corner(const cases::Case& /*c*/, cases::Fragments& drawn) {
   const std::uint32_t last = drawn.triangle.back();
   if (find(drawn, last, 7, 7) < drawn.size()) drop(drawn, last, 7, 7);
 }
 
-/// What the law of that id finds of a case.
+/// Checks a case by the law with this id.
 inline Check check_of(std::string_view law, const cases::Case& c, backends::Backend& backend) {
   return check_law(*find_law(law), c, backend, 0).value();
 }
 
-/// The same, drawn by a backend that goes wrong so.
+/// Checks the case with a backend that has this damage.
 inline Check check_of(std::string_view law, const cases::Case& c, const Damage& damage,
                       const std::string& specification = "method:rational-linear") {
   DamagedBackend backend(damage, specification);

@@ -20,8 +20,8 @@ TEST(Fnv1a, GivesThePublishedHashes) {
   EXPECT_EQ(fnv1a("foobar"), 0x85944171f73967e8U);
 }
 
-// Where these change, every case number of every run so far means another case. The choices follow
-// from the words above them by hand: the first is 0xaf3… >> 57 = 87 of 0…99, and so on.
+// If these words change, every case number of earlier runs stands for another case. The choices can
+// be derived by hand from the words above: the first is 0xaf3… >> 57 = 87 of 0…99, and so on.
 TEST(Draw, KeepsItsStream) {
   Draw draw(1, "a law", 7);
   std::vector<std::uint64_t> words(7);
@@ -39,7 +39,7 @@ TEST(Draw, KeepsItsStream) {
   EXPECT_EQ(between, 84);
   EXPECT_EQ(unit, 0x1.e0aeep-4F);
   EXPECT_EQ(uniform, 0x1.5f6ae4p+1F);
-  EXPECT_EQ(spread, -0x1.6p-134F);  // exponent 15 − 149, three more bits of mantissa: 011
+  EXPECT_EQ(spread, -0x1.6p-134F);  // exponent 15 − 149; then three bits of mantissa, 011
 
   Draw far(0xffffffffffffffff, "values stay within the bound", std::uint64_t{1} << 40);
   EXPECT_EQ(far.bits(64), 0x924ab8b56b105034U);
@@ -73,8 +73,8 @@ TEST(Draw, BitsAreAsManyAsAskedFor) {
   }
 }
 
-// 7 choices do not divide a power of two: each has to come in 1/7 of 70,000 draws, within five
-// standard deviations (93 each).
+// 7 choices do not divide a power of two: each choice must come up in 1/7 of 70,000 draws, within
+// five standard deviations (of 93 each).
 TEST(Draw, BetweenIsEquallyLikelyEverywhere) {
   Draw draw(1, "a law", 0);
   std::map<int, int> counts;

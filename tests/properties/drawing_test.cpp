@@ -1,4 +1,4 @@
-// What a backend may not do to the process it runs in, and what it may not hand back.
+// What a backend must not do to the process that it runs in, and which drawings it must not return.
 
 #include "properties/drawing.h"
 

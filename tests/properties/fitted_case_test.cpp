@@ -1,5 +1,5 @@
-// A fitted case is the same picture by other rules: the oracle's own fragments of both are the
-// same, and what a case is about stays.
+// A fitted case draws the same picture by other rules: the oracle's fragments of both cases are the
+// same, and the case keeps what it is about.
 
 #include "properties/fitted_case.h"
 
@@ -41,7 +41,7 @@ Capabilities with_rules(Rules rules) {
   return has;
 }
 
-/// Lists what is exactly true of a case, as text.
+/// Lists everything that the oracle says about a case, as text.
 std::vector<std::string> truth_of(const Case& c) {
   std::vector<std::string> all;
   const cases::ClipCase clip = oracle::to_clip_case(c, "").value();
@@ -61,13 +61,15 @@ std::vector<std::string> truth_of(const Case& c) {
   return all;
 }
 
-/// Where D3D alone clamps depth, and takes the first covered sample for a centroid.
+/// True if the rules do not change the values of the case: only D3D takes the first covered sample
+/// for a centroid.
 bool is_the_same_by_all_rules(const Case& c) {
   return std::none_of(c.attributes.begin(), c.attributes.end(),
                       [](const auto& a) { return a.location == cases::Location::centroid; });
 }
 
-// Kills: depth mapped wrongly, a fill rule or a face not turned, another provoking vertex.
+// Kills: depth mapped wrongly; a fill rule or face that is not changed with the rules; another
+// provoking vertex.
 TEST(FittedCase, IsTheSamePictureByOtherRules) {
   std::size_t changed = 0;
   std::size_t asked = 0;
@@ -98,7 +100,7 @@ TEST(FittedCase, OfACameraIsTheSamePicture) {
     const Case fitted = fitted_case(with_rules(rules), c);
     if (fitted.rules != rules) continue;
     ++changed;
-    // Clip positions are rounded to float32, in z otherwise than before.
+    // Clip positions are rounded to float32, and z is rounded differently than before.
     const auto covered = [](const Case& one) { return truth_of(one).size(); };
     EXPECT_EQ(covered(fitted), covered(c)) << c.name;
   }
@@ -112,7 +114,7 @@ TEST(FittedCase, IsLeftAsItIsForWhoDrawsIt) {
   }
 }
 
-// By hand: z = 0.25 of w = 1 is 2 · 0.25 − 1 = −0.5 of OpenGL; 2^-30 would take 31 bits.
+// By hand: z = 0.25 with w = 1 becomes 2 · 0.25 − 1 = −0.5 under OpenGL; 2^-30 would need 31 bits.
 TEST(FittedCase, ChangesDepthExactlyOrNotAtAll) {
   Case c;
   c.framebuffer = {8, 8, 1};
@@ -141,7 +143,7 @@ TEST(FittedCase, KeepsWhatTheCaseIsAbout) {
   has.sample_counts = {1, 2};
   EXPECT_EQ(fitted_case(has, c).framebuffer.samples, 2);
   has.lacks = {Feature::scissor};
-  EXPECT_EQ(fitted_case(has, c), c);  // it may be what the case is about
+  EXPECT_EQ(fitted_case(has, c), c);  // the scissor may be what the case is about
   c.essential.emplace();
   EXPECT_EQ(lacked_by(has, fitted_case(has, c)), "");
   EXPECT_FALSE(fitted_case(has, c).scissor.has_value());

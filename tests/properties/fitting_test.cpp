@@ -18,7 +18,7 @@ namespace {
 using cases::Capabilities;
 using cases::Feature;
 
-/// As an OpenGL-only rasterizer with one sample and a whole viewport is.
+/// The capabilities of an OpenGL-only rasterizer with one sample and a fixed viewport.
 Capabilities of_plain_opengl() {
   Capabilities has;
   has.rules = {cases::Rules::opengl};
@@ -38,7 +38,7 @@ Capabilities of_a_driver() {
   return has;
 }
 
-/// Takes as little as there is.
+/// Capabilities that are as small as possible.
 Capabilities of_little() {
   Capabilities has = of_plain_opengl();
   has.rules = {cases::Rules::d3d};
@@ -55,7 +55,7 @@ Capabilities of_little() {
   return has;
 }
 
-// Kills: a law or generator whose cases are for others than who is judged.
+// Kills: a law or generator whose cases the judged backend cannot draw.
 TEST(RandomCases, AskForNothingThatIsLacking) {
   for (const Capabilities& has : {of_plain_opengl(), of_a_driver(), of_little()}) {
     for (const Law& law : laws()) {
@@ -83,7 +83,7 @@ TEST(RandomCases, HaveNumbersThatSomethingIsPromisedOf) {
   }
 }
 
-// The digests of these are approved (generators/digests_test.cpp).
+// The digests of these cases are approved (generators/digests_test.cpp).
 TEST(RandomCases, AreTheSameForWhoDrawsEverything) {
   for (const Law& law : laws()) {
     for (std::uint64_t index = 0; index < 20; ++index) {
@@ -93,7 +93,7 @@ TEST(RandomCases, AreTheSameForWhoDrawsEverything) {
   }
 }
 
-// Kills: a contract file whose plan, or whose cases, nobody can read.
+// Kills: a contract file with which the plan or the cases cannot be read back.
 TEST(RandomCases, AreNotMadeForNumbersThatNoCaseHas) {
   const auto backend = backends::make_backend("cpu").value();
   cases::ContractTerms terms;
@@ -105,7 +105,7 @@ TEST(RandomCases, AreNotMadeForNumbersThatNoCaseHas) {
   EXPECT_EQ(capabilities_of(*backend).numbers, *terms.numbers);
 }
 
-/// How many of so many ordinary states have something.
+/// The number of 2,000 generated cases for which `has` is true.
 template <typename Has>
 int count_states(const Capabilities& capabilities, const Has& has) {
   int count = 0;
@@ -117,8 +117,8 @@ int count_states(const Capabilities& capabilities, const Has& has) {
   return count;
 }
 
-// Kills: a fit that always takes the same way out. A feature that is there keeps its frequency:
-// 2,000 states have a sixth with culling, and 3 in 16 with 4 samples, of 6 in 16 with several.
+// Kills: fitting that always replaces a feature in the same way. A supported feature keeps its
+// frequency: of 2,000 states, 1/6 have culling, 6/16 have several samples, and 3/16 have 4 samples.
 TEST(RandomCases, KeepTheFrequencyOfWhatIsThere) {
   const auto is_culled = [](const cases::Case& c) { return c.cull != cases::Cull::none; };
   const auto has_four = [](const cases::Case& c) { return c.framebuffer.samples == 4; };

@@ -30,7 +30,7 @@ TEST(Note, CountsAllAndKeepsTheFirst) {
   EXPECT_EQ(check.violations.back().place.x, records::kMostViolations - 1);
 }
 
-// Kills: a new defect behind eight violations that are known.
+// Kills: a new defect that is not kept because of eight known violations.
 TEST(Note, KeepsTheFirstOfEachSort) {
   Check check;
   const auto note_of = [&check](records::AttributeKind kind, std::uint32_t x) {
@@ -69,8 +69,6 @@ TEST(Merge, AddsCountsViolationsAndLabels) {
   EXPECT_EQ(a.fault, "a fault");
 }
 
-// 1/w runs from 1 at the left vertices to 1/4 at the right one, where g = 4; at the middle of the
-// edge between, 1/w = 5/8 and g = 8/5.
 TEST(JudgeDrawn, SaysWhatIsExactlyTrueAndWhatWasDrawn) {
   DamagedBackend backend;
   const cases::Case c = square();
@@ -85,7 +83,7 @@ TEST(JudgeDrawn, SaysWhatIsExactlyTrueAndWhatWasDrawn) {
   EXPECT_EQ(missing.exact, "required: inside");
   EXPECT_EQ(missing.actual, "not drawn");
   ASSERT_TRUE(missing.distance.has_value());
-  EXPECT_NEAR(missing.distance->lo, 1.5, 1e-3);  // to the left edge, but for the snapping
+  EXPECT_NEAR(missing.distance->lo, 1.5, 1e-3);  // to the left edge, except for snapping
 
   const records::Violation& beyond = check.violations[1];
   EXPECT_EQ(beyond.fragment_class, records::FragmentClass::beyond_bound);
@@ -94,9 +92,9 @@ TEST(JudgeDrawn, SaysWhatIsExactlyTrueAndWhatWasDrawn) {
   EXPECT_EQ(beyond.exact, "1");
   EXPECT_EQ(beyond.actual, "1.5 (0x1.8p+0)");
   ASSERT_TRUE(beyond.error.has_value());
-  EXPECT_NEAR(beyond.error->lo, 0x1p22, 1);  // a half in ulps of one
+  EXPECT_NEAR(beyond.error->lo, 0x1p22, 1);  // one half, in ulps of 1
   EXPECT_TRUE(beyond.bound.has_value());
-  EXPECT_EQ(check.judgement.counts.required, 56U);  // the 8 on the diagonal are permitted, twice
+  EXPECT_EQ(check.judgement.counts.required, 56U);  // the diagonal's 8 are permitted twice
   EXPECT_EQ(check.judgement.counts.permitted, 16U);
 }
 

@@ -1,5 +1,5 @@
-// Laws are known by their ids, make valid cases, and say nothing where nothing is promised. What
-// each of them catches: tests/properties/laws/.
+// Laws are found by their ids, make valid cases, and do not apply if nothing is promised. What each
+// law catches is tested in tests/properties/laws/.
 
 #include "properties/law.h"
 
@@ -26,8 +26,8 @@ namespace {
 using cases::Case;
 using cases::Fragments;
 
-/// The square with a clip distance that is positive everywhere, so that each law on fragments has
-/// something to say.
+/// The square with a clip distance that is positive everywhere, so that each law on fragments
+/// applies.
 Case kept_square() {
   Case c = square();
   c.clip_distance_count = 1;
@@ -35,7 +35,7 @@ Case kept_square() {
   return c;
 }
 
-// Each says what its cases have to reach, or nobody would know that they do not.
+// Each law has labels that its cases must reach; otherwise nobody would notice that they do not.
 TEST(Laws, AreKnownByTheirIds) {
   std::vector<std::string_view> ids;
   for (const Law& law : laws()) {
@@ -60,7 +60,7 @@ TEST(Laws, AskForNoMoreThanChanceAllows) {
   EXPECT_EQ(least_reached(cover(100, "tie"), 1000000), 994744U);
 }
 
-// Kills: a backend that leaves ties or placements open, and has to reach what it leaves open.
+// Kills: a backend that leaves ties or placements open but is required to reach labels about them.
 TEST(Laws, KnowWhichBackendsDrawWhatIsAskedFor) {
   const auto draws = [](const char* specification) {
     return draws_what_is_asked_for(*backends::make_backend(specification).value());
@@ -92,9 +92,8 @@ TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
   }
 }
 
-// Of what the textbook method promises, and of what only `cpu` does.
-// A quarter of the size about the middle: pixels 3 and 4. Kills: a camera's case handed to a law as
-// it was given, or made once more of what the law changed.
+// The model scales the square to a quarter, in the middle: pixels 3 and 4. Kills: a camera's case
+// handed to a law as it was given; the given case derived from what the law has changed.
 TEST(Laws, GetClipPositionsAndKnowTheCamera) {
   Case c = square();
   c.camera.emplace();
@@ -118,7 +117,8 @@ TEST(Laws, GetClipPositionsAndKnowTheCamera) {
   EXPECT_EQ(plain.given(), square());
 }
 
-// Kills: a law of vertex stages that is not asked of what no float holds, which it is about.
+// Kills: a law about vertex stages that is not checked on positions that no float holds, although
+// it is about them.
 TEST(Laws, OfCamerasAloneGetPositionsBeyondFloats) {
   Case c = square();
   c.camera.emplace();
@@ -136,6 +136,7 @@ TEST(Laws, OfCamerasAloneGetPositionsBeyondFloats) {
   EXPECT_TRUE(check_law(law, c, backend, 0).has_value());
 }
 
+// Laws that the textbook method promises are checked on it, and the others on `cpu`.
 TEST(Laws, HoldOfTheSquare) {
   int checked = 0;
   for (const Law& law : laws()) {

@@ -1,7 +1,7 @@
-// Every law holds of every kind of `cpu`, and what `cpu` does not promise of a backend that does:
-// one test each, of the cases that a campaign of the same seed checks. As with RapidCheck's own
-// tests the environment's RC_PARAMS says how many, and of which seed. Of every textbook method all
-// laws hold of some of these cases.
+// Checks every law on every kind of `cpu`, and the laws about things that `cpu` does not promise on
+// a backend that does. Each law is one test, on the cases that a campaign with the same seed
+// checks. As in RapidCheck's own tests, the environment variable RC_PARAMS sets the number of cases
+// and the seed. Each textbook method is checked by all its laws on some of these cases.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/detail/Configuration.h>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kBackends{"cpu", "cpu:precision=float32",
                                                "cpu:output=framebuffer,threads=3"};
-/// Of laws about what is no part of `cpu`.
+/// Backends for laws about things that `cpu` does not have.
 constexpr std::array<const char*, 2> kOthers{"method:screen-linear", "method:scanline-linear"};
 
 struct LawOfBackend {
@@ -40,7 +40,7 @@ std::ostream& operator<<(std::ostream& out, const LawOfBackend& which) {
   return out << which.law->id << " of " << which.backend;
 }
 
-/// Every law of every backend that promises what it is about.
+/// Each pair of a law and a backend that promises what the law is about.
 std::vector<LawOfBackend> promised_laws() {
   std::vector<LawOfBackend> all;
   const auto add = [&all](const char* specification, const auto& is_wanted) {
@@ -67,8 +67,8 @@ std::vector<std::string> methods() {
   return all;
 }
 
-/// How many cases are checked, and of which seed: 100 of seed 0, but for what RC_PARAMS says, as in
-/// "seed=7 max_success=1000". Throws where RapidCheck cannot read that.
+/// The number of cases and the seed: 100 cases of seed 0, unless RC_PARAMS says otherwise, as in
+/// "seed=7 max_success=1000". Throws if RapidCheck cannot parse it.
 rc::detail::TestParams parameters_of_environment() {
   const char* const text = std::getenv("RC_PARAMS");
   return text == nullptr ? rc::detail::TestParams() : rc::detail::configFromString(text).testParams;
@@ -76,7 +76,7 @@ rc::detail::TestParams parameters_of_environment() {
 
 class LawTest : public testing::TestWithParam<LawOfBackend> {
  protected:
-  /// Checks case `index`; false where that is the end of it.
+  /// Checks case `index`; returns false if it is the last.
   bool check_case(const Law& law, backends::Backend& backend, std::uint64_t index) {
     Draw draw = draw_of(law, parameters_.seed, index);
     if (draw.size() > parameters_.maxSize) return true;
@@ -125,7 +125,7 @@ TEST_P(LawTest, Holds) {
   }
 }
 
-/// GoogleTest takes letters, digits and underscores.
+/// Replaces characters that GoogleTest does not allow: it takes letters, digits and underscores.
 std::string as_test_name(std::string name) {
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
@@ -137,19 +137,18 @@ std::string test_name(const testing::TestParamInfo<LawOfBackend>& test) {
   return as_test_name(std::string(test.param.law->id) + "_of_" + test.param.backend);
 }
 
-// Registered where all laws have registered themselves: GoogleTest asks for the parameters when
-// main() runs.
+// All laws have registered themselves by then: GoogleTest asks for the parameters when main() runs.
 INSTANTIATE_TEST_SUITE_P(All, LawTest, testing::ValuesIn(promised_laws()), test_name);
 
-// Kills: laws that no backend promises, and nobody checks. One is of drivers, which draw in several
-// ways: tests/backends/ways.h and the campaigns of drivers_test.cpp check it.
+// Kills: laws that no backend promises, so that nobody checks them. One law is about drivers, which
+// draw in several ways: tests/backends/ways.h and the campaigns of drivers_test.cpp check it.
 TEST(Laws, AreAllPromisedByOneOfThem) {
   std::set<std::string_view> promised{"every-way-of-drawing-draws-the-same-bits"};
   for (const LawOfBackend& which : promised_laws()) promised.insert(which.law->id);
   for (const Law& law : laws()) EXPECT_TRUE(promised.contains(law.id)) << law.id;
 }
 
-/// A few cases of every law: of many a campaign with that backend is the check.
+/// Checks a few cases of every law; a campaign with this backend checks many.
 class MethodTest : public testing::TestWithParam<std::string> {
  protected:
   static constexpr std::uint64_t kCases = 40;

@@ -21,7 +21,7 @@ cases::Case screen(cases::Rules rules) {
 }
 
 // (8, 8) is three quarters along the viewport's [2, 10] and a quarter along its [4, 20]: NDC 1/2
-// and −1/2, turned over where NDC y points up and window y down.
+// and −1/2. The sign of y is reversed if NDC y points up and window y down.
 TEST(AtWindow, IsTheInverseOfTheViewport) {
   EXPECT_EQ(at_window(screen(cases::Rules::vulkan), {8, 8}, 0.25F, 2),
             (cases::ClipVertex{1, -1, 0.5F, 2}));
@@ -52,7 +52,8 @@ TEST(IsExactlyAt, IsTheViewportWithoutRounding) {
   }
 }
 
-// The terms are 2^-149 · 8, w · 8, w · 4 and −w · 12 with w = 1: sums in double lose the first.
+// The terms are 2^-149 · 8, w · 8, w · 4 and −w · 12 with w = 1; sums in double lose the first
+// term.
 TEST(IsExactlyAt, LosesNothingBesideLargeNumbers) {
   const cases::Case c = screen(cases::Rules::vulkan);
   EXPECT_TRUE(is_exactly_at(c, {0, 0, 0, 1}, {6, 12}));
@@ -72,11 +73,11 @@ TEST(VisiblePoint, LiesInViewportAndFramebuffer) {
     const double u = 16 * (sample.u - std::floor(sample.u));
     EXPECT_TRUE(u == 2 || u == 6 || u == 10 || u == 14) << u;
   }
-  c.viewport.x = 100;  // nothing visible: the framebuffer
+  c.viewport.x = 100;  // nothing is visible: a point of the framebuffer
   EXPECT_LE(visible_point(draw, c).u, 8);
 }
 
-// a + b = k q: all sums and products below are exact in double.
+// With a + b = k q, all sums and products below are exact in double.
 TEST(EdgeThrough, HoldsThePointExactly) {
   for (std::uint64_t i = 0; i < 300; ++i) {
     Draw draw(1, "a law", i);

@@ -31,7 +31,7 @@ std::vector<std::uint32_t> first_numbers(std::size_t count) {
   return all;
 }
 
-// The tables of the specifications, written out.
+// The tables of the specifications, spelled out.
 TEST(Assembly, MakesTheTrianglesOfAStrip) {
   const auto strip = first_numbers(6);
   for (const Convention convention : {Convention::vulkan, Convention::d3d}) {
@@ -61,7 +61,7 @@ TEST(Assembly, TakesAListThreeByThree) {
   }
 }
 
-// Neighbours in a strip or fan go along the edge that they share in opposite directions.
+// Neighbours in a strip or fan use their shared edge in opposite directions.
 TEST(Assembly, WindsNeighboursAlike) {
   for (const Convention convention : kConventions) {
     for (const Topology topology : {Topology::strip, Topology::fan}) {
@@ -84,7 +84,7 @@ TEST(Assembly, BeginsAnewAfterARestart) {
   for (const Convention convention : kConventions) {
     const bool is_last = convention == Convention::opengl;
     const glm::uvec3 odd = is_last ? glm::uvec3(2, 1, 3) : glm::uvec3(1, 3, 2);
-    // The strip after three restarts begins with an even triangle, whatever came before.
+    // After three restarts the strip begins with an even triangle, whatever came before.
     EXPECT_THAT(assembled(Topology::strip, convention, {0, 1, 2, 3, r, 8, 9, r, r, 4, 5, 6, r}),
                 ElementsAre(glm::uvec3(0, 1, 2), odd, glm::uvec3(4, 5, 6)));
     const glm::uvec3 first = is_last ? glm::uvec3(0, 1, 2) : glm::uvec3(1, 2, 0);
@@ -127,7 +127,7 @@ TEST(Assembly, LosesNothingWhereMemoryRunsOut) {
   EXPECT_EQ(triangles.size(), 999U);
 }
 
-// What is drawn of the triangles takes flat values from the vertices that the tables name.
+// Drawn triangles take flat values from the vertices that the tables name.
 TEST(Assembly, KeepsTheProvokingVertex) {
   const std::vector<glm::vec4> positions{{-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 0, 0.5F, 1},
                                          {1, 0, 0.5F, 1},   {-1, 1, 0.5F, 1}, {1, 1, 0.5F, 1}};

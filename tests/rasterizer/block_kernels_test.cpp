@@ -11,7 +11,7 @@
 namespace rastercheck::rasterizer::block_kernels_test {
 namespace {
 
-/// The same arithmetic, one sample at a time.
+/// The arithmetic of the kernels, one sample at a time.
 struct Scalar {
   BlockCoverage coverage;
   std::array<std::array<double, kBlockSize>, 3> e{};
@@ -36,7 +36,8 @@ struct Scalar {
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-/// A row whose edges cross zero within the block, or somewhere else; some bands are met exactly.
+/// A row whose edges cross zero inside the block or elsewhere; some edges are exactly at the end of
+/// their band.
 EdgeRow random_row(Random& random, int first) {
   EdgeRow row;
   row.offset = random.between(0, 15) / 16.0;
@@ -61,8 +62,8 @@ class BlockKernels : public ::testing::TestWithParam<std::int64_t> {
 
 INSTANTIATE_TEST_SUITE_P(Targets, BlockKernels, ::testing::ValuesIn(all_targets()), target_name);
 
-// Kills: a fused product and sum, lanes in the wrong order, a mask shifted wrongly, bits beyond the
-// end of the row, > for >=.
+// Kills: a product and sum that are fused; lanes in the wrong order; a mask shifted wrongly; bits
+// beyond the end of the row; > instead of >=.
 TEST_P(BlockKernels, EdgesAreThoseOfScalarArithmetic) {
   int doubtful = 0;
   for (int i = 0; i < 40; ++i) {
@@ -85,7 +86,7 @@ TEST_P(BlockKernels, EdgesAreThoseOfScalarArithmetic) {
   EXPECT_GT(doubtful, 1'000);
 }
 
-/// A row of a plane and what scalar arithmetic makes of it.
+/// The values of a plane along a row, by scalar arithmetic.
 struct ScalarPlane {
   ScalarPlane(const PlaneRow& plane, const EdgeRow& of_block, int first, int count) {
     for (int j = 0; j < count; ++j) {
@@ -107,7 +108,7 @@ TEST_P(BlockKernels, SumsAreThoseOfScalarArithmetic) {
       const PlaneRow sum = sum_of(row);
       const ScalarPlane expected(sum, row, 100, count);
       evaluate_edges(row, 100, count, weights_);
-      // Sometimes just what one of the sums is: above means more than that.
+      // Sometimes `least` is exactly one of the sums: only larger sums are above it.
       const double least =
           random_.one_in(2)
               ? expected.values[static_cast<std::size_t>(random_.between(0, count - 1))]
@@ -128,7 +129,7 @@ TEST_P(BlockKernels, ValuesAreThoseOfScalarArithmetic) {
   for (int i = 0; i < 20; ++i) {
     for (int count = 1; count <= kBlockSize; ++count) {
       EdgeRow row = random_row(random_, 0);
-      // Few sums near 0.
+      // Makes few sums close to 0.
       for (double& value : row.row) value = std::abs(value) * 4 + std::abs(row.a[0] * row.scale);
       const PlaneRow sum = sum_of(row);
       const ScalarPlane sums(sum, row, 0, count);
@@ -143,7 +144,7 @@ TEST_P(BlockKernels, ValuesAreThoseOfScalarArithmetic) {
       for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
         const double value = expected.values[j];
         const double quotient = value * (1 / sums.values[j]);
-        if (!(std::abs(quotient) < 0x1p127)) continue;  // of uncovered samples only
+        if (!(std::abs(quotient) < 0x1p127)) continue;  // happens for uncovered samples only
         ASSERT_EQ(bits(smooth[j]), bits(static_cast<float>(quotient)));
         ASSERT_EQ(bits(affine[j]), bits(static_cast<float>(value)));
         const double held = std::min(std::max(value, 0.25), 0.75);
@@ -153,8 +154,8 @@ TEST_P(BlockKernels, ValuesAreThoseOfScalarArithmetic) {
   }
 }
 
-// Kills: writing a whole vector beyond the end of the arrays; a full block's mask of 64 bits cut
-// short.
+// Kills: writing a whole vector beyond the end of the arrays; a full block's mask of 64 bits that
+// is cut short.
 TEST_P(BlockKernels, AFullBlockHasAFullMask) {
   EdgeRow row;
   row.row = {1, 1, 1};
@@ -166,7 +167,8 @@ TEST_P(BlockKernels, AFullBlockHasAFullMask) {
   EXPECT_EQ(sum_weights(sum_of(row), 3, kBlockSize, weights_), 0U);
 }
 
-// An edge at exactly 0 with no band is possible, and not sure, whatever the sign of the zero.
+// A sample at exactly 0 of an edge without a band is possible but not sure, whatever the sign of
+// the zero.
 TEST_P(BlockKernels, ZerosArePossible) {
   EdgeRow row;
   row.row = {1, 0.0, -0.0};

@@ -28,8 +28,8 @@ BruteForce::BruteForce(const State& state, const SmallMesh& mesh, const glm::uve
       distances_[k].emplace_back(mesh.clip_distances[vertex * distances + d]);
     }
   }
-  // The inverse of the matrix with columns (x, y, w)_i has the cross products of two columns as
-  // rows, over the determinant.
+  // The rows of the inverse of the matrix with columns (x, y, w)_i are the cross products of two
+  // columns, divided by the determinant.
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
@@ -66,8 +66,8 @@ BruteForce::Functional BruteForce::combined(const std::array<Rational, 3>& facto
   return sum;
 }
 
-/// What a fill rule says as displayed: which ways an inward normal may point for a sample on the
-/// edge to be inside. Right always; straight down for top, straight up for bottom edges.
+/// Applies the fill rule as displayed: a sample on the edge is inside if the inward normal points
+/// right, or straight down (a top edge) or straight up (a bottom edge), depending on the rule.
 bool BruteForce::owns_zero(const Functional& functional) const {
   if (functional.a != 0) return functional.a > 0;
   const bool v_points_down = state_.convention != Convention::opengl;

@@ -1,9 +1,9 @@
 #pragma once
 
-// Triangles drawn by rational arithmetic alone, slowly and in the plainest way: the definition that
-// the rasterizer's coverage and values are held against. Vertices are taken to homogeneous window
-// positions, their matrix is inverted, and every sample asks the three functionals of the inverse.
-// Nothing here is shared with the rasterizer but its types.
+// Triangles drawn by rational arithmetic alone, slowly and as simply as possible: the definition
+// that the rasterizer's coverage and values are compared with. Vertices are transformed to
+// homogeneous window positions, their matrix is inverted, and the three functionals of the inverse
+// are evaluated at every sample. Only types are shared with the rasterizer.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ class BruteForce {
  public:
   BruteForce(const State& state, const SmallMesh& mesh, const glm::uvec3& corners);
 
-  /// Edge-on, or in a viewport without width or height.
+  /// True if the triangle is edge-on, or the viewport has no width or no height.
   bool is_degenerate() const { return determinant_ == 0; }
   bool is_culled() const;
   bool covers(const Rational& u, const Rational& v) const;
@@ -28,13 +28,13 @@ class BruteForce {
 
   /// 1/w.
   Rational reciprocal_w(const Rational& u, const Rational& v) const;
-  /// Attribute `index`, which is undefined where it is smooth and 1/w is not positive.
+  /// Attribute `index`; undefined if the attribute is smooth and 1/w is not positive.
   Rational attribute(std::size_t index, const Rational& u, const Rational& v) const;
-  /// The largest |r_i| of an attribute.
+  /// The largest |r_i| of an attribute at the vertices.
   Rational scale(std::size_t index) const;
 
  private:
-  /// A u + B v + C.
+  /// The functional A u + B v + C.
   struct Functional {
     Rational a;
     Rational b;
@@ -55,7 +55,7 @@ class BruteForce {
   std::array<Functional, 3> e_;
 };
 
-/// Where the samples of a pixel lie, from its corner of least u and v.
+/// The positions of a pixel's samples, relative to the pixel's corner with the least u and v.
 std::vector<std::array<Rational, 2>> brute_force_pattern(int samples);
 
 }  // namespace rastercheck::rasterizer

@@ -8,7 +8,8 @@
 namespace rastercheck::rasterizer::clip_functionals_test {
 namespace {
 
-/// The functionals of a triangle with these z and w and, of each vertex, one distance if any.
+/// The functionals of a triangle whose vertices have these z and w and, if any, one clip distance
+/// each.
 ClipFunctionals functionals_of(const State& state, const std::array<glm::vec2, 3>& zw,
                                const std::array<float, 3>& distances = {}) {
   const Corners corners{
@@ -35,7 +36,7 @@ TEST(ClipFunctionals, AreNoneWhereNothingIsCut) {
   }
 }
 
-// Kills: Vulkan's near plane for OpenGL, the planes swapped.
+// Kills: Vulkan's near plane used for OpenGL; near and far planes exchanged.
 TEST(ClipFunctionals, NearAndFarAreTheConventions) {
   const std::array<glm::vec2, 3> behind_zero{{{-0.5F, 1}, {0.5F, 1}, {0.5F, 1}}};
   EXPECT_TRUE(functionals_of(state_of(Convention::opengl), behind_zero).all.empty());
@@ -62,8 +63,9 @@ TEST(ClipFunctionals, HideWhatIsWhollyBeyondAPlane) {
   EXPECT_FALSE(functionals_of(state, between, {-1, -2, 1}).hides_all);
 }
 
-// Zero at all vertices is inside everywhere, for every rule; zero at some only where zero is
-// inside.
+// A distance that is zero at all vertices is inside everywhere, under every rule. One that is zero
+// at some vertices and positive at the others cuts nothing only where zero counts as inside
+// (Direct3D).
 TEST(ClipFunctionals, OfZeroDistances) {
   const std::array<glm::vec2, 3> between{{{0.5F, 1}, {0.5F, 1}, {0.5F, 1}}};
   for (const Convention convention : {Convention::opengl, Convention::vulkan, Convention::d3d}) {
@@ -73,14 +75,14 @@ TEST(ClipFunctionals, OfZeroDistances) {
   }
 }
 
-// z = w to the last bit, or one bit away where the float difference would be 0. Kills: g in
-// float32.
+// First z = w at all vertices, then z one ulp above w, then a w − z that float32 would round.
+// Kills: g computed in float32.
 TEST(ClipFunctionals, SeeTheSmallestDifferences) {
   const State state = state_of(Convention::opengl);
   EXPECT_TRUE(functionals_of(state, {{{1, 1}, {1, 1}, {1, 1}}}).all.empty());
   EXPECT_TRUE(functionals_of(state, {{{0x1.000002p0F, 1}, {0x1.000002p0F, 1}, {0x1.000002p0F, 1}}})
                   .hides_all);
-  // w − z is 2^127 − 2^-149, for which a double needs a tail.
+  // At the first vertex w − z is 2^127 + 2^-149, for which a double needs a tail.
   const ClipFunctionals out = functionals_of(
       state, {{{-0x1p-149F, 0x1p127F}, {0x1p127F, 0x1p127F}, {0x1.8p127F, 0x1p127F}}});
   ASSERT_EQ(out.all.size(), 1U);
@@ -88,7 +90,8 @@ TEST(ClipFunctionals, SeeTheSmallestDifferences) {
   EXPECT_EQ(out.all[0].g[0].tail, 0x1p-149);
 }
 
-/// What the rules say of a functional at a sample with these exact weights.
+/// Decides by the rules, in rational arithmetic, whether a functional keeps a sample. `is_zero`
+/// becomes true if the functional is 0 there.
 bool is_kept_by_hand(const ClipFunctional& functional, const FramedDraw& draw,
                      const SampleOffset& at, int tie_sign, bool& is_zero) {
   const auto e = exact_weights(draw.corners, draw.orientation, draw.state, at.x, at.y);
@@ -103,14 +106,15 @@ bool is_kept_by_hand(const ClipFunctional& functional, const FramedDraw& draw,
   }
   is_zero = sum == 0;
   if (!is_zero || functional.is_closed) return sum >= 0;
-  // Along window u and v.
+  // The normal's signs along window u and v.
   const int right = sgn(normal[0]) * (draw.state.viewport.size.x > 0 ? 1 : -1);
   const int turn = draw.state.convention == Convention::d3d ? -1 : 1;
   const int along_v = sgn(normal[1]) * (draw.state.viewport.size.y > 0 ? turn : -turn);
   return right > 0 || (right == 0 && tie_sign * along_v > 0);
 }
 
-/// Holds every functional of a draw at a sample against rational arithmetic; counts zeros.
+/// Compares every functional of a draw at a sample with rational arithmetic; returns the number of
+/// zeros.
 int expect_kept(const FramedDraw& draw, const SampleOffset& at, int tie_sign) {
   const EdgeFunctions edges = edge_functions(draw.corners, draw.orientation, draw.frame, tie_sign);
   ClipFunctionals functionals;
@@ -134,7 +138,8 @@ int expect_kept(const FramedDraw& draw, const SampleOffset& at, int tie_sign) {
   return zeros;
 }
 
-// Kills: an error bound too small, the edges' bands forgotten, tails dropped from the exact sum.
+// Kills: an error bound that is too small; the edges' bands forgotten; tails dropped from the exact
+// sum.
 TEST(ClipFunctionals, KeepWhatRationalArithmeticKeeps) {
   Random random(60);
   for (int i = 0; i < 4'000 && !HasFailure(); ++i) {
@@ -145,8 +150,8 @@ TEST(ClipFunctionals, KeepWhatRationalArithmeticKeeps) {
   }
 }
 
-// Planes through a pixel's centre, in all directions, some mirrored. Kills: a zero decided by the
-// closed rule, or by a normal of the wrong sign.
+// Planes through a pixel's centre in all directions, some in a mirrored viewport. Kills: a zero
+// decided by the rule for closed functionals, or by a normal of the wrong sign.
 TEST(ClipFunctionals, DecideZerosByTheirNormals) {
   Random random(61);
   int zeros = 0;
@@ -156,7 +161,8 @@ TEST(ClipFunctionals, DecideZerosByTheirNormals) {
         1'024, 1'024, random.pick({Convention::opengl, Convention::vulkan, Convention::d3d}));
     draw.state.clip_distance_count = 1;
     const SampleOffset at{random.between(0, 1'023) + 0.5, random.between(0, 1'023) + 0.5};
-    // Products of distances and weights then have more than 53 bits, though each is exact.
+    // With slopes of up to 500, products of distances and weights have more than 53 bits, though
+    // each factor is exact.
     const int most = random.pick({2, 500});
     const int along_u = random.between(-most, most);
     const int along_v = random.between(-most, most);
@@ -169,7 +175,7 @@ TEST(ClipFunctionals, DecideZerosByTheirNormals) {
     }
     draw.orientation = determinant_sign(draw.corners[0], draw.corners[1], draw.corners[2]);
     if (draw.orientation == 0) continue;
-    if (random.one_in(2)) {  // the other way round, which moves the sample to its mirror image
+    if (random.one_in(2)) {  // mirrored, which moves the sample to its mirror image
       draw.state.viewport = {{1'024, 0}, {-1'024, 1'024}, 0, 1};
     }
     const double u = draw.state.viewport.size.x < 0 ? 1'024 - at.x : at.x;

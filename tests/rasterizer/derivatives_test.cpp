@@ -1,5 +1,5 @@
-// Screen derivatives, held against rational arithmetic: the weights' window functionals by
-// inverting a matrix, and the quotient rule.
+// Compares screen derivatives with rational arithmetic: the weights as functionals of the window,
+// by inverting a matrix, and the quotient rule.
 
 #include "rasterizer/internal/derivatives.h"
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/fragment_drawing.h"
 #include "rasterizer/internal/grid_piece.h"
 #include "rasterizer/internal/grid_polygon.h"
 #include "tests/rasterizer/brute_force.h"
@@ -18,18 +18,18 @@
 namespace rastercheck::rasterizer::derivatives_test {
 namespace {
 
-/// What the derivation leaves exact paths: half a unit, and 2^-47 of what it is taken of.
+/// The bound of exact paths by the derivation: half a unit plus 2^-47 of the terms' size.
 constexpr double kExactBound = 0.5 + 0x1p-20;
 
 using Three = std::array<Rational, 3>;
 
-/// A derivative, and the size of its terms.
+/// A derivative, and the size of the terms that it is the sum of.
 struct Expected {
   Rational slope;
   Rational scale;
 };
 
-/// A triangle by its homogeneous window positions (X, Y, w).
+/// A triangle given by its homogeneous window positions (X, Y, w).
 class Truth {
  public:
   Truth(const Three& x, const Three& y, const Three& w) : w_(w) {
@@ -67,7 +67,8 @@ class Truth {
     return at(0, u, v) + at(1, u, v) + at(2, u, v);
   }
 
-  /// Along u or v, of an attribute with these n_i (r_i, noperspective r_i w_i) at the corners.
+  /// The derivative along u or v of an attribute with the numerators n_i at the corners (n_i = r_i
+  /// if smooth, r_i w_i if noperspective).
   Expected smooth(const Three& r, const Rational& most, std::size_t axis, const Rational& u,
                   const Rational& v) const {
     const Rational d = reciprocal_w(u, v);
@@ -100,8 +101,8 @@ class Truth {
   Rational determinant_;
 };
 
-/// In ulp(max(|slope|, scale)); an infinity only where the value before rounding may lie beyond the
-/// floats.
+/// Checks the error in ulp(max(|slope|, scale)). An infinity is accepted only if the value before
+/// rounding may lie beyond the floats.
 ::testing::AssertionResult is_within(float value, const Expected& expected, double bound) {
   const Rational size = std::max(Rational(abs(expected.slope)), expected.scale);
   const Rational unit = float_ulp(size);
@@ -127,7 +128,7 @@ struct Prepared {
   TriangleDerivatives derivatives;
 
   Prepared() = default;
-  Prepared(const Prepared&) = delete;  // the source looks at the mesh
+  Prepared(const Prepared&) = delete;  // the source refers to the mesh
   Prepared& operator=(const Prepared&) = delete;
   ~Prepared() = default;
 
@@ -150,7 +151,7 @@ struct Prepared {
 
 Rational greatest(const Three& r) { return std::max({abs(r[0]), abs(r[1]), abs(r[2])}); }
 
-/// `shares[i]` are those of corner i in the vertices.
+/// `shares[i]` are the shares of the three vertices in corner i.
 void expect_derivatives(const Prepared& p, const Truth& truth,
                         const std::array<std::array<double, 3>, 3>& shares, double u, double v,
                         int& certain) {
@@ -200,8 +201,8 @@ void expect_derivatives_of(const FramedDraw& framed, const SampleOffset& at, int
   expect_derivatives(p, Truth::of(framed.state, framed.corners), kVertices, at.x, at.y, certain);
 }
 
-// Anywhere, also outside. Kills: a certificate that forgets weights of both signs; a minor with the
-// other sign; a frame's direction left out.
+// Samples anywhere, also outside. Kills: a certificate that ignores weights of both signs; a minor
+// with the wrong sign; the frame's direction left out.
 TEST(Derivatives, AreWithinTheBoundAnywhere) {
   Random random(90);
   int certain = 0;
@@ -212,8 +213,8 @@ TEST(Derivatives, AreWithinTheBoundAnywhere) {
   EXPECT_GT(certain, 1'000);
 }
 
-/// A triangle that floats hardly tell from a line, about a centre: most of the weights' digits are
-/// lost.
+/// A triangle around a centre that is almost a line in float precision: most digits of its weights
+/// are lost.
 FramedDraw sliver_about(Random& random, const SampleOffset& at) {
   FramedDraw framed;
   framed.state = small_state(1'021, 1'021, random.pick({Convention::vulkan, Convention::d3d}));
@@ -238,7 +239,7 @@ FramedDraw sliver_about(Random& random, const SampleOffset& at) {
   return framed;
 }
 
-// Kills: the certificate taken for granted.
+// Kills: treating every site as certain.
 TEST(Derivatives, AreWithinTheBoundOfSlivers) {
   Random random(91);
   int certain = 0;
@@ -254,8 +255,8 @@ TEST(Derivatives, AreWithinTheBoundOfSlivers) {
   EXPECT_GT(count - certain, 300);
 }
 
-/// Expects the derivatives of all pieces of a snapped triangle at a few samples. `samples` counts
-/// those of triangles that clipping left whole, and of cut ones.
+/// Checks the derivatives of all pieces of a snapped triangle at a few samples. `samples` counts
+/// samples of triangles that clipping left whole, and of cut triangles.
 void expect_snapped(Random& random, const State& state, const SmallMesh& mesh,
                     const TargetSize& size, std::array<int, 2>& samples, int& certain) {
   const int bits = unit_bits(*state.snapping);
@@ -292,7 +293,7 @@ void expect_snapped(Random& random, const State& state, const SmallMesh& mesh,
       const GridPoint at{std::llround(std::ldexp(u, bits)), std::llround(std::ldexp(v, bits))};
       const bool is_inside = std::all_of(piece.edges.begin(), piece.edges.end(),
                                          [&at](const GridLine& edge) { return edge.at(at) >= 0; });
-      // Far outside, what new corners are off by grows.
+      // Far outside, the errors of new corners grow.
       if (polygon.is_cut && !is_inside) continue;
       expect_derivatives(p, truth, shares, u, v, certain);
       ++samples[polygon.is_cut ? 1 : 0];
@@ -300,7 +301,7 @@ void expect_snapped(Random& random, const State& state, const SmallMesh& mesh,
   }
 }
 
-// Kills: grid units taken for pixels; a corner's own w left out of a minor.
+// Kills: grid units mistaken for pixels; a corner's own w left out of a minor.
 TEST(Derivatives, OfSnappedPiecesAreWithinTheBound) {
   Random random(92);
   std::array<int, 2> samples{};
@@ -318,7 +319,7 @@ TEST(Derivatives, OfSnappedPiecesAreWithinTheBound) {
   EXPECT_GT(certain, 300);
 }
 
-/// The places that a fragment's attributes are evaluated at, from what was drawn of its pixel.
+/// The place where a fragment's attribute is evaluated, derived from the fragments of its pixel.
 std::array<Rational, 2> place_of(const Fragments& fragments, std::size_t i, Location location,
                                  const std::vector<std::array<Rational, 2>>& pattern) {
   std::array<Rational, 2> at = pattern[fragments.sample[i]];
@@ -337,7 +338,7 @@ std::array<Rational, 2> place_of(const Fragments& fragments, std::size_t i, Loca
   return {fragments.x[i] + at[0], fragments.y[i] + at[1]};
 }
 
-/// Holds a whole draw against the triangle of its clip positions; returns how many fragments.
+/// Compares a whole draw with the triangle of its clip positions; returns the number of fragments.
 std::size_t expect_draw(const RandomDraw& draw) {
   Fragments fragments;
   EXPECT_FALSE(draw_fragments(draw.state, draw.mesh.mesh(), draw.size, fragments).error);
@@ -374,7 +375,8 @@ std::size_t expect_draw(const RandomDraw& draw) {
   return fragments.size();
 }
 
-// Kills: the derivatives of the sample where the attribute is at the centre; of another lane.
+// Kills: the derivatives at the sample, although the attribute is evaluated at the centre; the
+// derivatives of another lane.
 TEST(Derivatives, OfDrawsAreThoseAtTheAttributesPlaces) {
   Random random(93);
   std::size_t fragments = 0;
@@ -391,8 +393,8 @@ TEST(Derivatives, OfDrawsAreThoseAtTheAttributesPlaces) {
   EXPECT_GT(snapped, 5'000U);
 }
 
-/// Corners (0, 0), (4, 0) and (0, 4) of the window; what has one along it has w = 2: with
-/// r = (0, 1, 0) and 1/w = 1 − u/8, r = u/(8 − u) and ∂r/∂u = 8/(8 − u)².
+/// The triangle with window corners (0, 0), (4, 0) and (0, 4). The corner where r is 1 has w = 2:
+/// with r = (0, 1, 0) and 1/w = 1 − u/8, r = u/(8 − u) and ∂r/∂u = 8/(8 − u)².
 Fragments of_corner(State state, bool along_v) {
   state.derivatives = true;
   SmallMesh mesh;
@@ -403,7 +405,7 @@ Fragments of_corner(State state, bool along_v) {
   return fragments_of(state, mesh, {4, 4, 1});
 }
 
-// By hand. Kills: ∂r/∂v along clip-space y.
+// By hand. Kills: ∂r/∂v computed along clip-space y.
 TEST(Derivatives, ArePerPixelOfTheWindowAsDisplayed) {
   for (const Convention convention : {Convention::opengl, Convention::vulkan, Convention::d3d}) {
     for (const bool is_snapped : {false, true}) {
@@ -425,7 +427,7 @@ TEST(Derivatives, ArePerPixelOfTheWindowAsDisplayed) {
   }
 }
 
-// Upside down, NDC y = 1 is v = 0; there r = 1, and r = 0 at v = 4.
+// In the mirrored viewport, NDC y = 1 is v = 0: r is 1 there, and 0 at v = 4.
 TEST(Derivatives, FollowAMirroredViewport) {
   State state = small_state(4, 4);
   state.derivatives = true;
@@ -447,7 +449,8 @@ TEST(Derivatives, FollowAMirroredViewport) {
   }
 }
 
-/// A draw of 4 x 4 with these attributes, one of each interpolation and the same values.
+/// Draws a 4 × 4 target with three attributes that have these same values, one for each
+/// interpolation.
 Fragments of_values(const std::array<float, 3>& values, float w) {
   State state = small_state(4, 4);
   state.derivatives = true;
@@ -461,7 +464,7 @@ Fragments of_values(const std::array<float, 3>& values, float w) {
   return fragments_of(state, mesh, {4, 4, 1});
 }
 
-// Kills: a constant's derivative that is the rounding of its value.
+// Kills: a constant whose derivative is the rounding error of its value.
 TEST(Derivatives, OfConstantsAreZero) {
   for (const float c : {0.1F, -3e38F, 0x1p-149F, 0.0F}) {
     for (const float w : {1.0F, 0.3F, 1e-20F, 1e20F}) {
@@ -481,7 +484,7 @@ TEST(Derivatives, OfFlatAttributesAreZero) {
 }
 
 TEST(Derivatives, BeyondTheFloatsAreInfinite) {
-  // r runs from −3e38 to 3e38 within one pixel and a quarter, then within two.
+  // r runs from −3e38 to 3e38 within 1 1/4 pixels, and then within two.
   for (const float length : {1.25F, 2.0F}) {
     State state = small_state(4, 4);
     state.derivatives = true;

@@ -39,12 +39,12 @@ TEST(EdgeFunctions, CoefficientsAreExactWithTheirTails) {
   }
 }
 
-/// Whether evaluating was without error, for counting.
+/// Checks an edge function at a sample; returns true if the evaluation was exact.
 bool expect_sample(const EdgeFunction& edge, const SampleFrame& frame, const SampleOffset& at,
                    const Rational& exact) {
   const double computed = edge.at(frame, at.x, edge.row(frame, at.y));
   const Rational error = abs(Rational(computed) - exact);
-  // For a band of 0 this says that nothing was rounded.
+  // If the band is 0, this checks that nothing was rounded.
   EXPECT_LE(error, Rational(edge.band));
   EXPECT_LE(abs(exact), Rational(edge.greatest) * (1 + power_of_two(-50)));
   EXPECT_EQ(value_of(exact_edge(edge, frame, at.x, at.y)), exact);
@@ -52,8 +52,8 @@ bool expect_sample(const EdgeFunction& edge, const SampleFrame& frame, const Sam
 }
 
 // Corners and viewports of all sizes, subnormal to 2^127; samples of targets up to the largest.
-// Kills: a band that forgets a rounding, the tails, or what U and V are off by; a test of exactness
-// that lets roundings pass; an exact edge that drops a product.
+// Kills: a band that omits a rounding, the tails, or the errors of U and V; a test for exactness
+// that accepts roundings; an exact edge that drops a product.
 TEST(EdgeFunctions, AreWithinTheirBands) {
   Random random(41);
   int rounded = 0;
@@ -70,12 +70,12 @@ TEST(EdgeFunctions, AreWithinTheirBands) {
       }
     }
   }
-  // Both kinds are many.
+  // Both kinds are common.
   EXPECT_GT(rounded, 5'000);
   EXPECT_GT(exact_bands, 1'000);
 }
 
-// Far from the origin and looked at through one pixel: U is small, what it is off by is not. Kills:
+// A viewport far from the origin, seen through one pixel: U is small, but its error is not. Kills:
 // a band without the errors of U and V.
 TEST(EdgeFunctions, AreWithinTheirBandsFarFromTheOrigin) {
   Random random(43);
@@ -98,7 +98,7 @@ TEST(EdgeFunctions, AreWithinTheirBandsFarFromTheOrigin) {
   }
 }
 
-// What a band is for: the smallest that the roundings allow is not far below it.
+// Bands are not too wide: the largest error found is not far below the band.
 TEST(EdgeFunctions, BandsAreNotIdle) {
   Random random(42);
   double worst = 0;
@@ -118,7 +118,7 @@ TEST(EdgeFunctions, BandsAreNotIdle) {
   EXPECT_LT(worst, 0.75);
 }
 
-// Ties are everywhere on a grid: there nothing may be left to exact sums, or drawing is slow.
+// On a grid ties are everywhere: no sample may need an exact sum there, or drawing becomes slow.
 TEST(EdgeFunctions, RoundNothingOnAGrid) {
   for (const int side : {16, 1'024, kMaxSize}) {
     const State state = small_state(side, side);
@@ -130,7 +130,7 @@ TEST(EdgeFunctions, RoundNothingOnAGrid) {
   }
 }
 
-// The smallest and largest products of all: W = H = 2^-149 makes T = 2^-298.
+// The smallest and the largest products: W = H = 2^-149 makes T = 2^-298.
 TEST(EdgeFunctions, NeitherUnderflowNorOverflow) {
   constexpr float kLeast = 0x1p-149F;
   constexpr float kMost = 0x1.fffffep127F;
@@ -153,8 +153,8 @@ TEST(EdgeFunctions, NeitherUnderflowNorOverflow) {
   }
 }
 
-/// Whether a normal in window coordinates lets a zero inside, drawn by hand: to the right always;
-/// straight down, as displayed, for top-left, straight up for bottom-left.
+/// True if the fill rule gives a zero to an edge with this inward normal in the displayed window:
+/// always if the normal points right; straight down for top-left, straight up for bottom-left.
 bool owns_by_hand(int right, int down, FillRule rule) {
   if (right != 0) return right > 0;
   return rule == FillRule::top_left ? down > 0 : down < 0;
@@ -184,7 +184,7 @@ TEST(OwnsZero, IsTheFillRuleAsDisplayed) {
   }
 }
 
-// The same of whole triangles, however they turn: left and top edges under Vulkan's rule.
+// The same rule for whole triangles of either orientation: left and top edges under Vulkan's rule.
 TEST(OwnsZero, IsAskedOfTheInwardNormal) {
   const State state = small_state(8, 8);
   const SampleFrame frame = sample_frame(state, draw_bounds(state, {8, 8, 1}), 1);

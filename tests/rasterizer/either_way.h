@@ -1,7 +1,7 @@
 #pragma once
 
-// Tests of what holds however a mesh is drawn: each is run by the rasterizer's own way and by the
-// textbook method, rational-linear.
+// Tests that must pass however a mesh is drawn: each is run with the rasterizer's own way of
+// drawing and with the textbook method rational-linear.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 
 namespace rastercheck::rasterizer {
 
-/// The parameter is a method's name; empty is the rasterizer's own way. The members stand before
-/// the functions of the same names, which always draw by the latter.
+/// The parameter is the name of a method; an empty name stands for the rasterizer's own way. The
+/// members hide the functions of the same names, which always draw in the own way.
 class EitherWay : public ::testing::TestWithParam<std::string_view> {
  public:
   static auto ways() { return ::testing::Values(std::string_view(), "rational-linear"); }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tests hold the rasterizer's arithmetic against: GMP's rationals, which share nothing
-// with it, and random numbers of every size.
+// What the tests compare the rasterizer's arithmetic with: GMP's rationals, which share nothing
+// with it; and random numbers of every size.
 
 #include <gmpxx.h>
 
@@ -31,13 +31,13 @@ inline Rational power_of_two(int exponent) {
 /// floor(log2 |x|); x is not 0.
 inline int floor_log2(const Rational& x) {
   const Rational size = abs(x);
-  // The two lengths in bits leave it open by one.
+  // The lengths of numerator and denominator in bits determine the result up to one.
   const int guess = static_cast<int>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
                     static_cast<int>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
   return size < power_of_two(guess) ? guess - 1 : guess;
 }
 
-/// The unit in the last place of float32 at x (RULES of the project: that of 0 is 2^-149).
+/// The unit in the last place of float32 at x (by the project's RULES, 2^-149 at 0).
 inline Rational float_ulp(const Rational& x) {
   return power_of_two((x == 0 ? -126 : std::max(floor_log2(x), -126)) - 23);
 }
@@ -47,7 +47,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-  /// A whole number, both ends included.
+  /// An integer from low to high, both included.
   int between(int low, int high) {
     const auto choices = static_cast<std::uint64_t>(high - low) + 1;
     return low + static_cast<int>(engine_() % choices);
@@ -59,20 +59,20 @@ class Random {
     return choices.begin()[between(0, static_cast<int>(choices.size()) - 1)];
   }
 
-  /// A double of either sign with this many significant bits at most, its exponent in the range.
+  /// A double of either sign with at most this many significant bits and an exponent in this range.
   double number(int bits, int low_exponent, int high_exponent) {
     const double fraction = static_cast<double>(engine_() >> (64 - bits) | 1);
     const double value = std::ldexp(fraction, between(low_exponent, high_exponent) - bits + 1);
     return one_in(2) ? value : -value;
   }
 
-  /// A float, 0 now and then; subnormal where the exponents are.
+  /// A float, sometimes 0; subnormal if the exponent is.
   float real(int low_exponent, int high_exponent) {
     if (one_in(16)) return 0;
     return static_cast<float>(number(one_in(4) ? 3 : 24, low_exponent, high_exponent));
   }
 
-  /// A float of any size whatever, finite.
+  /// A finite float of any size.
   float any_real() { return real(-149, 126); }
 
  private:

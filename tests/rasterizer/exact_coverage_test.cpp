@@ -1,4 +1,6 @@
-// What a draw covers and the values it gives, held against rational arithmetic on random draws.
+// Compares the coverage and values of random draws with rational arithmetic.
+
+#include "rasterizer/internal/exact_coverage.h"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +9,14 @@
 #include <sstream>
 #include <string>
 
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/fragment_drawing.h"
 #include "tests/rasterizer/brute_force.h"
 #include "tests/rasterizer/random_draw.h"
 
 namespace rastercheck::rasterizer::exact_coverage_test {
 namespace {
 
-/// The draw in digits, for a failure.
+/// The numbers of the draw, for the message of a failure.
 std::string described(const RandomDraw& draw) {
   std::ostringstream text;
   const Viewport& viewport = draw.state.viewport;
@@ -30,8 +32,8 @@ std::string described(const RandomDraw& draw) {
   return text.str();
 }
 
-/// |value − exact| in units of the last place of the larger of |exact| and `scale`; an exact value
-/// beyond the floats has to have become infinite.
+/// Checks |value − exact| in units of the last place of the larger of |exact| and `scale`; an exact
+/// value beyond the floats must have become infinite.
 ::testing::AssertionResult is_within_bound(float value, const Rational& exact, Rational scale) {
   const Rational size = abs(exact);
   if (scale < size) scale = size;
@@ -49,7 +51,7 @@ std::string described(const RandomDraw& draw) {
          << value << " for " << exact.get_d() << ", off by " << error.get_d();
 }
 
-/// Holds one draw against its definition, fragment by fragment.
+/// Compares one draw with its definition, fragment by fragment.
 class Comparison {
  public:
   explicit Comparison(const RandomDraw& draw)
@@ -59,7 +61,7 @@ class Comparison {
     counts_ = draw_mesh(draw.state, draw.mesh.mesh(), draw.size, fragments_);
   }
 
-  /// How many fragments were compared.
+  /// Returns the number of fragments that were compared.
   std::size_t run() {
     EXPECT_EQ(counts_.discarded_degenerate, exact_.is_degenerate() ? 1U : 0U);
     const bool is_visible = !exact_.is_degenerate() && !exact_.is_culled();
@@ -129,8 +131,9 @@ class Comparison {
   std::size_t next_ = 0;
 };
 
-// Kills whatever makes one sample too many or too few, or a value too far off: a band too narrow, a
-// certificate too generous, a pixel cut off a row, a tie decided by the wrong axis.
+// Kills: any fault that draws one sample too many or too few, or a value that is too far off: a
+// band that is too narrow, a certificate that is too generous, a pixel cut off a row, a tie decided
+// by the wrong axis.
 TEST(ExactDraw, DrawsWhatRationalArithmeticSays) {
   Random random(20);
   std::size_t fragments = 0;
@@ -142,8 +145,8 @@ TEST(ExactDraw, DrawsWhatRationalArithmeticSays) {
   EXPECT_GT(fragments, 10'000U);
 }
 
-/// An edge almost along the centres of row 2, from a corner on them to one 2^40 windows away: all
-/// of the row is within the edge's band, half of it inside.
+/// An edge that runs almost along the sample centres of row 2, from a corner on the centres to one
+/// 2^40 windows away: the whole row is within the edge's band, and half of it is inside.
 RandomDraw along_a_row(Random& random) {
   RandomDraw draw;
   draw.size = {32, 4, 1};
@@ -162,7 +165,7 @@ RandomDraw along_a_row(Random& random) {
   return draw;
 }
 
-// Kills: the pixels of a row found from an edge's crossing without regard to its band.
+// Kills: the pixels of a row found from the edge's crossing without its band.
 TEST(ExactDraw, DrawsEdgesThatHardlyLeaveARow) {
   Random random(21);
   std::size_t fragments = 0;
@@ -172,6 +175,26 @@ TEST(ExactDraw, DrawsEdgesThatHardlyLeaveARow) {
     fragments += Comparison(draw).run();
   }
   EXPECT_GT(fragments, 5'000U);
+}
+
+// A viewport whose numbers double rounds must not cost a draw of every pixel for every triangle.
+TEST(ExactCoverage, BoundsTrianglesInEveryViewport) {
+  for (const glm::vec2 size : {glm::vec2{1000, 1000}, glm::vec2{1000.1F, 999.7F}}) {
+    State state;
+    state.viewport.origin = {0.3F, 0.7F};
+    state.viewport.size = size;
+    const DrawSetting setting(state, {1024, 1024, 1});
+    ExactCoverage coverage(setting);
+    InputTriangle triangle;
+    triangle.positions = {glm::vec4{0, 0, 0, 1}, glm::vec4{0.01F, 0, 0, 1},
+                          glm::vec4{0, 0.02F, 0, 1}};
+    ASSERT_EQ(coverage.locate(triangle), Fate::drawn);
+    // From 500.3 to 505.3 and from 500.7 to 510.7, with at most a pixel more on each side.
+    EXPECT_GE(coverage.box().columns.begin, 498);
+    EXPECT_LE(coverage.box().columns.end, 508);
+    EXPECT_GE(coverage.box().rows.begin, 498);
+    EXPECT_LE(coverage.box().rows.end, 513);
+  }
 }
 
 }  // namespace

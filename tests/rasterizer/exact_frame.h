@@ -1,7 +1,7 @@
 #pragma once
 
-// Samples and edge functions in homogeneous coordinates, in rationals, for the tests of what the
-// rasterizer computes of them in double. Definitions: rasterizer/internal/sample_frame.h and
+// Samples and edge functions in homogeneous coordinates, in rationals, for tests of the
+// rasterizer's double arithmetic. Definitions: rasterizer/internal/sample_frame.h and
 // edge_functions.h.
 
 #include <array>
@@ -18,7 +18,7 @@ namespace rastercheck::rasterizer {
 
 using Corners = std::array<glm::vec4, 3>;
 
-/// (U, V, T) of a window position.
+/// (U, V, T) of a window position, exactly.
 inline std::array<Rational, 3> exact_position(const State& state, double u, double v) {
   const Rational x0 = state.viewport.origin.x;
   const Rational y0 = state.viewport.origin.y;
@@ -41,7 +41,7 @@ inline std::array<Rational, 3> exact_coefficients(const Corners& corners, int or
   return {minor(p.y, q.w, p.w, q.y), minor(p.w, q.x, p.x, q.w), minor(p.x, q.y, p.y, q.x)};
 }
 
-/// E_0, E_1, E_2.
+/// The weights E_0, E_1, E_2, exactly.
 inline std::array<Rational, 3> exact_weights(const Corners& corners, int orientation,
                                              const State& state, double u, double v) {
   const std::array<Rational, 3> at = exact_position(state, u, v);
@@ -53,7 +53,7 @@ inline std::array<Rational, 3> exact_weights(const Corners& corners, int orienta
   return e;
 }
 
-/// A sample of a random pixel of a draw, or that pixel's centre.
+/// A sample of a random pixel of a draw, or the pixel's centre.
 inline SampleOffset random_sample(Random& random, const DrawBounds& bounds, int samples) {
   const auto pattern = standard_pattern(samples);
   SampleOffset at = kPixelCenter;
@@ -65,7 +65,7 @@ inline SampleOffset random_sample(Random& random, const DrawBounds& bounds, int 
   return at;
 }
 
-/// A draw whose samples are at hand: a frame, and corners that are not degenerate.
+/// A draw with its frame, and with corners that are not degenerate.
 struct FramedDraw {
   State state;
   SmallMesh mesh;
@@ -76,7 +76,7 @@ struct FramedDraw {
   int orientation = 0;
 };
 
-/// Targets as large as they may be as well as small ones; viewports and corners of every kind.
+/// Targets from small to the largest possible; viewports and corners of every kind.
 FramedDraw random_framed_draw(Random& random);
 
 }  // namespace rastercheck::rasterizer

@@ -13,7 +13,7 @@ Rational value_of(const ExactSum& sum) {
   return value;
 }
 
-/// Holds a sum against its exact value: components, sign, and the one double that stands for it.
+/// Compares a sum with its exact value: components, sign, and nearest double.
 void expect_value(ExactSum sum, const Rational& exact) {
   EXPECT_EQ(value_of(sum), exact);
   EXPECT_EQ(sum.sign(), sgn(exact));
@@ -23,17 +23,18 @@ void expect_value(ExactSum sum, const Rational& exact) {
   } else {
     EXPECT_LT(error, abs(exact) * power_of_two(-52));
   }
-  // Finding the nearest double may rearrange the components, not change their sum.
+  // Finding the nearest double may rearrange the components but must not change their sum.
   EXPECT_EQ(value_of(sum), exact);
 }
 
-/// Shewchuk's invariant, on which the sign rests: ascending, no two with a bit in common.
+/// Shewchuk's invariant, on which the sign depends: components ascend, and no two share a bit
+/// position.
 void expect_no_overlap(const ExactSum& sum) {
   const auto components = sum.components();
   for (std::size_t i = 1; i < components.size(); ++i) {
     const Rational lower = abs(Rational(components[i - 1]));
     const Rational upper = abs(Rational(components[i]));
-    // The lowest bit of the upper one is above all of the lower one.
+    // The lowest bit of the upper component is above all bits of the lower one.
     const Rational grain = Rational(1) / upper.get_den() * (upper.get_num() & -upper.get_num());
     ASSERT_LT(lower, grain);
   }
@@ -65,7 +66,8 @@ TEST(ExactSum, TwoSumLosesNothing) {
   }
 }
 
-// Kills: a component dropped, a sum kept in one double, the sign of the first component.
+// Kills: a component that is dropped; a sum kept in one double; the sign taken from the first
+// component.
 TEST(ExactSum, OfRandomNumbersIsExact) {
   Random random(2);
   for (int i = 0; i < 1'500; ++i) {
@@ -99,7 +101,7 @@ TEST(ExactSum, OfRandomProductsIsExact) {
   }
 }
 
-// What is left after all else is taken away again: nothing, or a bit far below.
+// Adds numbers and subtracts them again: the rest is zero or a single, much smaller bit.
 TEST(ExactSum, CancelsToTheLastBit) {
   Random random(4);
   for (int i = 0; i < 500; ++i) {
@@ -117,8 +119,8 @@ TEST(ExactSum, CancelsToTheLastBit) {
   }
 }
 
-// Single bits far enough apart that none merge, each seen by no other: far more components than
-// there is room for, had they not been put together. Kills: writing beyond the last component.
+// Single bits so far apart that none merge: far more components than the sum has room for, unless
+// it merges them. Kills: writing beyond the last component.
 TEST(ExactSum, PutsComponentsTogetherWhereTheyAreTooMany) {
   for (const int step : {2, 3, 7}) {
     for (const bool ascending : {true, false}) {
@@ -149,7 +151,7 @@ TEST(ExactSum, NeedsFewComponentsOnceItsNearestIsKnown) {
   }
 }
 
-// Half a unit from a power of two, where the neighbours below are twice as close.
+// Tails around half a unit of a power of two, below which the neighbours are twice as close.
 TEST(ExactSum, NearestHoldsAtPowersOfTwo) {
   for (const double tail : {-0x1p-54, -0x1p-53, -0x1.8p-54, 0x1p-53, 0x1.8p-53, -0x1p-1000}) {
     ExactSum sum;

@@ -10,7 +10,7 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/determinant.h"
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/fragment_drawing.h"
 #include "tests/rasterizer/exact_frame.h"
 
 namespace rastercheck::rasterizer::exact_values_test {
@@ -18,7 +18,8 @@ namespace {
 
 float rounded(double value) { return static_cast<float>(value); }
 
-/// What the derivation leaves an exact path: half a unit, and the 2^-50 of sums and a division.
+/// The bound of an exact path by the derivation: half a unit, plus 2^-50 for the sums and a
+/// division.
 constexpr double kExactBound = 0.5 + 0x1p-20;
 
 /// A triangle with its values prepared.
@@ -27,7 +28,7 @@ struct Prepared {
   Weights weights;
   TriangleValues values;
 
-  Prepared(const Prepared&) = delete;  // the weights look at the draw
+  Prepared(const Prepared&) = delete;  // the weights refer to the draw
   Prepared& operator=(const Prepared&) = delete;
   ~Prepared() = default;
   explicit Prepared(const FramedDraw& framed) : draw(framed) {
@@ -53,7 +54,7 @@ struct Prepared {
 struct Expected {
   bool is_defined = true;
   Rational value;
-  Rational scale;  ///< whose unit errors are measured in
+  Rational scale;  ///< errors are measured in its ulp
 };
 
 Expected exact_attribute(const Prepared& p, std::size_t index, const std::array<Rational, 3>& e) {
@@ -95,7 +96,7 @@ Expected exact_depth(const Prepared& p, const std::array<Rational, 3>& e) {
 }
 
 ::testing::AssertionResult is_within(float value, const Expected& expected, double bound) {
-  if (std::isinf(value)) {  // from half a unit beyond the floats on
+  if (std::isinf(value)) {  // right from half a unit beyond the largest float on
     const bool is_beyond = expected.scale >= power_of_two(128) - power_of_two(103);
     if (is_beyond && (value > 0) == (expected.value > 0)) return ::testing::AssertionSuccess();
     return ::testing::AssertionFailure() << value << " for " << expected.value.get_d();
@@ -107,7 +108,7 @@ Expected exact_depth(const Prepared& p, const std::array<Rational, 3>& e) {
          << value << " for " << expected.value.get_d() << " is off by " << error.get_d();
 }
 
-/// The vectors' way, for one sample.
+/// The weights of one sample as the vector kernels compute them.
 BlockWeights block_at(const Prepared& p, const SampleOffset& at) {
   EdgeRow row;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -141,7 +142,8 @@ TEST(ExactValues, TheDeterminantIsAlmostExact) {
   }
 }
 
-// Anywhere, also outside and behind the eye. Kills: a sum in double where the weights cancel.
+// Samples anywhere, also outside and behind the eye. Kills: a sum in double although the weights
+// cancel.
 TEST(ExactValues, ExactPathsRoundOnce) {
   Random random(71);
   for (int i = 0; i < 2'000 && !HasFailure(); ++i) {
@@ -160,7 +162,7 @@ TEST(ExactValues, ExactPathsRoundOnce) {
   }
 }
 
-// Kills: a certificate that forgets weights of both signs.
+// Kills: a certificate that ignores weights of both signs.
 TEST(ExactValues, ValuesAnywhereAreWithinTheBound) {
   Random random(72);
   for (int i = 0; i < 3'000 && !HasFailure(); ++i) {
@@ -178,7 +180,7 @@ TEST(ExactValues, ValuesAnywhereAreWithinTheBound) {
   }
 }
 
-/// How many values of each kind a certificate vouched for.
+/// The number of values of each kind that a certificate covered.
 struct Certified {
   int smooth = 0;
   int affine = 0;
@@ -192,7 +194,7 @@ void expect_certified(const Prepared& p, const SampleOffset& at, Certified& coun
       (sum_weights(row_at(p, p.values.sum, at), p.values.certificates.least_sum, 1, weights) & 1) !=
       0;
   std::array<float, kBlockSize> out{};
-  if (p.values.certificates.depth_is_certain) {  // for all samples of the draw, inside or not
+  if (p.values.certificates.depth_is_certain) {  // certain for all samples, also outside
     const DepthLine& depth = p.values.depth;
     evaluate_depth(row_at(p, depth.plane, at), depth.least, depth.greatest, 1, weights, out.data());
     EXPECT_TRUE(is_within(out[0], exact_depth(p, e), kValueBound)) << "depth";
@@ -215,7 +217,7 @@ void expect_certified(const Prepared& p, const SampleOffset& at, Certified& coun
   }
 }
 
-// Where a certificate says that double is enough, it is. Kills: a certificate that forgets w.
+// If a certificate says that double is enough, it is. Kills: a certificate that forgets w.
 TEST(ExactValues, CertificatesHold) {
   Random random(73);
   Certified count;
@@ -230,8 +232,8 @@ TEST(ExactValues, CertificatesHold) {
   EXPECT_GT(count.depth, 1'000);
 }
 
-/// A triangle so thin that floats hardly tell its corners from a line, about a centre: whether that
-/// is inside is up to how the corners were rounded.
+/// A triangle around a centre that is almost a line in float precision: the rounding of its corners
+/// decides whether the centre is inside.
 FramedDraw sliver_about(Random& random, const SampleOffset& at) {
   FramedDraw framed;
   framed.state = small_state(1'021, 1'021);
@@ -255,7 +257,8 @@ FramedDraw sliver_about(Random& random, const SampleOffset& at) {
   return framed;
 }
 
-// Weights of which most digits are lost. Kills: the certificates taken for granted, 2^18 for 2^32.
+// Weights that lose most of their digits. Kills: treating every value as certified; 2^18 instead of
+// 2^32.
 TEST(ExactValues, CertificatesHoldOfSlivers) {
   Random random(74);
   Certified count;
@@ -271,8 +274,9 @@ TEST(ExactValues, CertificatesHoldOfSlivers) {
   EXPECT_GT(doubtful, 1'000);
 }
 
-/// A triangle about the middle of a viewport of one pixel, where the weight of each corner is what
-/// the other two span: integers, exact in double, and so is their sum.
+/// A triangle around the middle of a viewport of one pixel, so that the weight of each corner is
+/// the determinant of the other two. The weights are integers, exact in double, and so is their
+/// sum.
 FramedDraw about_the_middle(const Corners& corners, Interpolation interpolation, float constant) {
   FramedDraw framed;
   framed.state = small_state(1, 1);
@@ -285,8 +289,9 @@ FramedDraw about_the_middle(const Corners& corners, Interpolation interpolation,
   return framed;
 }
 
-// Outside, weights of 2^46 whose sum is 1: what rounding their products leaves is all of the value,
-// though no weight is off by anything. Kills: a certificate that asks only after the bands.
+// A sample outside, with weights of 2^46 whose sum is 1: the rounding errors of the products are as
+// large as the value, although the weights themselves are exact. Kills: a certificate that looks at
+// the bands only.
 TEST(ExactValues, WeightsThatCancelAreSummedExactly) {
   constexpr float kN = 0x1p23F + 1;
   constexpr float kK = 0x1p22F + 3;
@@ -298,8 +303,8 @@ TEST(ExactValues, WeightsThatCancelAreSummedExactly) {
   EXPECT_EQ(rounded(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5)), 0.1F);
 }
 
-// Inside, with w of both signs: the weights' sum is large, but weighed by w it is 1. Kills: the
-// certificate of values that are linear in the window without its w > 0.
+// A sample inside, with w of both signs: the sum of the weights is large, but weighted by w it is
+// 1. Kills: the certificate for values linear in the window without its condition w > 0.
 TEST(ExactValues, SharesThatCancelAreSummedExactly) {
   const Prepared p(about_the_middle(
       {glm::vec4{-1016313, -796241, 0, -423006}, {592999, 0, 0, 59869}, {0, 538095, 0, 216524}},
@@ -312,8 +317,8 @@ TEST(ExactValues, SharesThatCancelAreSummedExactly) {
   EXPECT_EQ(rounded(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5)), 0.1F);
 }
 
-// Of a number that is the same at all vertices, whatever the weights. Kills: the first quotient, in
-// double and just short of a whole number, taken for the last.
+// An attribute that is the same at all vertices has this value whatever the weights. Kills: using
+// the first quotient, which in double is slightly below an integer, as the result.
 TEST(ExactValues, FloorsOfConstantsAreTheirs) {
   Random random(75);
   int wraps = 0;
@@ -341,10 +346,10 @@ TEST(ExactValues, FloorsOfConstantsAreTheirs) {
   EXPECT_GT(wraps, 3'000);
 }
 
-// Weights g, a whole number of 53 bits, -1/2 + (1 to 2) 2^-55 and next to nothing. Of their sum,
-// just above the middle between two doubles, and of what the first quotient leaves, which is as
-// much, ExactSum::nearest() makes two doubles, the first the greater. Kills: the quotient of these,
-// 0, taken for the last.
+// The weights are g, an integer of 53 bits, -1/2 + (1 to 2) 2^-55, and almost nothing. Their sum
+// lies just above the middle between two doubles. The remainder after the first quotient equals
+// this sum, but ExactSum::nearest() rounds the two to different doubles, the sum to the greater
+// one. Kills: taking the floor of their quotient, 0, as the last step.
 TEST(ExactValues, AFloorAsksWhetherAWholeDenominatorIsLeft) {
   const Corners first{glm::vec4{-0x1.dc4p-108F, -0x1p-61F, 0, 1},
                       {0x1.6e278ep-1F, -0x1.4f0b76p-37F, 0, 1},
@@ -361,7 +366,7 @@ TEST(ExactValues, AFloorAsksWhetherAWholeDenominatorIsLeft) {
   EXPECT_EQ(floor_of(second, 7, 30), 210);
 }
 
-/// A triangle of small_state(8, 8) with these w, the same attributes at all vertices.
+/// A triangle of small_state(8, 8) with these w and the same attributes at all vertices.
 Prepared plain(const State& state, const std::array<float, 3>& w,
                const std::vector<float>& attributes, const std::array<float, 3>& depth = {}) {
   FramedDraw framed;
@@ -404,7 +409,8 @@ TEST(ExactValues, ConstantsStayWhatTheyAre) {
   }
 }
 
-// Kills: the form r_0 + (r_1 − r_0) b_1 + …, which loses a vertex's value beside a large one.
+// Kills: the form r_0 + (r_1 − r_0) b_1 + …, which loses a small value of one vertex beside a large
+// value of another.
 TEST(ExactValues, VerticesHaveTheirOwnValues) {
   for (const auto interpolation : {Interpolation::smooth, Interpolation::noperspective}) {
     const std::vector<float> r{0x1.234568p-40F, -1e30F, 0x1.000002p0F};
@@ -437,7 +443,7 @@ TEST(ExactValues, FlatIsTheProvokingVertex) {
   EXPECT_EQ(plain(state, {1, 2, 3}, {7, 8, 9}).values.attributes[0].copy, 9);
 }
 
-/// The depth in the middle, as a block of samples has it.
+/// The depth in the middle, as the kernels for a block of samples compute it.
 float depth_of(const Prepared& p) {
   const SampleOffset middle{3.5, 3.5};
   const DepthLine& depth = p.values.depth;
@@ -448,7 +454,7 @@ float depth_of(const Prepared& p) {
   return out[0];
 }
 
-// Kills: equality asked of two of the three vertices, or of the quotients in float.
+// Kills: comparing only two of the three vertices, or comparing the quotients in float.
 TEST(ExactValues, PlanesOfOneDepthHaveOneDepth) {
   const State state = state_with(Interpolation::smooth);
   const Prepared level = plain(state, {1, 0.5F, 4}, {1, 2, 3}, {0.25F, 0.25F, 0.25F});
@@ -463,7 +469,7 @@ TEST(ExactValues, PlanesOfOneDepthHaveOneDepth) {
       plain(state, {1, 0.5F, 4}, {1, 2, 3}, {0.25F, kNext, 0.25F}).values.has_constant_depth);
 }
 
-// A vertex with z = w = 0 lies in every such plane; one with w = 0 alone in none.
+// A vertex with z = w = 0 lies in every plane of one depth; a vertex with only w = 0 lies in none.
 TEST(ExactValues, PlanesOfOneDepthMayPassThroughTheEye) {
   FramedDraw framed;
   framed.state = small_state(8, 8);
@@ -478,7 +484,7 @@ TEST(ExactValues, PlanesOfOneDepthMayPassThroughTheEye) {
   EXPECT_FALSE(Prepared(framed).values.has_constant_depth);
 }
 
-// Kills: the constant depth left unclamped.
+// Kills: a constant depth that is not clamped.
 TEST(ExactValues, ConstantDepthIsClamped) {
   State state = small_state(8, 8);
   state.depth_clamp = true;

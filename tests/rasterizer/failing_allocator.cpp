@@ -17,11 +17,12 @@ static void take_allocation() {
 }  // namespace rastercheck::rasterizer
 
 #ifndef RASTERCHECK_HAS_TSAN
-// Where GCC inlines only one of a pair it takes malloc and free for a mismatch.
+// If GCC inlines only one of a pair of operators, it reports malloc and free as a mismatch.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
-// Not a byte more than asked for, so that AddressSanitizer sees what goes beyond.
+// Allocates exactly the number of bytes asked for, so that AddressSanitizer detects accesses beyond
+// them.
 void* operator new(std::size_t size) {
   rastercheck::rasterizer::take_allocation();
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;

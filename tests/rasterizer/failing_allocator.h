@@ -1,7 +1,7 @@
 #pragma once
 
-// The allocations of this program, which can be made to fail. ThreadSanitizer has operators of its
-// own.
+// The allocation operators of this program, which can be made to fail. ThreadSanitizer has its own
+// operators.
 
 namespace rastercheck::rasterizer {
 
@@ -17,10 +17,10 @@ inline constexpr bool kCanRunOutOfMemory = false;
 inline constexpr bool kCanRunOutOfMemory = true;
 #endif
 
-/// How many allocations still succeed; negative: all.
+/// The number of allocations that still succeed; negative: all succeed.
 extern int allocations_left;
 
-/// Runs the call with `count` allocations to spare.
+/// Runs the call; only the first `count` allocations succeed.
 template <class Call>
 auto with_allocations(int count, Call call) {
   allocations_left = count;

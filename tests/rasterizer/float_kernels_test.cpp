@@ -23,29 +23,29 @@ double between(Random& random, double low, double high) {
   return low + (high - low) * random.between(0, 1 << 30) / (1 << 30);
 }
 
-/// Weights of one sample whose sum is about 1, all at least −2^-32 of it.
+/// Weights of one sample with a sum of about 1; each is at least −2^-32 of the sum.
 Three random_shares(Random& random) {
   Three e{};
   switch (random.between(0, 6)) {
     case 0:  // anything
       for (double& share : e) share = between(random, 0, 1);
       break;
-    case 1:  // nearly equal: the pivot changes with the last bit, or there are two, or three
+    case 1:  // nearly equal: the last bit decides the pivot, or several are largest
       for (double& share : e) share = 1 + random.between(-4, 4) * random.pick({0x1p-52, 0x1p-24});
       break;
-    case 2:  // near the middle, where the bound is
+    case 2:  // near the middle, where errors are largest
       for (double& share : e) share = between(random, 0.9, 1.1);
       break;
-    case 3:  // one far above the others, down to where their quotients underflow
+    case 3:  // one far above the others, whose quotients may underflow
       e = {1, std::abs(random.number(53, -160, -1)), std::abs(random.number(53, -30, -1))};
       break;
-    case 4:  // two halves
+    case 4:  // two weights of about one half
       e = {1, 1 + random.between(-2, 2) * 0x1p-24, std::abs(random.number(53, -60, -20))};
       break;
     case 5:  // on an edge or at a vertex
       e = {between(random, 0.1, 1), random.one_in(4) ? 0 : between(random, 0, 1), 0};
       break;
-    default:  // outside by what the edges may be off
+    default:  // outside by the edges' possible error
       e = {between(random, 0.5, 1), between(random, 0, 1), -0x1p-33 * between(random, 0, 1)};
       if (random.one_in(2)) e[1] = -0x1p-33 * between(random, 0, 1);
       break;
@@ -57,7 +57,7 @@ Three random_shares(Random& random) {
   return e;
 }
 
-/// Values of the vertices, below 2^127; `e` are the weights where cancellation may be asked for.
+/// Values of the vertices, below 2^127; `e` are the weights for values that should cancel.
 Values random_values(Random& random, const Three& e) {
   const int exponent = random.pick({0, 0, -126, -140, 125, 126, random.between(-149, 126)});
   const auto full = [&] {  // just below a power of two
@@ -68,10 +68,10 @@ Values random_values(Random& random, const Three& e) {
     case 0:
       for (float& value : r) value = random.any_real();
       break;
-    case 1:  // one against two
+    case 1:  // one negative, two positive
       r = {full(), full(), -full()};
       break;
-    case 2:  // one or more between the others
+    case 2:  // one between the others
       r = {full(), -full(), random.real(-149, exponent)};
       break;
     case 3: {  // nearly constant
@@ -104,7 +104,7 @@ Three at(const BlockWeights& weights, std::size_t sample) {
   return {weights.e[0][sample], weights.e[1][sample], weights.e[2][sample]};
 }
 
-/// The error of `value` in scale ULP, the weights being exact numbers of any sum.
+/// The error of `value` in scale ULP; the weights are exact and may have any sum.
 double scale_ulps(float value, const Values& r, const std::array<Rational, 3>& e) {
   Rational numerator = 0;
   Rational sum = 0;
@@ -121,7 +121,7 @@ double scale_ulps(float value, const Values& r, const std::array<Rational, 3>& e
   return error.get_d();
 }
 
-/// Exact weights of which `e` may be an evaluation: off by 2^-32 of their sum together.
+/// Exact weights that may have been evaluated as `e`, with errors of 2^-32 of their sum in total.
 std::array<Rational, 3> disturbed(Random& random, const Three& e) {
   std::array<Rational, 3> exact{e[0], e[1], e[2]};
   if (random.one_in(2)) return exact;
@@ -132,7 +132,7 @@ std::array<Rational, 3> disturbed(Random& random, const Three& e) {
   return exact;
 }
 
-/// The same arithmetic, one sample at a time.
+/// The arithmetic of the kernels, one sample at a time.
 struct Scalar {
   std::array<float, 3> steps{};
   std::size_t pivot = 0;
@@ -165,7 +165,7 @@ struct Scalar {
 
 class FloatKernels : public ::testing::TestWithParam<std::int64_t> {
  protected:
-  /// A block of random weights, of a size that `scale` makes up for.
+  /// Sets random weights for a block, divided by `scale`.
   void set_weights(double scale) {
     for (std::size_t j = 0; j < kBlockSize; ++j) {
       Three e = random_shares(random_);
@@ -183,8 +183,8 @@ class FloatKernels : public ::testing::TestWithParam<std::int64_t> {
 
 INSTANTIATE_TEST_SUITE_P(Targets, FloatKernels, ::testing::ValuesIn(all_targets()), target_name);
 
-// Kills: a fused product and sum, an approximate quotient, lanes in the wrong order, a vector left
-// out at the end.
+// Kills: a product and sum that are fused; an approximate quotient; lanes in the wrong order; the
+// last vector left out.
 TEST_P(FloatKernels, ValuesAreThoseOfScalarArithmetic) {
   for (int i = 0; i < 20; ++i) {
     for (int count = 1; count <= kBlockSize; ++count) {
@@ -213,7 +213,7 @@ TEST_P(FloatKernels, ValuesAreThoseOfScalarArithmetic) {
   }
 }
 
-// Kills: r_i E_i / Σ E_i summed instead; shares of the pivot used as well.
+// Kills: summing r_i E_i / Σ E_i instead; also using the share of the pivot.
 TEST_P(FloatKernels, ConstantsAreExact) {
   for (int i = 0; i < 200; ++i) {
     set_weights(1);
@@ -228,7 +228,7 @@ TEST_P(FloatKernels, ConstantsAreExact) {
   }
 }
 
-// Kills: a fixed vertex to start from, shares handed to the wrong vertex.
+// Kills: always starting from the same vertex; shares assigned to the wrong vertex.
 TEST_P(FloatKernels, ValuesOfVerticesAreExact) {
   for (int i = 0; i < 200; ++i) {
     for (std::size_t j = 0; j < kBlockSize; ++j) {
@@ -246,7 +246,7 @@ TEST_P(FloatKernels, ValuesOfVerticesAreExact) {
   }
 }
 
-// Samples outside the triangle may have any weights: their neighbours do not see them.
+// Samples outside the triangle may have any weights; these must not change other samples.
 TEST_P(FloatKernels, OtherSamplesDoNotMatter) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -273,12 +273,13 @@ TEST_P(FloatKernels, OtherSamplesDoNotMatter) {
   }
 }
 
-/// On the best target; the others compute the same bits.
+/// Runs on the best target; the other targets compute the same bits.
 class FloatBounds : public ::testing::Test {
  protected:
   static constexpr int kBlocks = 1'600;  // of 64 samples: 102,400
 
-  /// The worst error, and that no value leaves the hull of the three.
+  /// Checks the error of a value and that it stays within the range of the three vertices; keeps
+  /// the worst error.
   void judge(const Values& r, std::size_t sample, const std::array<Rational, 3>& exact,
              double bound) {
     const auto [least, greatest] = std::minmax_element(r.begin(), r.end());
@@ -296,21 +297,22 @@ class FloatBounds : public ::testing::Test {
   double worst_ = 0;
 };
 
-// Kills: the smallest weight as pivot, weights that were not scaled, no rounding foreseen for one
-// of the operations.
+// Kills: the smallest weight used as pivot; weights that are not scaled; a bound that omits the
+// rounding of one operation.
 TEST_F(FloatBounds, SmoothValuesAreWithin) {
   for (int i = 0; i < kBlocks; ++i) {
     const int exponent = random_.pick({0, 0, 0, 600, -600, random_.between(-600, 600)});
     const double scale = std::ldexp(1.0, exponent);
     for (std::size_t j = 0; j < kBlockSize; ++j) {
       Three e = random_shares(random_);
-      const double size = random_.one_in(16) ? 0x1p-19 : 2;  // of 0.5 … 1
+      const double size = random_.one_in(16) ? 0x1p-19 : 2;  // times 0.5 … 1
       for (double& weight : e) weight *= size / scale;
       put(e, j, weights_);
     }
     float_smooth_weights(weights_, scale, kBlockSize, shares_);
     for (std::size_t j = 0; j < kBlockSize; ++j) {
-      // Whole blocks are evaluated for one sample: other samples' weights suit other values.
+      // Each block is evaluated for the values of one sample; the values do not suit the other
+      // samples' weights.
       const Values r = random_values(random_, at(weights_, j));
       evaluate_float(r, kBlockSize, shares_, out_.data());
       judge(r, j, disturbed(random_, at(weights_, j)), kFloatSmoothBound);
@@ -323,7 +325,8 @@ TEST_F(FloatBounds, SmoothValuesAreWithin) {
 TEST_F(FloatBounds, AffineValuesAreWithin) {
   for (int i = 0; i < kBlocks; ++i) {
     const int exponent = random_.pick({0, 0, 0, 500, -500, random_.between(-500, 500)});
-    // w_i / (|det| T), where |det| T = Σ w_i E_i is 1 for all samples, as in a triangle.
+    // The factors are w_i / (|det| T), where |det| T = Σ w_i E_i is 1 for all samples, as in a
+    // triangle.
     Three w{};
     for (double& value : w) value = std::abs(random_.number(24, -20, 20));
     const Three factors{std::ldexp(w[0], exponent), std::ldexp(w[1], exponent),
@@ -347,8 +350,8 @@ TEST_F(FloatBounds, AffineValuesAreWithin) {
   EXPECT_GT(worst_, kFloatAffineBound / 2);
 }
 
-// What a search of some 10^9 samples found: the bounds are not far from the truth. Kills: a bound
-// that grows, an order of operations that is worse or better than the one derived.
+// The worst case that a search of some 10^9 samples found: the bounds are close to the true errors.
+// Kills: a bound that grows; an order of operations other than the derived one.
 TEST_F(FloatBounds, AreNearlyAttained) {
   const auto error_at_first = [&](const Three& e, const Values& r, bool is_smooth) {
     put(e, 0, weights_);

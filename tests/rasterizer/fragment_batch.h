@@ -18,7 +18,7 @@ inline mpz_class floor_of(const Rational& x) {
   return result;
 }
 
-/// All cells, all lanes covered, attributes 0 and exact.
+/// A batch with all cells, all lanes covered, and attributes that start as exact zeros.
 class KnownBatch : public ExactAttributes {
  public:
   static constexpr std::size_t kLanes = FragmentBatch::kLanes;
@@ -35,7 +35,7 @@ class KnownBatch : public ExactAttributes {
     for (FragmentBatch::Cell& cell : cells) cell.covered = 0xffff;
   }
 
-  /// The attribute is a number of double.
+  /// Sets the attribute to a number, which double holds exactly.
   void set(std::size_t attribute, std::size_t lane, double value) {
     lines[attribute].value[lane] = value;
     exact[attribute][lane] = std::isfinite(value) ? Rational(value) : 0;
@@ -53,7 +53,7 @@ class KnownBatch : public ExactAttributes {
     return mpz_class(index % whole).get_d();
   }
 
-  /// As long as this is as it is.
+  /// The batch, valid until this object changes.
   FragmentBatch batch() {
     values_.clear();
     along_u_.clear();
@@ -91,7 +91,7 @@ class KnownBatch : public ExactAttributes {
   std::vector<const double*> along_v_;
 };
 
-/// What a shader fills in.
+/// The buffers that a shader fills in.
 class ShadedLanes {
  public:
   explicit ShadedLanes(std::size_t outputs = 4) : lines_(outputs) {

@@ -1,4 +1,4 @@
-// Draws into framebuffers, tile by tile: each sample is what its fragments, in order, leave there.
+// Draws into framebuffers, tile by tile: each sample ends up as its fragments, in order, leave it.
 
 #include "rasterizer/internal/frame_drawing.h"
 
@@ -19,7 +19,7 @@
 namespace rastercheck::rasterizer::frame_drawing_test {
 namespace {
 
-/// A mesh of many triangles of all sizes, some of which share vertices.
+/// A mesh of many triangles of all sizes; some share vertices.
 SmallMesh many_triangles(Random& random, const State& state, int count) {
   SmallMesh mesh;
   for (int i = 0; i < count; ++i) {
@@ -34,7 +34,7 @@ SmallMesh many_triangles(Random& random, const State& state, int count) {
   return mesh;
 }
 
-/// A state that the kernels of frames draw themselves: all smooth, or a few of each kind.
+/// A state for which frames have their own kernels: all attributes smooth, or a few of each kind.
 State frame_state(Random& random, const TargetSize& size) {
   State state = small_state(size.width, size.height,
                             random.pick({Convention::opengl, Convention::vulkan, Convention::d3d}));
@@ -48,7 +48,7 @@ State frame_state(Random& random, const TargetSize& size) {
   return state;
 }
 
-/// Triangles of these corners, with values of all sizes.
+/// Triangles with these corners, and values of all sizes.
 SmallMesh with_values(Random& random, const State& state, std::vector<glm::vec4> positions) {
   SmallMesh mesh;
   mesh.positions = std::move(positions);
@@ -61,7 +61,7 @@ SmallMesh with_values(Random& random, const State& state, std::vector<glm::vec4>
   return mesh;
 }
 
-/// Width and height on either side of one and two tiles.
+/// Widths and heights just below and above one and two tiles.
 TargetSize random_size(Random& random, int samples) {
   const auto side = [&random] { return random.pick({1, 7, 63, 64, 65, 100, 128, 129, 150}); };
   const int width = side();
@@ -72,7 +72,8 @@ TargetSize random_size(Random& random, int samples) {
 class DrawOnTarget : public testing::TestWithParam<std::int64_t> {};
 INSTANTIATE_TEST_SUITE_P(AllTargets, DrawOnTarget, testing::ValuesIn(all_targets()), target_name);
 
-// Kills: a tile's border that is off by one; the last lane; a race; values that depend on the tile.
+// Kills: a tile's border that is off by one; a lost last lane; a race; values that depend on the
+// tile.
 TEST_P(DrawOnTarget, LeavesWhatItsFragmentsLeave) {
   const OnTarget on_target(GetParam());
   Random random(7);
@@ -90,8 +91,8 @@ TEST_P(DrawOnTarget, LeavesWhatItsFragmentsLeave) {
   }
 }
 
-/// A corner on the grid of half pixels: at samples, between them, on borders of tiles; within
-/// `reach` of `near`, or anywhere.
+/// A corner on the grid of half pixels, at samples, between samples or on borders of tiles; within
+/// `reach` half pixels of `near`, or anywhere.
 glm::vec4 grid_corner(Random& random, const State& state, const TargetSize& size, glm::vec2 near,
                       int reach) {
   const auto coordinate = [&](float from, int side) {
@@ -105,8 +106,8 @@ glm::vec4 grid_corner(Random& random, const State& state, const TargetSize& size
             static_cast<float>(random.between(0, 8)) / 8);
 }
 
-// Kills: vertices whose values are interpolated; ties given away, or kept, in one of the kernels;
-// small triangles drawn after large ones of the same depth.
+// Kills: vertex values that are interpolated; ties lost or taken by one of the kernels; small
+// triangles drawn after large ones of the same depth.
 TEST_P(DrawOnTarget, LeavesOnTheGridWhatItsFragmentsLeave) {
   const OnTarget on_target(GetParam());
   Random random(8);
@@ -129,8 +130,8 @@ TEST_P(DrawOnTarget, LeavesOnTheGridWhatItsFragmentsLeave) {
   }
 }
 
-// Kills: a depth plane that is not drawn by; eye-crossers that are held to a box; the horizon's
-// values taken from rounded weights.
+// Kills: a depth plane that is ignored; triangles through the eye that are limited to a box; values
+// at the horizon computed from rounded weights.
 TEST_P(DrawOnTarget, LeavesBeforeAndBehindTheEyeWhatItsFragmentsLeave) {
   const OnTarget on_target(GetParam());
   Random random(9);
@@ -142,7 +143,7 @@ TEST_P(DrawOnTarget, LeavesBeforeAndBehindTheEyeWhatItsFragmentsLeave) {
     for (int triangle = 0; triangle < 12; ++triangle) {
       const bool is_on_grid = random.one_in(4);
       for (int corner = 0; corner < 3; ++corner) {
-        // Some have w > 0 and z on both sides of the planes; more have w of both signs.
+        // Some triangles have w > 0 and z on both sides of the planes; more have w of both signs.
         const float w = corner > 0 && random.one_in(2) ? -random.real(-3, 1) : random.real(-3, 1);
         corners.emplace_back(random.real(-1, 3), random.real(-1, 3), w * random.real(-2, 1), w);
         if (!is_on_grid) continue;
@@ -155,10 +156,10 @@ TEST_P(DrawOnTarget, LeavesBeforeAndBehindTheEyeWhatItsFragmentsLeave) {
 }
 
 /// Three corners within a few units in the last place of a diagonal through the middle of the
-/// viewport. Edges through the middle have small constants, so that the triangle's side is certain
-/// in double where its values are not.
+/// viewport. Edges through the middle have small constants, so that double decides the triangle's
+/// orientation with certainty, but not its values.
 std::array<glm::vec4, 3> middle_sliver(Random& random) {
-  const float reach = random.pick({0.0625F, 1.5F});  // in a small box, or not
+  const float reach = random.pick({0.0625F, 1.5F});  // in a small box or a large one
   const float start = reach < 1 ? static_cast<float>(random.between(-15, 14)) / 16 : 0;
   const float slope = random.pick({1.0F, -1.0F});
   const bool is_level = random.one_in(2);
@@ -172,8 +173,8 @@ std::array<glm::vec4, 3> middle_sliver(Random& random) {
   return corners;
 }
 
-// Kills: slivers whose depths, values or sides are taken from double unasked, wherever they are
-// drawn.
+// Kills: slivers whose depths, values or orientation are taken from double without a check,
+// wherever they are drawn.
 TEST_P(DrawOnTarget, LeavesOfSliversWhatTheirFragmentsLeave) {
   const OnTarget on_target(GetParam());
   Random random(12);
@@ -192,7 +193,7 @@ TEST_P(DrawOnTarget, LeavesOfSliversWhatTheirFragmentsLeave) {
   }
 }
 
-/// A framebuffer of any size with anything in it.
+/// A framebuffer of random size with old content.
 Picture used_framebuffer(Random& random) {
   Picture framebuffer;
   framebuffer.size = random_size(random, random.pick({1, 2, 4}));
@@ -205,7 +206,7 @@ Picture used_framebuffer(Random& random) {
   return framebuffer;
 }
 
-// Kills: tiles that no triangle touches left as they were; what was there before.
+// Kills: tiles that no triangle touches and that are not cleared; old content that remains.
 TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
   Random random(10);
   for (int i = 0; i < 60; ++i) {
@@ -236,14 +237,14 @@ TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
   }
 }
 
-// What is larger than caches is written past them. Kills: numbers that lie between two cache lines
-// left out, or lines written that are another row's.
+// A framebuffer that is larger than the caches is written past them. Kills: numbers across the
+// border of two cache lines left out; lines written that belong to another row.
 TEST_P(DrawOnTarget, LeavesTheSameWhereFramebuffersAreLarge) {
   const OnTarget target(GetParam());
   Random random(16);
   for (const int attributes : {1, 2, 3, 4}) {
     SCOPED_TRACE(attributes);
-    constexpr int kWidth = 1101;  // rows begin anywhere in a line
+    constexpr int kWidth = 1101;  // rows begin anywhere within a cache line
     constexpr int kNumbers = 2'200'000;
     const TargetSize size{kWidth, kNumbers / (kWidth * (1 + attributes)), 1};
     State state = small_state(size.width, size.height, Convention::vulkan);
@@ -260,8 +261,9 @@ TEST_P(DrawOnTarget, LeavesTheSameWhereFramebuffersAreLarge) {
   }
 }
 
-// Corners one last place apart are corners: double does not tell that such a triangle has an area.
-// Kills: corners taken for the same of which only two of x, y, w are.
+// Corners one unit in the last place apart are different corners, although double does not show
+// that their triangle has an area. Kills: corners considered equal although only two of x, y, w
+// are.
 TEST_P(DrawOnTarget, CornersAtTheSamePointMakeNoTriangle) {
   const OnTarget target(GetParam());
   const TargetSize size{20, 20, 1};
@@ -292,7 +294,8 @@ TEST_P(DrawOnTarget, CornersAtTheSamePointMakeNoTriangle) {
   }
 }
 
-// Kills: triangles that are left out and not counted, or counted once for each tile or worker.
+// Kills: triangles that are left out but not counted; triangles counted once for each tile or
+// worker.
 TEST(Draw, CountsWhatFragmentsCount) {
   Random random(13);
   for (int i = 0; i < 20; ++i) {
@@ -316,9 +319,9 @@ TEST(Draw, CountsWhatFragmentsCount) {
   }
 }
 
-// Kills: a round of chunks that starts over, or is left out; the tiles of a later one cleared.
+// Kills: a round of chunks that starts over or is left out; tiles cleared again in a later round.
 TEST(Draw, GoesOnWhereBinsOutgrowTheirMemory) {
-  constexpr std::uint32_t kRound = 65'536;  // triangles after which memory is looked at
+  constexpr std::uint32_t kRound = 65'536;  // triangles between two checks of memory
   const TargetSize size{70, 10, 1};
   State state = small_state(size.width, size.height);
   state.attributes.assign(6, {Interpolation::flat, Location::sample});

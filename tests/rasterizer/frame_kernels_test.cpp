@@ -1,6 +1,6 @@
-// What the kernels of frames draw (rasterizer/internal/kernel_setting.h): triangles of all sizes
-// beside a tile's, on and off the grid, behind the eye, cut by depth planes; several samples;
-// snapped vertices. Each sample is what its fragments leave, bit for bit.
+// The drawings of the kernels for frames (rasterizer/internal/kernel_setting.h): triangles of all
+// sizes compared with a tile's, on and off the grid, behind the eye, cut by depth planes; several
+// samples; snapped vertices. Each sample is what its fragments leave, bit for bit.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ State random_kernel_state(Random& random, const TargetSize& size) {
   const ViewportKind kind = random.pick(
       {ViewportKind::plain, ViewportKind::plain, ViewportKind::on_a_grid, ViewportKind::mirrored});
   state.viewport = random_viewport(random, kind, size);
-  // All smooth as often as not, as kernels of their own draw that.
+  // In about half of the states all attributes are smooth, because separate kernels draw these.
   const bool is_mixed = random.one_in(2);
   using I = Interpolation;
   for (int i = random.between(0, 5); i > 0; --i) {
@@ -44,7 +44,8 @@ State random_kernel_state(Random& random, const TargetSize& size) {
   return state;
 }
 
-/// A triangle of some `extent` in NDC, its numbers multiples of `grain` (any, where that is 0).
+/// A triangle with this `extent` in NDC; its numbers are multiples of `grain`, or any numbers if
+/// `grain` is 0.
 std::array<glm::vec4, 3> random_triangle(Random& random, float extent, float grain) {
   const auto held = [grain](float x) { return grain > 0 ? std::round(x / grain) * grain : x; };
   const auto within = [&random](float size) {
@@ -61,7 +62,7 @@ std::array<glm::vec4, 3> random_triangle(Random& random, float extent, float gra
   return p;
 }
 
-/// Puts a vertex behind the eye, or beyond a depth plane.
+/// Moves a vertex behind the eye or beyond a depth plane.
 void disturb(Random& random, std::array<glm::vec4, 3>& p) {
   glm::vec4& q = p[static_cast<std::size_t>(random.between(0, 2))];
   switch (random.between(0, 3)) {
@@ -83,8 +84,8 @@ SmallMesh random_kernel_mesh(Random& random, const State& state, const TargetSiz
   SmallMesh mesh;
   const int count = random.between(1, 40);
   for (int i = 0; i < count; ++i) {
-    // From less than a pixel to all of the target; often with corners at pixels' corners or
-    // centres.
+    // From less than a pixel to the whole target; often with corners at the corners or centres of
+    // pixels.
     const float extent =
         random.pick({0.5F, 2.0F, 6.0F, 20.0F, 300.0F}) / static_cast<float>(size.width);
     const float grain = random.one_in(2) ? 0 : 1 / static_cast<float>(size.width);
@@ -104,8 +105,9 @@ SmallMesh random_kernel_mesh(Random& random, const State& state, const TargetSiz
 class FrameKernels : public testing::TestWithParam<std::int64_t> {};
 INSTANTIATE_TEST_SUITE_P(AllTargets, FrameKernels, testing::ValuesIn(all_targets()), target_name);
 
-// Kills: a lane that is another's; samples of a box's border; a vertex's sample interpolated; ties
-// that go to the wrong side; depth planes and horizons left out; grid points rounded the other way.
+// Kills: a lane's values in another lane; samples on a box's border; interpolation at a vertex's
+// sample; ties on the wrong side; depth planes or horizons left out; grid points rounded in the
+// wrong direction.
 TEST_P(FrameKernels, LeaveWhatFragmentsLeave) {
   const OnTarget on_target(GetParam());
   Random random(11);
@@ -124,7 +126,7 @@ TEST_P(FrameKernels, LeaveWhatFragmentsLeave) {
   }
 }
 
-/// Right triangles with legs along the axes, all at one depth, attribute i of triangle i.
+/// Right triangles with legs along the axes, all at one depth; triangle i has the attribute i + 1.
 SmallMesh right_triangles(const State& state, const std::vector<std::array<float, 3>>& all) {
   SmallMesh mesh;
   for (const auto& [u, v, leg] : all) {
@@ -138,7 +140,7 @@ SmallMesh right_triangles(const State& state, const std::vector<std::array<float
   return mesh;
 }
 
-// Kills: fragments of small triangles put before, or after, all that are larger.
+// Kills: all fragments of small triangles put before, or after, those of larger ones.
 TEST(FrameKernels, KeepTheOrderOfSmallAndLarge) {
   State state = small_state(64, 64);
   state.attributes.resize(1);
@@ -154,7 +156,7 @@ TEST(FrameKernels, KeepTheOrderOfSmallAndLarge) {
   }
 }
 
-// Kills: a greatest depth that a NaN hides.
+// Kills: a greatest depth that is wrong because of a NaN.
 TEST(FrameKernels, SeePastNaNs) {
   const State state = [] {
     State made = small_state(64, 64);
@@ -175,7 +177,7 @@ TEST(FrameKernels, SeePastNaNs) {
   EXPECT_EQ(framebuffer.depth[0], 0.5F);
 }
 
-// Kills: values that go through another format; a zero whose sign is up to the processor.
+// Kills: values converted to another format and back; a zero whose sign depends on the processor.
 TEST(FrameKernels, CopyBitsAndKeepZeros) {
   State state = small_state(64, 64);
   state.attributes = {{Interpolation::flat, Location::sample}};
@@ -188,7 +190,7 @@ TEST(FrameKernels, CopyBitsAndKeepZeros) {
   }
 }
 
-// Kills: kernels that draw what they are not made for.
+// Kills: kernels used for states that they do not support.
 TEST(FrameKernels, DrawWhatTheyAreMadeFor) {
   const auto is_drawn = [](const State& state, const TargetSize& size) {
     return kernel_setting(DrawSetting(state, size), 1).has_value();

@@ -1,5 +1,5 @@
-// Snapped coverage, held against its definition: the half-planes of the rounded vertices in whole
-// numbers of any size, and what neighbours owe each other where clip planes cut them.
+// Snapped coverage, compared with its definition: the half-planes of the rounded vertices, in
+// integers of any size. Also what neighbouring triangles must share where clip planes cut them.
 
 #include "rasterizer/internal/grid_coverage.h"
 
@@ -21,8 +21,9 @@ constexpr std::array<std::span<const float>, 3> kNoDistances{};
 
 using Corners = std::array<glm::vec4, 3>;
 
-/// A triangle as half-planes a x + b y + c > 0 of grid units, those of a sample on an edge that the
-/// fill rule keeps with 0. Made once a triangle: under a sanitizer each number costs an allocation.
+/// A triangle as half-planes a x + b y + c > 0 in grid units, or >= 0 for an edge whose samples the
+/// fill rule keeps. Made once per triangle, because each number costs an allocation, which is slow
+/// under a sanitizer.
 class HalfPlanes {
  public:
   HalfPlanes(const std::array<GridPoint, 3>& p, int tie_sign) {
@@ -59,7 +60,7 @@ class HalfPlanes {
     Line line;
     bool keeps_ties = false;
   };
-  std::vector<Plane> planes_;  // none where the triangle has no area
+  std::vector<Plane> planes_;  // none if the triangle has no area
 };
 
 /// A corner on the grid or off it, near the window or far from it.
@@ -83,7 +84,7 @@ Snapping random_snapping(Random& random) {
           random.pick({Rounding::nearest_even, Rounding::half_up})};
 }
 
-// Kills: the fill rule's tie turned round; a crossing rounded down; a whole number that wraps.
+// Kills: an inverted tie of the fill rule; a crossing rounded down; an integer that overflows.
 TEST(GridCoverage, IsThatOfTheRoundedVertices) {
   Random random(3);
   std::size_t covered = 0;
@@ -124,8 +125,8 @@ TEST(GridCoverage, IsThatOfTheRoundedVertices) {
   EXPECT_GT(covered, 100'000U);
 }
 
-/// A vertex whose numbers are whole and small, so that sums of them are floats: behind the eye,
-/// beyond depth planes and far outside included.
+/// A vertex with small integers as coordinates, so that sums of such vertices are exact in float.
+/// It may be behind the eye, beyond the depth planes or far outside.
 glm::vec4 whole_vertex(Random& random) {
   const int far = random.one_in(3) ? 30'000 : 12;
   return {random.between(-far, far), random.between(-far, far), random.between(-3, 6),
@@ -138,8 +139,8 @@ State snapped_state(Random& random) {
   return state;
 }
 
-/// A triangle, and the fan about a point within it that is a sum of its vertices: linear in
-/// everything, so that clip planes cut both alike.
+/// The triangle if `is_whole`, otherwise the fan about `hub`, a point within the triangle that is a
+/// sum of its vertices. Everything is linear, so that clip planes cut both alike.
 SmallMesh fan_of(const Corners& p, const glm::vec4& hub, bool is_whole) {
   SmallMesh mesh;
   mesh.positions = {p[0], p[1], p[2], hub};
@@ -151,7 +152,7 @@ SmallMesh fan_of(const Corners& p, const glm::vec4& hub, bool is_whole) {
   return mesh;
 }
 
-// Where only the guard band cuts, whose sides lie far outside, a fan covers each sample exactly as
+// If only the guard band cuts, whose sides lie far outside, a fan covers each sample exactly as
 // often as the triangle that it fills. Kills: new vertices that depend on the order of an edge's
 // ends; edges that keep their exact line where they are cut.
 TEST(GridCoverage, AFanAboutAPointCoversWhatItsTriangleDoes) {
@@ -161,7 +162,7 @@ TEST(GridCoverage, AFanAboutAPointCoversWhatItsTriangleDoes) {
   std::size_t covered = 0;
   for (int i = 0; i < 4'000; ++i) {
     State state = snapped_state(random);
-    // On a coarse grid the point may be rounded out of its triangle.
+    // On a coarse grid the hub may be rounded out of its triangle.
     state.snapping->subpixel_bits = random.pick({4, 4, 8, 16});
     state.depth_clamp = true;
     Corners p;
@@ -194,8 +195,8 @@ std::vector<GridPoint> corners_on_edge(const GridPolygon& polygon, std::size_t o
   return on_edge;
 }
 
-// Two triangles on either side of an edge, the planes that cut them different ones.
-// Kills: corners computed from other new corners; an edge's ends taken in the triangle's order.
+// Two triangles share an edge, and different planes cut them. Kills: corners computed from other
+// new corners; an edge's ends taken in the triangle's order.
 TEST(GridPolygon, NeighboursShareTheCornersOfTheirEdge) {
   Random random(5);
   int compared = 0;
@@ -232,7 +233,7 @@ TEST(GridPolygon, NeighboursShareTheCornersOfTheirEdge) {
   EXPECT_GT(compared, 3'000);
 }
 
-// Every corner of a cut polygon is where its shares put it, and beyond no plane.
+// Every corner of a cut polygon is where its shares put it, and lies beyond no plane.
 TEST(GridPolygon, CornersLieWithinHalfAUnitOfTheClippedTriangle) {
   Random random(6);
   int compared = 0;
@@ -246,8 +247,8 @@ TEST(GridPolygon, CornersLieWithinHalfAUnitOfTheClippedTriangle) {
       for (std::size_t v = 0; v < 3; ++v) q += corner.share[v] * glm::dvec4(p[v]);
       const double unit = std::ldexp(1.0, state.snapping->subpixel_bits);
       const double of_point = std::ldexp(1.0, unit_bits(*state.snapping)) / unit;
-      // Shares are within 2^-50 of themselves, and the vertices' numbers below 2^15; w is seldom
-      // small, but may be.
+      // Shares have a relative error below 2^-50, and the vertices' numbers are below 2^15. w is
+      // seldom small, but may be.
       const double blur = 0x1p-30 / q.w;
       EXPECT_NEAR(corner.w, q.w, 0x1p-30);
       EXPECT_NEAR(corner.z, q.z, 0x1p-30);

@@ -1,4 +1,4 @@
-// Rounding to the subpixel grid, held against rationals.
+// Rounding to the subpixel grid, compared with rationals.
 
 #include "rasterizer/internal/grid_position.h"
 
@@ -14,7 +14,7 @@
 namespace rastercheck::rasterizer::grid_position_test {
 namespace {
 
-/// A window position in spacings of the grid, as RULES §1 define it.
+/// A window position in units of the grid spacing, as RULES §1 define it.
 std::array<Rational, 2> position_in_units(const State& state, const glm::vec4& p) {
   const Viewport& viewport = state.viewport;
   const Rational w = p.w;
@@ -27,7 +27,7 @@ std::array<Rational, 2> position_in_units(const State& state, const glm::vec4& p
   return {Rational(x * points), Rational(y * points)};
 }
 
-/// The nearest whole number, of two the one that the rounding names.
+/// The nearest integer; of two that are equally near, the one that the rounding names.
 mpz_class nearest(const Rational& value, Rounding rounding) {
   mpz_class below;
   mpz_fdiv_q(below.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
@@ -54,7 +54,7 @@ void expect_exact(const State& state, const glm::vec4& p, int& within) {
   ++within;
   const auto at = position_in_units(state, p);
   const GridPoint point = snapped(grid, p);
-  // Units of 2^-4 pixels at the most.
+  // A unit is at most 2^-4 pixels.
   const int units = 1 << std::max(4 - state.snapping->subpixel_bits, 0);
   const Rounding rounding = state.snapping->rounding;
   EXPECT_EQ(mpz_class(point.x), nearest(at[0], rounding) * units) << p.x << " " << p.w;
@@ -95,8 +95,8 @@ TEST(GridPosition, IsTheNearestGridPoint) {
   EXPECT_GT(within, 20'000);
 }
 
-// Kills: rounding a quotient in double; rounding halves up where they go to the even point, or away
-// from zero.
+// Kills: a quotient rounded in double; halves rounded up where they go to the even point, or
+// rounded away from zero.
 TEST(GridPosition, HalvesGoWhereTheRoundingSaysAndNeighboursOfHalvesDoNot) {
   Random random(2);
   int within = 0;
@@ -106,7 +106,8 @@ TEST(GridPosition, HalvesGoWhereTheRoundingSaysAndNeighboursOfHalvesDoNot) {
     state.snapping =
         Snapping{random.between(0, 10), random.pick({Rounding::nearest_even, Rounding::half_up})};
     if (random.one_in(2)) state.viewport.origin.x = -32;
-    // (n + 1/2) units, times a w of few bits, so that the float is exact or nearly so.
+    // u is n + 1/2 grid spacings, and x is multiplied by a w of few bits, so that the float is
+    // exact or nearly so.
     const auto units = static_cast<double>(1 << state.snapping->subpixel_bits);
     const double u = (random.between(0, static_cast<int>(64 * units)) + 0.5) / units;
     const auto w = static_cast<float>(random.between(1, 63));
@@ -120,7 +121,7 @@ TEST(GridPosition, HalvesGoWhereTheRoundingSaysAndNeighboursOfHalvesDoNot) {
   EXPECT_GT(ties, 1'000);
 }
 
-// Kills: a guard band that is compared in double.
+// Kills: a comparison with the guard band in double.
 TEST(GridPosition, TheGuardBandIsExact) {
   int within = 0;
   for (const float w : {1.0F, 3.0F, 0x1.fffffep-60F, 0x1p-140F}) {

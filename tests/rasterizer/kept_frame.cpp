@@ -20,7 +20,7 @@ std::vector<std::uint32_t> bits_of(std::span<const float> values) {
   return bits;
 }
 
-/// Signalling NaNs made quiet, as they become in double.
+/// The picture with signalling NaNs made quiet, as a conversion to double makes them.
 Picture quieted(Picture framebuffer) {
   constexpr std::uint32_t kQuiet = 0x00400000;
   for (float& value : framebuffer.attributes) {
@@ -54,7 +54,7 @@ bool passes(DepthTest test, float depth, float old) {
 
 double held(double value) { return value > 0 ? std::min(value, 1.0) : 0; }
 
-/// What blending leaves of a channel, before it is rounded.
+/// A channel's value after blending, before it is rounded.
 double blended(Blend blend, std::size_t channel, double alpha, double color, double old) {
   if (blend == Blend::off) return color;
   if (blend == Blend::additive) return color + old;
@@ -73,7 +73,7 @@ void put(const State& state, std::span<const float> color, std::size_t place,
       const double value = blended(state.blend, k, alpha, 255 * incoming(k), framebuffer.bytes[at]);
       framebuffer.bytes[at] = static_cast<std::uint8_t>(std::nearbyint(std::min(value, 255.0)));
     } else if (state.blend == Blend::off) {
-      framebuffer.attributes[at] = color[k];  // a NaN's bits as well
+      framebuffer.attributes[at] = color[k];  // also the bits of a NaN
     } else {
       framebuffer.attributes[at] = static_cast<float>(
           blended(state.blend, k, alpha, incoming(k), framebuffer.attributes[at]));
@@ -115,7 +115,7 @@ void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size, C
   const std::size_t attributes = state.attributes.size();
   ASSERT_FALSE(clear(cleared, size, attributes, 1));
   for (std::size_t i = 0; i < cleared.attributes.size(); ++i) {
-    cleared.attributes[i] = static_cast<float>(i);  // what is not drawn comes back
+    cleared.attributes[i] = static_cast<float>(i);  // kept where nothing is drawn
   }
   for (std::size_t i = 0; i < cleared.bytes.size(); ++i) {
     cleared.bytes[i] = static_cast<std::uint8_t>(i % 256);

@@ -1,20 +1,20 @@
 #pragma once
 
-// What a draw into a framebuffer is to leave there: of each sample what its fragments, in order,
-// leave.
+// The framebuffer that a draw must leave: each sample holds what its fragments leave there in
+// order.
 
 #include "rasterizer/rasterizer.h"
 
 namespace rastercheck::rasterizer {
 
-/// What the fragments of a draw leave, one by one.
+/// The framebuffer after a draw, computed from its fragments one by one.
 Picture kept(const State& state, const Mesh& mesh, Picture framebuffer);
 
-/// The same bits, signs of zeros and NaN included.
+/// Expects the same bits, including signs of zeros and NaNs.
 void expect_equal(const Picture& a, const Picture& b);
 
-/// Draws on one to three threads, as attributes and as what a shader makes of them, the same; all
-/// give what the fragments leave.
+/// Draws on one to three threads, and once with a shader that outputs the attributes. Expects each
+/// draw to leave what the fragments leave.
 void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size,
                  ColorFormat format = ColorFormat::float32);
 

@@ -5,7 +5,8 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// A number of clip space that puts corners on a grid of the window, wherever that is dyadic.
+/// A clip-space number that puts a corner on a dyadic grid of the window, if the viewport is
+/// dyadic.
 float on_grid(Random& random) { return static_cast<float>(random.between(-20, 20)) / 8; }
 
 glm::vec4 random_corner(Random& random, int kind) {
@@ -16,13 +17,13 @@ glm::vec4 random_corner(Random& random, int kind) {
       return {on_grid(random) * w, on_grid(random) * w, z * w, w};
     case 1:  // ordinary
       return {random.real(-2, 1), random.real(-2, 1), z, std::abs(random.real(-2, 2)) + 0.125F};
-    case 2:  // w of any sign, 0 included
+    case 2:  // w of any sign, or 0
       return {random.real(-2, 1), random.real(-2, 1), z, random.real(-3, 2)};
-    case 3:  // a grid, and w of any sign
+    case 3:  // on a grid, with w of any sign
       return {on_grid(random), on_grid(random), z, static_cast<float>(random.between(-2, 2))};
     case 4:  // any size
       return {random.any_real(), random.any_real(), random.any_real(), random.any_real()};
-    case 5:  // any size of three numbers, w in front
+    case 5:  // x and y of any size, in front of the eye
       return {random.any_real(), random.any_real(), z, 1};
     case 6:  // far beyond the window
       return {random.real(0, 120), random.real(0, 120), z, 1};
@@ -36,7 +37,7 @@ glm::vec4 scaled(const glm::vec4& p, float factor) {
   return {p.x * factor, p.y * factor, p.z * factor, p.w * factor};
 }
 
-/// Moves corners towards special positions: one line, the middle of the window, each other.
+/// Puts the corners into a special position, scales them, or leaves them as they are.
 void disturb(Random& random, std::array<glm::vec4, 3>& p) {
   switch (random.between(0, 7)) {
     case 0: {  // nearly, or exactly, on a line with the others
@@ -50,14 +51,14 @@ void disturb(Random& random, std::array<glm::vec4, 3>& p) {
       p[1].y = -p[0].y;
       p[1].w = p[0].w;
       break;
-    case 2:  // one size for the three of them, as with a far plane
+    case 2:  // one w for all three, as on a plane at one distance
       p[1].w = p[0].w;
       p[2].w = p[0].w;
       break;
-    case 3:  // one depth z/w
+    case 3:  // one depth z/w for all three
       for (glm::vec4& q : p) q.z = q.w / 4;
       break;
-    case 4:  // the same picture from other numbers
+    case 4:  // the same window positions from other numbers
       for (glm::vec4& q : p) q = scaled(q, std::ldexp(1.0F, random.between(-120, 30)));
       break;
     case 5:
@@ -107,7 +108,7 @@ Viewport random_viewport(Random& random, ViewportKind kind, const TargetSize& si
     viewport.min_depth = random.pick({0.0F, 1.0F, 0.25F, 0x1p-140F});
     viewport.max_depth = random.pick({0.0F, 1.0F, 0.75F, 0.1F});
   }
-  // Each axis for itself, so that odd and plain ones meet.
+  // Each axis is chosen separately, so that odd and plain axes occur together.
   for (int i = 0; i < 2; ++i) {
     float& origin = viewport.origin[i];
     float& extent = viewport.size[i];

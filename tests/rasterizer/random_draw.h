@@ -16,13 +16,13 @@ struct RandomDraw {
 
 enum class ViewportKind { plain, on_a_grid, tenths, subnormal, narrow, enormous, mirrored, any };
 
-/// A viewport that shares something with a target of this size, most of the time.
+/// A viewport that usually overlaps a target of this size.
 Viewport random_viewport(Random& random, ViewportKind kind, const TargetSize& size);
 
-/// A triangle with three attributes and the state's clip distances.
+/// A triangle with values for the state's attributes and clip distances.
 SmallMesh random_mesh(Random& random, const State& state);
 
-/// All of a draw.
+/// A complete draw: target size, state and mesh.
 RandomDraw random_draw(Random& random);
 
 }  // namespace rastercheck::rasterizer

@@ -20,8 +20,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr TargetSize kFour{4, 4, 1};
 
-/// Two attributes and one clip distance per vertex, so that every argument has something to be
-/// wrong.
+/// Two attributes and one clip distance per vertex, so that every argument can be made wrong.
 struct Arguments {
   State state = small_state(4, 4);
   SmallMesh mesh;
@@ -35,7 +34,7 @@ struct Arguments {
     mesh.clip_distances = {1, 1, 1};
   }
 
-  /// The error of draw_fragments, which must be that of draw, and must not draw.
+  /// The error of draw_fragments. If there is one, expects that nothing was drawn.
   std::optional<Error> error() const {
     Fragments fragments = before();
     const DrawResult result = draw_fragments(state, mesh.mesh(), size, fragments);
@@ -148,7 +147,7 @@ TEST(DrawFragments, ArraysThatDoNotFitTheVerticesAreAnError) {
   }
 }
 
-// Kills: the indices checked as the triangles are drawn.
+// Kills: indices that are checked only while triangles are drawn.
 TEST(DrawFragments, AnIndexBeyondThePositionsIsAnErrorBeforeAnythingIsDrawn) {
   for (int corner = 0; corner < 3; ++corner) {
     Arguments arguments;
@@ -240,8 +239,9 @@ TEST(DrawFragments, DegenerateTrianglesAreCounted) {
   EXPECT_EQ(counts_of(a, b, {0, 1, 0, 1}, flat), degenerate) << "a viewport without height";
 }
 
-// Kills: the determinant in double alone. The third column is the sum of the others, or beside it;
-// the products have up to 69 bits. Scaled to the ends of the range of float, the answers stay.
+// Kills: a determinant in double alone. The third column is the sum of the other two, or next to
+// that sum, and the products have up to 69 bits. Scaling to the ends of float's range does not
+// change the answers.
 TEST(DrawFragments, DegenerateIsDecidedExactly) {
   std::mt19937 random(20260802);
   const auto odd = [&random] { return static_cast<float>(random() % (1U << 23) | 1U); };
@@ -275,7 +275,7 @@ TEST(DrawFragments, DrawNothingOutsideTheScissor) {
   EXPECT_EQ(fragments_of(state, rectangle(state, {0, 0}, {4, 4}), kFour).size(), 0U);
 }
 
-/// A triangle that covers the viewport and much around it.
+/// A triangle that covers the viewport and a large area around it.
 SmallMesh large_triangle(float extent) {
   return {{{-extent, -extent, 0, 1}, {3 * extent, -extent, 0, 1}, {-extent, 3 * extent, 0, 1}},
           {},
@@ -308,7 +308,7 @@ TEST(DrawFragments, TheViewportsBorderCountsForEachSample) {
   State state = small_state(4, 4);
   state.viewport.origin = {0.5F, 0};
   state.viewport.size = {1, 1};
-  // x of the samples in 1/16: 6, 14, 2, 10; the viewport is 8 <= x < 24.
+  // The samples' x in sixteenths are 6, 14, 2, 10; the viewport is 8 <= x < 24.
   EXPECT_EQ(picture(state, large_triangle(4), {2, 1, 4}), (Rows{".#.##.#."}));
 }
 
@@ -426,7 +426,7 @@ TEST(Draw, TheNearestFragmentStays) {
   EXPECT_EQ(nearer.drawn(), (Picture::Values{1, 2, 2, 2}));
 }
 
-// Kills: less or equal.
+// Kills: less_or_equal used for less.
 TEST(Draw, OfEqualDepthsTheFirstStays) {
   Overlap equal(DepthTest::less, 0.5F);
   EXPECT_EQ(equal.drawn(), (Picture::Values{1, 1, 1, 2}));
@@ -505,7 +505,7 @@ TEST(Draw, ErrorsLeaveTheFramebuffer) {
   EXPECT_EQ(error_of(samples), Error::sample_count);
 }
 
-// Kills: writing beyond arrays that are smaller than the size beside them.
+// Kills: writing beyond arrays that are smaller than the framebuffer's size requires.
 TEST(Draw, AFramebufferWhoseArraysAreNotOfItsSizeIsAnError) {
   Overlap depth(DepthTest::less, 0.75F);
   depth.framebuffer.depth.pop_back();

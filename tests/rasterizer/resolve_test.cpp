@@ -26,7 +26,7 @@ TEST(Resolve, TakesTheMeanOfFloatsAndTheFirstDepth) {
   EXPECT_EQ(into.size.samples, 1);
   EXPECT_EQ(into.size.width, 2);
   EXPECT_EQ(into.depth, (Picture::Values{0.25F, 0.75F}));
-  // (2^24 + 1) / 2 is a float; the sum is not, and is not rounded.
+  // The sum 2^24 + 1 is not a float, and must not be rounded; half of it is a float.
   EXPECT_EQ(into.attributes, (Picture::Values{1.5F, 20, 0x1p23F + 0.5F, -1}));
 }
 

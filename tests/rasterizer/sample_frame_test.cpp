@@ -11,7 +11,7 @@ SampleFrame frame_of(const State& state, const TargetSize& size) {
   return sample_frame(state, draw_bounds(state, size), size.samples);
 }
 
-/// The same viewport on both axes of a target as wide as can be.
+/// The frame of the largest target, with the same viewport on both axes.
 SampleFrame square_frame(float origin, float extent, int samples = 1) {
   State state;
   state.viewport.origin = {origin, origin};
@@ -38,7 +38,8 @@ void expect_axis(const AxisFrame& axis, double position, const Rational& exact) 
   EXPECT_EQ(sum, exact);
 }
 
-// Kills: an error too small, a grain too coarse, a sign of a negative size forgotten.
+// Kills: an error bound that is too small; a grain that is too coarse; an ignored sign of a
+// negative size.
 TEST(SampleFrame, IsAsExactAsItSays) {
   Random random(30);
   for (int i = 0; i < 4'000 && !HasFailure(); ++i) {
@@ -53,7 +54,7 @@ TEST(SampleFrame, IsAsExactAsItSays) {
   }
 }
 
-// Numbers at the ends of what a float holds, against each other.
+// Viewports that combine numbers from the ends of float's range.
 TEST(SampleFrame, HoldsAtTheEndsOfTheFloats) {
   constexpr float kLeast = 0x1p-149F;
   constexpr float kMost = 0x1.fffffep127F;
@@ -74,7 +75,7 @@ TEST(SampleFrame, HoldsAtTheEndsOfTheFloats) {
   }
 }
 
-// What makes drawing on a grid fast: a frame that is never exact would be right and slow.
+// Exact frames make drawing on a grid fast. A frame that is never exact would be correct but slow.
 TEST(SampleFrame, IsExactOnGridsOf256) {
   EXPECT_TRUE(square_frame(0, kMaxSize).u.is_exact);
   EXPECT_TRUE(square_frame(0, kMaxSize, 16).v.is_exact);
@@ -86,7 +87,8 @@ TEST(SampleFrame, IsExactOnGridsOf256) {
   EXPECT_FALSE(square_frame(-32'769, 640).v.is_exact);
 }
 
-// U scales by the height: an odd one rounds U though all numbers along u are plain.
+// U is scaled by the height, so a height with many bits, such as 4.1F, makes U inexact although all
+// numbers along u are short.
 TEST(SampleFrame, IsNotExactWhereTheOtherSizeIsOdd) {
   State state = small_state(4, 4);
   state.viewport.size.y = 4.1F;
@@ -96,7 +98,8 @@ TEST(SampleFrame, IsNotExactWhereTheOtherSizeIsOdd) {
 }
 
 TEST(SampleFrame, GrainTellsCentresFromSamples) {
-  // 2 at − 8 is odd at the centres of 8 pixels, a multiple of 1/8 at other samples; times 8.
+  // In a viewport of 8 pixels, 2 x − 8 is an odd integer at the centres of pixels, and a multiple
+  // of 1/8 at other samples. U is that times 8.
   EXPECT_EQ(square_frame(0, 8).u.grain, 3);
   EXPECT_EQ(square_frame(0, 8, 4).u.grain, 0);
   EXPECT_EQ(square_frame(0, 0.25F).u.grain, -4);

@@ -1,5 +1,5 @@
-// Draws into framebuffers by all depth functions, blends and formats, and by shaders: each sample
-// is what its fragments, in order, leave there.
+// Draws into framebuffers with all depth functions, blends and formats, and with shaders. Each
+// sample must be what its fragments, in order, leave there.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 namespace rastercheck::rasterizer::shaded_frame_test {
 namespace {
 
-/// Any depth function, blend and write mask.
+/// Sets any depth function, depth write and blend.
 void set_output(Random& random, State& state) {
   state.depth_test = random.pick({DepthTest::always, DepthTest::never, DepthTest::less,
                                   DepthTest::equal, DepthTest::less_or_equal, DepthTest::greater,
@@ -31,12 +31,12 @@ void set_output(Random& random, State& state) {
   if (state.blend == Blend::over && state.attributes.size() != 4) state.blend = Blend::additive;
 }
 
-/// A multiple of 1/256 between whole numbers.
+/// A multiple of 1/256 from `low` to `high`.
 float between(Random& random, int low, int high) {
   return static_cast<float>(random.between(256 * low, 256 * high)) / 256;
 }
 
-/// Triangles whose depths often are the same, with values in and around [0, 1].
+/// Triangles whose depths are often equal, with values in and around [0, 1].
 SmallMesh flat_triangles(Random& random, const State& state, int count) {
   SmallMesh mesh;
   int extent = 0;
@@ -44,7 +44,7 @@ SmallMesh flat_triangles(Random& random, const State& state, int count) {
   for (int i = 0; i < 3 * count; ++i) {
     const float depth = random.pick({0.25F, 0.5F, 0.5F, 0.75F});
     if (i % 3 == 0) {
-      // Small ones as well, some of them over tiles' corners, or with corners at samples.
+      // Some triangles are small, some lie over a tile's corner, and some have corners at samples.
       extent = random.pick({180, 180, 9, 3});
       corner = {between(random, -5, 130), between(random, -5, 130)};
       if (random.one_in(3)) corner = {60, 61};
@@ -67,8 +67,9 @@ SmallMesh flat_triangles(Random& random, const State& state, int count) {
 class ShadeOnTarget : public testing::TestWithParam<std::int64_t> {};
 INSTANTIATE_TEST_SUITE_P(AllTargets, ShadeOnTarget, testing::ValuesIn(all_targets()), target_name);
 
-// Kills: a depth function taken for another; a colour blended in another order, with another alpha,
-// or rounded once for several; a cell's helpers drawn; cells that overlap at a tile's right border.
+// Kills: a depth function confused with another; colours blended in another order, with another
+// alpha, or rounded once for several; drawn helpers of a cell; cells that overlap at a tile's right
+// border.
 TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveByEveryFunction) {
   const OnTarget on_target(GetParam());
   Random random(11);
@@ -88,7 +89,8 @@ TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveByEveryFunction) {
   }
 }
 
-// Kills: lanes that are not evaluated as fragments are; rows left to them and drawn twice.
+// Kills: lanes that are not evaluated like fragments; rows that are left to the lanes and yet drawn
+// twice.
 TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveOfAnyDraw) {
   const OnTarget on_target(GetParam());
   Random random(12);
@@ -101,7 +103,8 @@ TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveOfAnyDraw) {
   }
 }
 
-// Kills: values of planes where a sample is at a vertex of a small triangle, whose values are its.
+// Kills: the value of a plane at a sample that lies at a vertex of a small triangle, and must have
+// the vertex's values.
 TEST_P(ShadeOnTarget, SamplesAtCornersHaveTheValuesOfVertices) {
   const OnTarget on_target(GetParam());
   Random random(15);
@@ -122,7 +125,7 @@ TEST_P(ShadeOnTarget, SamplesAtCornersHaveTheValuesOfVertices) {
   expect_kept(state, mesh.mesh(), {64, 64, 1});
 }
 
-/// Colours at and next to where rounding to bytes goes one way or the other.
+/// A colour at or next to a point where the rounding to bytes changes.
 float hard_color(Random& random) {
   const auto byte = static_cast<float>(random.between(0, 255));
   const float middle = (byte + 0.5F) / 255;
@@ -134,8 +137,8 @@ float hard_color(Random& random) {
                       std::numeric_limits<float>::denorm_min()});
 }
 
-// Kills: bytes rounded twice, or halves up; sums of bytes that are not held to 255; float32 trusted
-// where it does not tell two bytes apart.
+// Kills: bytes rounded twice; halves rounded up; sums of bytes that are not clamped to 255; float32
+// used where it cannot tell two bytes apart.
 TEST_P(ShadeOnTarget, RoundsHardColorsToTheNearestByte) {
   const OnTarget on_target(GetParam());
   Random random(13);
@@ -145,7 +148,7 @@ TEST_P(ShadeOnTarget, RoundsHardColorsToTheNearestByte) {
     state.depth_test = DepthTest::always;
     state.attributes.resize(4, {Interpolation::flat});
     for (int i = 0; i < 150; ++i) {
-      SmallMesh mesh = flat_triangles(random, state, random.between(1, 8));  // more are all 255
+      SmallMesh mesh = flat_triangles(random, state, random.between(1, 8));  // more: all 255
       for (float& value : mesh.attributes) value = hard_color(random);
       expect_kept(state, mesh.mesh(), {64, 64, 1}, ColorFormat::rgba8);
       if (HasFatalFailure()) return;
@@ -153,7 +156,7 @@ TEST_P(ShadeOnTarget, RoundsHardColorsToTheNearestByte) {
   }
 }
 
-/// Says nothing of whether it discards.
+/// A shader that does not say whether it discards.
 struct SilentShader {
   TexturedShader shader;
   std::size_t outputs() const { return shader.outputs(); }
@@ -161,8 +164,8 @@ struct SilentShader {
   void operator()(const FragmentBatch& in, ShadedBatch& out) const { shader(in, out); }
 };
 
-// Kills: of several triangles at a sample another shaded than the one seen; marks of one sample, or
-// one tile, taken for another's; derivatives of another triangle.
+// Kills: a shaded triangle that is not the visible one at a sample; marks of one sample or tile
+// used for another; derivatives of another triangle.
 TEST_P(ShadeOnTarget, ShadingOnlyWhatIsSeenChangesNothing) {
   const OnTarget on_target(GetParam());
   Random random(14);
@@ -191,7 +194,7 @@ TEST_P(ShadeOnTarget, ShadingOnlyWhatIsSeenChangesNothing) {
   }
 }
 
-/// Discards everything, though it says that it never does.
+/// A shader that discards everything, and says that it discards only if `says_so`.
 struct WrongShader {
   bool says_so = false;
   std::size_t outputs() const { return 1; }
@@ -218,7 +221,7 @@ TEST(Shade, DiscardingByAShaderThatDoesNotHasNoEffect) {
   }
 }
 
-/// Keeps the lanes whose first value is at least `least`, and paints where they are.
+/// Keeps the lanes whose first value is at least `least`, and paints their positions.
 struct PlacePainter {
   double least = 0;
   std::size_t outputs() const { return 2; }
@@ -251,7 +254,7 @@ TEST(Shade, DiscardsAndSaysWhereLanesAre) {
   }
 }
 
-/// The differences within quads and the derivatives, both along x.
+/// Paints the differences within quads and the derivatives, both along x.
 struct SlopePainter {
   std::size_t outputs() const { return 2; }
   bool uses_derivatives() const { return true; }
@@ -264,7 +267,8 @@ struct SlopePainter {
   }
 };
 
-// Of a plane both are the same all over it, helpers beyond its edges included.
+// For a plane, differences and derivatives are equal everywhere, also where helpers lie beyond the
+// triangle's edges.
 TEST(Shade, QuadsHaveTheValuesOfHelpers) {
   State state = small_state(64, 64);
   state.attributes = {{Interpolation::noperspective}};
@@ -283,7 +287,7 @@ TEST(Shade, QuadsHaveTheValuesOfHelpers) {
   EXPECT_GT(drawn, 1000U);
 }
 
-/// ⌊8 r⌋ by exact arithmetic, and by double alone.
+/// Paints ⌊8 r⌋ by exact arithmetic and by double alone.
 struct FloorPainter {
   std::size_t outputs() const { return 2; }
   void operator()(const FragmentBatch& in, ShadedBatch& out) const {
@@ -299,7 +303,7 @@ struct FloorPainter {
   }
 };
 
-// r = k / 64 at column k, of triangles whose weights no double holds.
+// Triangles with r = k / 64 at column k, whose weights double cannot hold.
 TEST(Shade, FloorsAreExact) {
   State state = small_state(64, 64);
   state.attributes = {{Interpolation::noperspective}};
@@ -324,10 +328,10 @@ TEST(Shade, FloorsAreExact) {
       if (framebuffer.attributes[2 * place] != framebuffer.attributes[2 * place + 1]) ++differ;
     }
   }
-  EXPECT_GT(differ, 0U);  // or there would be nothing to show
+  EXPECT_GT(differ, 0U);  // otherwise the test shows nothing
 }
 
-/// The column of a texture's texel, 0 or 1, that is nearest, by exact arithmetic and by double.
+/// Paints the column, 0 or 1, of the nearest texel: as sampled, by exact arithmetic and by double.
 struct ColumnPainter {
   const Texture* texture = nullptr;
 
@@ -344,8 +348,8 @@ struct ColumnPainter {
   }
 };
 
-/// A triangle six units high about a clip y, with values that are 0 there and 3/8 more with every
-/// unit, by weights that no double holds.
+/// A triangle up to six units high about a clip y. Its values are 0 at y and 3/8 more with every
+/// unit; double cannot hold its weights.
 SmallMesh flat_triangle(Random& random, float y, float unit) {
   SmallMesh mesh;
   for (const int side : {-1, 0, 1}) {
@@ -359,7 +363,8 @@ SmallMesh flat_triangle(Random& random, float y, float unit) {
   return mesh;
 }
 
-/// Draws such triangles whose covered samples are evaluated far beyond them, on borders of texels.
+/// Draws these triangles, whose values are evaluated far beyond the triangles, on borders of
+/// texels, and expects the exact columns.
 void expect_exact_columns(const State& state, float y, float unit, int samples) {
   const std::array<std::uint8_t, 8> texels{0, 0, 0, 255, 255, 0, 0, 255};
   Texture texture;
@@ -382,18 +387,20 @@ void expect_exact_columns(const State& state, float y, float unit, int samples) 
     }
   }
   EXPECT_GT(drawn, 100U);
-  EXPECT_GT(differ, 0U);  // or there would be nothing to show
+  EXPECT_GT(differ, 0U);  // otherwise the test shows nothing
 }
 
-// About a row of samples, 3/8 of a pixel beside the centres: values there are 2^23 times those of
-// vertices, and so are their errors. Kills: errors of a share of the vertices' values alone.
+// The triangles lie about a row of samples, 3/8 of a pixel from the centres. The values at the
+// centres are 2^23 times those of the vertices, and so are their errors. Kills: an error estimated
+// only as a share of the vertices' values.
 TEST(Shade, TexelsAtCentersBeyondTheTriangleAreExact) {
   State state = small_state(64, 64);
   state.attributes = {{Interpolation::noperspective, Location::center}};
   expect_exact_columns(state, 0x1p-8F, 0x1p-31F, 4);
 }
 
-// Between two rows of a grid of 1/16 pixel, the centres on one of them: 2^21 times.
+// The triangles lie between two rows of a grid of 1/16 pixel, with the centres on one of these
+// rows. The values there are 2^21 times those of the vertices.
 TEST(Shade, TexelsBeyondTheTriangleThatIsSnappedAreExact) {
   State state = small_state(64, 64);
   state.attributes = {{Interpolation::noperspective}};

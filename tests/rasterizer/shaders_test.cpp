@@ -15,7 +15,7 @@ class Shaders : public testing::TestWithParam<std::int64_t> {};
 INSTANTIATE_TEST_SUITE_P(AllTargets, Shaders, testing::ValuesIn(all_targets()), target_name);
 
 // Kills: attributes in another order; lanes left out; rounding towards zero; numbers beyond float32
-// that are held to its greatest.
+// that are clamped to its greatest.
 TEST_P(Shaders, AttributesAreRoundedOnce) {
   const OnTarget on_target(GetParam());
   KnownBatch known(3);
@@ -47,7 +47,7 @@ TEST_P(Shaders, AttributesAreRoundedOnce) {
   EXPECT_TRUE(std::signbit(out(0, 8)));
 }
 
-// Kills: an alpha left as it was; a fourth attribute ignored; a fifth taken.
+// Kills: an alpha that is not set; a fourth attribute that is ignored; a fifth that is used.
 TEST_P(Shaders, GouraudIsOpaqueWithThreeAttributes) {
   const OnTarget on_target(GetParam());
   for (const std::size_t count : {3U, 4U, 5U}) {
@@ -69,7 +69,8 @@ TEST_P(Shaders, GouraudIsOpaqueWithThreeAttributes) {
   }
 }
 
-// Kills: a limit that is itself discarded; lanes of another cell; what was discarded before drawn.
+// Kills: a value at the limit that is discarded; lanes of another cell; lanes that were discarded
+// before but are drawn.
 TEST_P(Shaders, WhatIsTransparentIsDiscarded) {
   const OnTarget on_target(GetParam());
   const std::array<std::uint8_t, 16> bytes{10, 20, 30, 0,   40, 50, 60, 127,

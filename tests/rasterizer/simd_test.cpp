@@ -1,4 +1,4 @@
-// The choice of vectors is made, undone, and left alone where there is none to make.
+// The choice of a SIMD target is made, undone, and left alone if there is no such target.
 
 #include "rasterizer/simd.h"
 
@@ -23,7 +23,7 @@ std::vector<std::string> supported() {
   return names;
 }
 
-/// The place of the target in use, in the kernels' tables.
+/// The index of the target in use in the kernels' tables.
 std::size_t index_in_use() { return hwy::GetChosenTarget().GetIndex(); }
 
 TEST(Simd, TargetsThatAreSupportedAreThoseOfTheKernels) {
@@ -57,7 +57,7 @@ TEST(Simd, NothingChangesForWhatThereIsNot) {
   const std::size_t best = index_in_use();
   for (const char* name : {"", "mmx", "SSE4", "unknown"}) {
     const OnSimdTarget on(name);
-    const OnSimdTarget again(name);  // and nothing to wait for
+    const OnSimdTarget again(name);  // must not wait for the first
     EXPECT_EQ(index_in_use(), best) << name;
   }
 }

@@ -18,7 +18,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// A mesh with its memory.
+/// A mesh that owns its data.
 struct SmallMesh {
   std::vector<glm::vec4> positions;
   std::vector<float> attributes;
@@ -38,8 +38,8 @@ inline State small_state(int width, int height, Convention convention = Conventi
   return state;
 }
 
-/// The clip position that small_state's viewport takes to the window position (u, v), depth z/w and
-/// w. Exact for dyadic numbers of few digits where width and height are powers of two.
+/// The clip position with this w and depth z/w that small_state's viewport maps to the window
+/// position (u, v). Exact for dyadic numbers of few digits if width and height are powers of two.
 inline glm::vec4 at(const State& state, float u, float v, float w = 1, float depth = 0) {
   const glm::vec2 size = state.viewport.size;
   const float y = 2 * v / size.y - 1;
@@ -47,7 +47,7 @@ inline glm::vec4 at(const State& state, float u, float v, float w = 1, float dep
           w};
 }
 
-/// One triangle with these window positions, w = 1.
+/// One triangle with these window positions and w = 1.
 inline SmallMesh triangle(const State& state, glm::vec2 a, glm::vec2 b, glm::vec2 c) {
   SmallMesh mesh;
   mesh.positions = {at(state, a.x, a.y), at(state, b.x, b.y), at(state, c.x, c.y)};
@@ -55,8 +55,8 @@ inline SmallMesh triangle(const State& state, glm::vec2 a, glm::vec2 b, glm::vec
   return mesh;
 }
 
-/// The rectangle with window corners `low` and `high` as two triangles, split from low to high or
-/// across.
+/// The rectangle with window corners `low` and `high` as two triangles, split along the diagonal
+/// from `low` to `high` or, if `across`, along the other one.
 inline SmallMesh rectangle(const State& state, glm::vec2 low, glm::vec2 high, bool across = false) {
   SmallMesh mesh;
   mesh.positions = {at(state, low.x, low.y), at(state, high.x, low.y), at(state, high.x, high.y),
@@ -75,7 +75,7 @@ inline Fragments fragments_of(const State& state, const SmallMesh& mesh, const T
   return fragments;
 }
 
-/// How often each sample was drawn: [y][x][sample].
+/// The number of times that each sample was drawn, [y][x][sample].
 inline std::vector<int> times_drawn(const Fragments& fragments, const TargetSize& size) {
   const auto width = static_cast<std::size_t>(size.width);
   const auto samples = static_cast<std::size_t>(size.samples);
@@ -88,8 +88,8 @@ inline std::vector<int> times_drawn(const Fragments& fragments, const TargetSize
 
 using Rows = std::vector<std::string>;
 
-/// One string for each row, y = 0 first; one letter for each sample: '.' not drawn, '#' once, else
-/// how often.
+/// One string for each row, y = 0 first, with one letter for each sample: '.' if it was not drawn,
+/// '#' if it was drawn once, otherwise the number of times.
 inline Rows picture(const Fragments& fragments, const TargetSize& size) {
   const std::vector<int> times = times_drawn(fragments, size);
   const auto row_length =
@@ -106,7 +106,7 @@ inline Rows picture(const State& state, const SmallMesh& mesh, const TargetSize&
   return picture(fragments_of(state, mesh, size), size);
 }
 
-/// The value of the first attribute at a sample; NaN where it was not drawn.
+/// The value of the first attribute at a sample; NaN if it was not drawn.
 inline float value_at(const Fragments& fragments, int x, int y, int sample = 0) {
   const std::size_t stride = fragments.attributes.size() / fragments.size();
   for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -117,8 +117,8 @@ inline float value_at(const Fragments& fragments, int x, int y, int sample = 0) 
   return NAN;
 }
 
-/// Holds the first attribute of every fragment against a function of its pixel's centre, to half a
-/// unit of float32 and a little.
+/// Compares the first attribute of every fragment with a function of its pixel's centre, to
+/// slightly more than half a unit of float32.
 inline void expect_values(const Fragments& fragments,
                           const std::function<double(double, double)>& exact) {
   ASSERT_GT(fragments.size(), 0U);
@@ -129,8 +129,8 @@ inline void expect_values(const Fragments& fragments,
   }
 }
 
-/// A rectangle over a target of 4 x 4 whose depth z/w is `slope` times the distance from v = 1.5
-/// or, if not `along_v`, from u = 1.5.
+/// A rectangle over a target of 4 x 4 whose depth z/w is `level` plus `slope` times v − 1.5 or, if
+/// not `along_v`, u − 1.5.
 inline SmallMesh sloping(const State& state, bool along_v, float slope, float level) {
   SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
   const glm::vec2 corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};

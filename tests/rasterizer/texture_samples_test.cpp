@@ -1,5 +1,5 @@
-// Samples of textures (rasterizer/texture.h), held against exact rationals. On one target, as all
-// have the same bits, which the last test sees to.
+// Samples of textures (rasterizer/texture.h), compared with exact rationals. Most tests use only
+// one SIMD target, since the last test checks that all targets give the same bits.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A whole number modulo another, not negative.
+/// k modulo `period`, never negative.
 int modulo(const mpz_class& k, int period) {
   mpz_class rest;
   mpz_fdiv_r_ui(rest.get_mpz_t(), k.get_mpz_t(), static_cast<unsigned long>(period));
@@ -34,7 +34,7 @@ int texel_of(const mpz_class& k, int size, Wrap wrap) {
   return m < size ? m : 2 * size - 1 - m;
 }
 
-/// A coordinate of some kind: in the texture, near a border of texels, far away.
+/// A random coordinate: on a border or near the centre of a texel, in the texture, or far away.
 double random_coordinate(Random& random, int size) {
   const double whole = random.between(-3 * size, 4 * size);
   switch (random.between(0, 4)) {
@@ -55,13 +55,13 @@ constexpr std::array<Wrap, 3> kWraps{Wrap::repeat, Wrap::clamp, Wrap::mirror};
 constexpr std::array<std::array<int, 2>, 8> kSizes{
     {{8, 8}, {7, 5}, {1, 1}, {16384, 1}, {1, 300}, {64, 3}, {2, 2}, {33, 31}}};
 
-/// What a lane's coordinate may be off by.
+/// The greatest error that a lane's coordinate may have.
 Rational error_of(const KnownBatch& known, std::size_t i, std::size_t lane) {
   const double own = FragmentBatch::kErrorShare * std::abs(known.lines[i].value[lane]);
   return Rational(std::max(known.errors[i], own));
 }
 
-/// Coordinates off by up to that.
+/// Random coordinates with errors of up to error_of().
 KnownBatch random_coordinates(Random& random, const Texture& texture) {
   KnownBatch known(2);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -75,7 +75,7 @@ KnownBatch random_coordinates(Random& random, const Texture& texture) {
   return known;
 }
 
-// Kills: a margin too small; wraps of numbers near 2^53 that are rounded.
+// Kills: a margin that is too small; rounding where numbers near 2^53 are wrapped.
 TEST(Samples, AreOfTheExactTexelWhenNearest) {
   Random random(3);
   for (const auto& [width, height] : kSizes) {
@@ -89,7 +89,7 @@ TEST(Samples, AreOfTheExactTexelWhenNearest) {
       for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
         const mpz_class s = floor_of(known.exact[0][lane] * width);
         const mpz_class t = floor_of(known.exact[1][lane] * height);
-        // Exact arithmetic hands over a double.
+        // Exact arithmetic returns a double, which holds at most 53 bits.
         if (mpz_sizeinbase(s.get_mpz_t(), 2) > 53 || mpz_sizeinbase(t.get_mpz_t(), 2) > 53)
           continue;
         const int x = texel_of(s, width, sampler.wrap_s);
@@ -103,7 +103,7 @@ TEST(Samples, AreOfTheExactTexelWhenNearest) {
   }
 }
 
-/// What a coordinate is wrapped to (texture.h).
+/// The wrapped coordinate (texture.h).
 Rational wrapped(const Rational& s, Wrap wrap) {
   if (wrap == Wrap::repeat) return s - floor_of(s);
   if (wrap == Wrap::clamp) return s < 0 ? Rational(0) : s > 1 ? Rational(1) : s;
@@ -111,7 +111,7 @@ Rational wrapped(const Rational& s, Wrap wrap) {
   return m < 1 ? m : 2 - m;
 }
 
-/// Neighbours along an axis, and where between.
+/// The two neighbouring texels along an axis, and the position between them.
 struct Along {
   std::array<int, 2> texels;
   Rational fraction;
@@ -153,14 +153,15 @@ void expect_within(const ShadedLanes& out, std::size_t lane, const Colors& expec
   }
 }
 
-/// How far bilinear and trilinear colours may be off (texture.h).
+/// The greatest error that bilinear and trilinear colours may have (texture.h).
 Rational bound(const Texture& texture, const KnownBatch& known, std::size_t lane, int units) {
   const Rational s = error_of(known, 0, lane) + power_of_two(-51);
   const Rational t = error_of(known, 1, lane) + power_of_two(-51);
   return texture.width() * s + texture.height() * t + units * power_of_two(-24);
 }
 
-// Kills: fractions rounded before the wrap; neighbours beyond an edge; centres at whole numbers.
+// Kills: fractions rounded before the wrap; neighbours beyond an edge; texel centres at whole
+// numbers.
 TEST(Samples, AreWithinTheirBoundWhenBilinear) {
   Random random(4);
   for (const auto& [width, height] : kSizes) {
@@ -182,7 +183,7 @@ TEST(Samples, AreWithinTheirBoundWhenBilinear) {
   }
 }
 
-/// λ, of the derivatives as they are.
+/// λ in long double, from the derivatives as they are given.
 Rational level_of_detail(const Texture& texture, const KnownBatch& known, std::size_t lane) {
   const auto length = [&](double s, double t) {
     return std::hypot(static_cast<long double>(s) * texture.width(),
@@ -210,7 +211,7 @@ Colors trilinear(const Texture& texture, const Sampler& sampler, const KnownBatc
   return colors;
 }
 
-/// Derivatives of all sizes, powers of two among them.
+/// Sets derivatives of all sizes, some of them powers of two.
 void randomize_slopes(Random& random, KnownBatch& known) {
   for (KnownBatch::Line& line : known.lines) {
     for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
@@ -220,8 +221,8 @@ void randomize_slopes(Random& random, KnownBatch& known) {
   }
 }
 
-// Kills: levels of the shorter axis, of one direction alone, the next ones; sizes of a level that
-// are another's; series cut short.
+// Kills: the level of the shorter axis, of one direction alone, or the next level; the size of
+// another level; a series that is cut short.
 TEST(Samples, AreWithinTheirBoundWhenTrilinear) {
   Random random(5);
   for (const auto& [width, height] : kSizes) {
@@ -248,7 +249,7 @@ bool is_covered(const KnownBatch& known, std::size_t lane) {
   return (covered >> lane % FragmentBatch::kCellLanes & 1) != 0;
 }
 
-/// Whether a lane is in a quad with a covered one.
+/// True if a lane's quad has a covered lane.
 bool is_in_seen_quad(const KnownBatch& known, std::size_t lane) {
   return is_covered(known, lane) || is_covered(known, lane ^ 1) || is_covered(known, lane ^ 8) ||
          is_covered(known, lane ^ 9);
@@ -263,8 +264,8 @@ void randomize_coverage(Random& random, KnownBatch& known) {
   }
 }
 
-// Kills: lanes of other quads taken for those that are wanted; texels beyond the last, which
-// AddressSanitizer sees on the plainest target.
+// Kills: other quads' lanes used instead of the wanted ones; reads beyond the last texel, which
+// AddressSanitizer sees on the simplest target.
 TEST(Samples, OfQuadsAreThoseOfAllLanes) {
   Random random(7);
   std::size_t unseen = 0;
@@ -299,7 +300,7 @@ TEST(Samples, OfQuadsAreThoseOfAllLanes) {
   EXPECT_GT(unseen, 1000U);
 }
 
-// Kills: products fused with sums on processors that can.
+// Kills: products fused with sums on processors that can fuse them.
 TEST(Samples, AreTheSameOnAllTargets) {
   Random random(6);
   for (const auto& [width, height] : kSizes) {

@@ -1,4 +1,4 @@
-// Textures (rasterizer/texture.h): levels; wraps and filters by hand.
+// Textures (rasterizer/texture.h): their levels, wraps and filters, checked by hand.
 
 #include "rasterizer/texture.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Red and green say where a texel is: its number modulo 256, and the rest.
+/// A texture with each texel's number, modulo 256 in red and divided by 256 in green.
 Texture numbered_texture(int width, int height) {
   std::vector<std::uint8_t> bytes;
   for (int i = 0; i < width * height; ++i) {
@@ -32,7 +32,7 @@ int number_at(const ShadedLanes& out, std::size_t lane) {
   return static_cast<int>(std::lround(out(0, lane) * 255) + 256 * std::lround(out(1, lane) * 255));
 }
 
-// Kills: sides, or numbers of bytes, that are let through; a texture lost with an error.
+// Kills: wrong sides or numbers of bytes that are accepted; a texture lost on an error.
 TEST(Texture, RefusesWhatIsNone) {
   Random random(1);
   const std::vector<std::uint8_t> bytes = random_bytes(random, 4, 2);
@@ -49,7 +49,7 @@ TEST(Texture, RefusesWhatIsNone) {
   EXPECT_EQ(byte_at(texture, 0, 3, 1, 2), bytes[4 * 7 + 2]);
 }
 
-// Kills: an exception; a texture that is half the old one.
+// Kills: an exception; a texture that is half old and half new.
 TEST(Texture, RunningOutOfMemoryLeavesTheOld) {
   if (!kCanRunOutOfMemory) GTEST_SKIP() << "ThreadSanitizer has operators of its own";
   Random random(1);
@@ -68,7 +68,7 @@ TEST(Texture, RunningOutOfMemoryLeavesTheOld) {
   EXPECT_EQ(texture.level_count(), 5U);
 }
 
-/// How much [first, first + length) and texel i have in common.
+/// The length that [first, first + length) and texel i have in common.
 Rational overlap(const Rational& first, const Rational& length, int i) {
   const Rational end = first + length;
   const Rational begin = first < i ? Rational(i) : first;
@@ -76,7 +76,7 @@ Rational overlap(const Rational& first, const Rational& length, int i) {
   return common > 0 ? common : Rational(0);
 }
 
-/// The mean of what a texel covers of the level before, rounded to the nearest, halves up.
+/// The mean of the part of the previous level that a texel covers, rounded to nearest, halves up.
 int mean_of(const Texture& texture, std::size_t level, int x, int y, std::size_t channel) {
   const int width = texture.width(level - 1);
   const int height = texture.height(level - 1);
@@ -92,8 +92,8 @@ int mean_of(const Texture& texture, std::size_t level, int x, int y, std::size_t
   return static_cast<int>(floor_of(sum / (across * down) + Rational(1, 2)).get_si());
 }
 
-// Kills: the last texel of odd sizes left out; weights of the other end; halves to even; sizes
-// rounded up; levels that end when one side is 1.
+// Kills: the last texel of odd sizes left out; weights of the other end; halves rounded to even;
+// sizes rounded up; levels that end when one side is 1.
 TEST(Texture, LevelsAreMeansOfWhatTheyCover) {
   Random random(2);
   const std::vector<std::array<int, 2>> sizes{{8, 8}, {7, 5}, {13, 4}, {1, 9}, {3, 1}, {2, 31}};
@@ -119,12 +119,12 @@ TEST(Texture, LevelsAreMeansOfWhatTheyCover) {
   }
 }
 
-// Kills: a first texel that is all of a level; halves rounded down.
+// Kills: a level made of the first texel only; halves rounded down.
 TEST(Texture, LevelsByHand) {
-  // 0 1 2 of red: (0 + 1 + 2) / 3; 1 and 2 of green: 1.5; 0 and 1 of alpha, 1/2 in all.
+  // Red is 0, 1, 2; green is 0, 0, 4; blue is 5; alpha is 0, 0, 1.
   const std::array<std::uint8_t, 12> row{0, 0, 5, 0, 1, 0, 5, 0, 2, 4, 5, 1};
   const Texture three = made(3, 1, row);
-  EXPECT_EQ(three.texels(1)[0], 0x00050101U);  // 4/3, 1/3
+  EXPECT_EQ(three.texels(1)[0], 0x00050101U);  // 1, 4/3, 5, 1/3
   const Texture two = made(2, 1, std::span(row).subspan(4));
   EXPECT_EQ(two.texels(1)[0], 0x01050202U);  // 1.5, 2, 5, 0.5
 }
@@ -132,7 +132,7 @@ TEST(Texture, LevelsByHand) {
 class Sampling : public testing::TestWithParam<std::int64_t> {};
 INSTANTIATE_TEST_SUITE_P(AllTargets, Sampling, testing::ValuesIn(all_targets()), target_name);
 
-/// A coordinate and the texel, of eight, that it is in.
+/// A coordinate and the texel, of eight, that contains it.
 struct Placed {
   double s;
   int texel;
@@ -153,7 +153,7 @@ void expect_texels(Wrap wrap, const std::vector<Placed>& all) {
   }
 }
 
-// Kills: rounding towards 0 below 0; a period lost; what is no number or out of range fetched.
+// Kills: negative numbers rounded towards 0; a lost period; texels fetched for NaN or out of range.
 TEST_P(Sampling, NearestTexelsWhenRepeated) {
   const OnTarget on_target(GetParam());
   expect_texels(Wrap::repeat, {{0, 0},         {0.124, 0},       {0.125, 1},
@@ -182,7 +182,8 @@ TEST_P(Sampling, NearestTexelsWhenClamped) {
                               {kNaN, 0}});
 }
 
-// Kills: mirrors that begin at 0; borders that belong to the other side beyond a mirror.
+// Kills: mirroring that begins at 0 instead of 1; borders that belong to the other texel in
+// mirrored parts.
 TEST_P(Sampling, NearestTexelsWhenMirrored) {
   const OnTarget on_target(GetParam());
   expect_texels(Wrap::mirror,
@@ -192,8 +193,8 @@ TEST_P(Sampling, NearestTexelsWhenMirrored) {
                  {-1e30, 0},  {1e9 + 1.25, 5}, {-0x1p-1074, 0}, {kInfinity, 0}, {kNaN, 0}});
 }
 
-// Kills: exact arithmetic not asked, or of helpers, or where double tells; another's lane,
-// attribute or size; what it says wrapped in float32.
+// Kills: exact arithmetic that is not asked, or that is asked for helpers or where double decides;
+// a call with another lane, attribute or size; an answer that is wrapped in float32.
 TEST_P(Sampling, DoubtsAreDecidedByExactArithmetic) {
   const OnTarget on_target(GetParam());
   const Texture texture = numbered_texture(8, 3);
@@ -207,11 +208,11 @@ TEST_P(Sampling, DoubtsAreDecidedByExactArithmetic) {
     known.set(attribute, lane, value);
     known.exact[attribute][lane] = Rational(value) + Rational(exact);
   };
-  nudge(1, 3, 0.25, -0x1p-80);       // 2 by double
-  nudge(1, 4, 0.25 - 1e-11, 1e-10);  // 1
-  nudge(2, 64, 2, -1e-100);          // 0, the row before 0
+  nudge(1, 3, 0.25, -0x1p-80);       // 2 in double, 1 exactly
+  nudge(1, 4, 0.25 - 1e-11, 1e-10);  // 1 in double, 2 exactly
+  nudge(2, 64, 2, -1e-100);          // row 0 in double, 2 exactly
   nudge(1, 100, 0.25, -0x1p-80);     // a helper
-  nudge(2, 127, 2.0 / 3, 0);         // less than two thirds
+  nudge(2, 127, 2.0 / 3, 0);         // a little less than two thirds
   nudge(1, 126, 0.25 + 2e-10, 0);    // no doubt
   known.cells[100 / 16].covered = static_cast<std::uint16_t>(~(1U << 100 % 16));
   ShadedLanes out;
@@ -227,7 +228,7 @@ TEST_P(Sampling, DoubtsAreDecidedByExactArithmetic) {
   EXPECT_EQ(number_at(out, 127), 8 + 3);
 }
 
-// Kills: edges of a clamped texture for which exact arithmetic is asked, lane after lane.
+// Kills: exact arithmetic that is asked for every lane at the edges of a clamped texture.
 TEST_P(Sampling, WhereBothSidesAreTheSameTexelThereIsNoDoubt) {
   const OnTarget on_target(GetParam());
   const Texture texture = numbered_texture(8, 1);
@@ -243,7 +244,7 @@ TEST_P(Sampling, WhereBothSidesAreTheSameTexelThereIsNoDoubt) {
     EXPECT_TRUE(known.calls.empty());
     EXPECT_EQ(number_at(out, 65), 7);
   }
-  // Nothing is certain where errors are that great.
+  // With such large errors nothing is certain.
   for (const double error : {0.1, kInfinity, kNaN}) {
     known.errors[0] = error;
     known.calls.clear();
@@ -253,7 +254,7 @@ TEST_P(Sampling, WhereBothSidesAreTheSameTexelThereIsNoDoubt) {
   }
 }
 
-// Kills: 1/255 rounded before it is multiplied by.
+// Kills: a multiplication by a rounded 1/255.
 TEST_P(Sampling, ColorsAreRoundedOnce) {
   const OnTarget on_target(GetParam());
   std::vector<std::uint8_t> bytes;
@@ -276,8 +277,8 @@ TEST_P(Sampling, ColorsAreRoundedOnce) {
   }
 }
 
-// Kills: the far side's texels beyond an edge that is not repeated, or the edge's own beyond one
-// that is.
+// Kills: texels of the far side beyond an edge that does not repeat; texels of the edge itself
+// beyond one that repeats.
 TEST_P(Sampling, BilinearByHand) {
   const OnTarget on_target(GetParam());
   const std::array<std::uint8_t, 8> bytes{0, 0, 0, 0, 255, 255, 255, 255};
@@ -295,11 +296,11 @@ TEST_P(Sampling, BilinearByHand) {
   expect_reds(Wrap::mirror, {0, 0, 0.25F, 0.5F, 1, 1, 0, 1, 0, 0, 0});
 }
 
-// Kills: levels off by one at powers of two; smaller levels of what is magnified; lengths that
-// overflow or are no number.
+// Kills: levels off by one at powers of two; smaller levels for a magnified texture; lengths that
+// overflow or are NaN.
 TEST_P(Sampling, LevelsOfDetailByHand) {
   const OnTarget on_target(GetParam());
-  // White in the first column: the first texels of the levels are ever darker.
+  // The first column is white, so that the first texel is darker in each further level.
   std::vector<std::uint8_t> bytes(16 * 4 * 4);
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = i / 4 % 16 == 0 ? 255 : 0;
   const Texture texture = made(16, 4, bytes);
@@ -324,7 +325,7 @@ TEST_P(Sampling, LevelsOfDetailByHand) {
   EXPECT_EQ(red(1 / 16.0, 0, 0, 8 / 4.0), levels[3]);
   EXPECT_EQ(red(1, 0, 0, 0), levels[4]);
   EXPECT_EQ(red(100, 3, 2, 1), levels[4]);
-  // √2 texels: half a level.
+  // A length of √2 texels gives half a level.
   EXPECT_NEAR(red(1 / 16.0, 0, 1 / 4.0, 0), 191.5F / 255, 1e-6F);
   EXPECT_NEAR(red(3 / 16.0, 0, 0, 0), (128 - 64 * (std::log2(3.0) - 1)) / 255, 1e-6);
   EXPECT_EQ(red(1e300, 0, 0, 0), levels[4]);

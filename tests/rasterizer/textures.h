@@ -1,6 +1,6 @@
 #pragma once
 
-// Textures of the tests.
+// Textures for the tests.
 
 #include <gtest/gtest.h>
 

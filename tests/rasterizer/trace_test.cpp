@@ -1,4 +1,5 @@
-// Traces of triangles made by hand: what is drawn, how it was decided, and what has none.
+// Traces of hand-made triangles: what is drawn, how it was decided, and which samples have no
+// trace.
 
 #include "rasterizer/trace.h"
 
@@ -15,8 +16,9 @@ namespace {
 
 constexpr TargetSize kTarget{8, 8, 1};
 
-/// (0.5, 0.5), (6.5, 0.5), (0.5, 6.5) in a target of 8 x 8: all corners and the two edges along the
-/// axes lie on samples; w = 1, 2, 4. Attributes: one smooth, one noperspective, one flat.
+/// A triangle (0.5, 0.5), (6.5, 0.5), (0.5, 6.5) with w = 1, 2, 4 in a target of 8 x 8. All corners
+/// and the two edges along the axes lie on samples. It has one smooth, one noperspective and one
+/// flat attribute.
 SmallMesh corner(State& state) {
   using enum Interpolation;
   SmallMesh mesh;
@@ -52,8 +54,9 @@ void expect_weights_of_lines(const Trace& trace) {
   }
 }
 
-/// What planes and lines are said to give is what they do, and what was evaluated comes of it by
-/// the operations of the block kernels, and is rounded to the value.
+/// Expects that the traced values of planes and lines are what these give, that the evaluated
+/// number follows from them by the operations of the block kernels, and that it rounds to the
+/// value.
 void expect_value_of_its_parts(const Trace& trace, const TracedValue& value) {
   EXPECT_EQ(value.evaluated.has_value(), !value.shares.has_value());
   if (value.evaluated) {
@@ -78,7 +81,8 @@ void expect_value_of_its_parts(const Trace& trace, const TracedValue& value) {
   }
 }
 
-/// Every fragment has a trace of its values, and every other sample one that says so.
+/// Expects that every fragment has a trace with its values, and every other sample a trace that
+/// says it is not drawn.
 void expect_traces_of_all(const State& state, const SmallMesh& mesh, const TargetSize& size) {
   const Fragments fragments = fragments_of(state, mesh, size);
   ASSERT_GT(fragments.size(), 0U);
@@ -123,7 +127,7 @@ TEST(Trace, IsOfWhatIsDrawn) {
   }
 }
 
-// The doubles before the last rounding are those of the vectors that drew.
+// The doubles before the last rounding are those of the SIMD target that drew.
 TEST(Trace, IsOfWhatIsDrawnOnAllVectors) {
   State state = small_state(8, 8);
   SmallMesh mesh = corner(state);
@@ -149,14 +153,15 @@ TEST(Trace, SaysWhatTheLinesReceived) {
   }
   EXPECT_EQ(trace->u, 2.5);
   EXPECT_EQ(trace->v, 1.5);
-  // U = |H| (2u − W), V = |W| (2v − H), T = |W H| at (2.5, 1.5).
+  // U = |H| (2u − W), V = |W| (2v − H) and T = |W H| at (2.5, 1.5).
   EXPECT_EQ(on_axis(trace->frame->u, trace->u), -24);
   EXPECT_EQ(on_axis(trace->frame->v, trace->v), -40);
   EXPECT_EQ(trace->frame->t, 64);
 }
 
 // By hand: r/w is linear in the window. At (2.5, 1.5), a third of the way to vertex 1 and a sixth
-// to vertex 2, the smooth attribute is (1/2 · 1/1 + 1/3 · 2/2 + 1/6 · 5/4) / (1/2 + 1/3/2 + 1/6/4).
+// of the way to vertex 2, the smooth attribute is (1/2 · 1/1 + 1/3 · 2/2 + 1/6 · 5/4) / (1/2 +
+// 1/3/2 + 1/6/4).
 TEST(Trace, TellsTheQuotientApart) {
   State state = small_state(8, 8);
   const SmallMesh mesh = corner(state);
@@ -192,8 +197,8 @@ TEST(Trace, OfFloat32HasShares) {
   EXPECT_FALSE(trace->depth.shares.has_value());
 }
 
-// The near plane cuts two edges in the middle: the corners are (2, 2), (6, 2), (4, 4) and (2, 4),
-// and the first lies a quarter of a grid unit off its point.
+// The near plane cuts two edges in the middle, so that the snapped corners are (2, 2), (6, 2), (4,
+// 4) and (2, 4). The first vertex lies a quarter of a grid unit off its grid point.
 TEST(Trace, OfAClippedTriangleHasCornersOfItsPart) {
   State state = small_state(8, 8);
   state.snapping = Snapping{8};
@@ -227,7 +232,7 @@ TEST(Trace, OfAClippedTriangleHasCornersOfItsPart) {
   EXPECT_FALSE(trace->attributes[0].is_from_vertices);
 }
 
-// What is covered is of the snapped vertices, and values of the vertices.
+// Coverage is that of the snapped vertices, but values are those of the vertices as given.
 TEST(Trace, OfTheIdealBasisHasValuesOfTheVertices) {
   State state = small_state(8, 8);
   const SmallMesh mesh = corner(state);
@@ -257,7 +262,7 @@ TEST(Trace, SaysWhyASampleIsNotDrawn) {
     EXPECT_EQ(trace->decision, decision) << x << ", " << y;
   };
   expect_not_drawn(5, 5, Decision::in_double);
-  expect_not_drawn(6, 0, Decision::exactly);  // a corner, not owned
+  expect_not_drawn(6, 0, Decision::exactly);  // a corner that is not owned
   state.scissor = {{3, 0}, {5, 8}};
   expect_not_drawn(1, 1, Decision::outside);
   state.scissor = State{}.scissor;
@@ -281,7 +286,7 @@ TEST(Trace, OfATriangleThatIsNotSetUpIsNothing) {
   EXPECT_FALSE(trace_of(state, mesh, kTarget, {0, 2, 1, 0}).has_value());
 }
 
-// On an edge that owns it. Where double holds the edge exactly its band is 0.
+// The sample is on an edge that owns it. If double holds the edge exactly, its band is 0.
 TEST(Trace, OfATieIsNotDecidedByRounding) {
   State state = small_state(8, 8);
   const SmallMesh mesh = corner(state);
@@ -309,8 +314,9 @@ TEST(Trace, OfSnappedVerticesIsDecidedInWholeNumbers) {
   EXPECT_EQ(trace->frame->t, 1);
 }
 
-// A sliver about a row of samples, 2^-19 of a pixel high: its weights are differences of numbers a
-// million times as large. The viewport begins where double rounds the samples' coordinates.
+// A sliver about a row of samples, about 2^-19 of a pixel high, so that its weights are differences
+// of numbers a million times as large. The viewport's origin makes double round the samples'
+// coordinates.
 TEST(Trace, OfASliverSaysThatDoubleWasNotEnough) {
   State state = small_state(8, 8);
   state.attributes = {{}};
@@ -334,7 +340,7 @@ TEST(Trace, OfASliverSaysThatDoubleWasNotEnough) {
   }
 }
 
-// Pixel (3, 2) is cut by the hypotenuse: of its four samples some are covered.
+// The hypotenuse cuts pixel (3, 3), so that only some of its four samples are covered.
 TEST(Trace, SaysWhereCentresAndCentroidsAre) {
   State state = small_state(8, 8);
   SmallMesh mesh = corner(state);
@@ -355,7 +361,7 @@ TEST(Trace, SaysWhereCentresAndCentroidsAre) {
   const std::optional<Trace> whole = trace_of(state, mesh, size, {0, 1, 1, 3});
   ASSERT_TRUE(whole.has_value());
   expect_at(whole->attributes[2], 1.5, 1.5);
-  // With one sample a pixel all three are the same place.
+  // With one sample per pixel, all three locations are the same.
   const std::optional<Trace> one = trace_of(state, mesh, kTarget, {0, 1, 1, 0});
   ASSERT_TRUE(one.has_value());
   EXPECT_TRUE(one->attributes[1].numerator.has_value());

@@ -1,4 +1,4 @@
-// The vertex stage against GMP's rationals, by the bounds that its header derives.
+// The vertex stage, compared with GMP's rationals within the bounds that its header derives.
 
 #include "rasterizer/vertex_stage.h"
 
@@ -20,7 +20,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 using Exact4 = std::array<Rational, 4>;
 
-/// matrix · column; of their sizes where `of_sizes`.
+/// matrix · column or, if `of_sizes`, the magnitudes of the matrix's numbers · column.
 Exact4 product(const glm::mat4& matrix, const Exact4& column, bool of_sizes) {
   Exact4 result;
   for (std::size_t r = 0; r < 4; ++r) {
@@ -92,7 +92,7 @@ TEST(VertexStage, StaysWithinItsBound) {
   }
 }
 
-// Of a model that is far away and a view that brings it back nothing but the difference is left.
+// If the model moves far away and the view moves back, only the difference is left.
 TEST(VertexStage, StaysWithinItsBoundWhereMatricesCancel) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
@@ -128,7 +128,7 @@ TEST(VertexStage, MultipliesModelThenViewThenProjection) {
 
 TEST(VertexStage, RoundsOnce) {
   Camera camera;
-  camera.projection[1][0] = 0x1p-24F;  // 1 + 2^-24 is a tie; in float32 a sum with more stays one
+  camera.projection[1][0] = 0x1p-24F;  // 1 + 2^-24 is a tie; float32 would lose a further 2^-48
   camera.projection[2][0] = 0x1p-48F;
   std::vector<glm::vec4> clip;
   ASSERT_EQ(transform(camera, std::vector<glm::vec4>{{1, 1, 0, 1}, {1, 1, 1, 1}}, clip),
@@ -157,7 +157,7 @@ TEST(VertexStage, MakesWhatIsBeyondFloat32InfiniteAndADrawDiscardsIt) {
   EXPECT_EQ(fragments.size(), 0U);
 }
 
-// A camera that is not finite makes no position that is.
+// A camera that is not finite gives no finite position.
 TEST(VertexStage, MakesNoNumbersOfWhatIsNone) {
   Random random(3);
   for (int i = 0; i < 48; ++i) {
@@ -184,7 +184,7 @@ Rational cofactor(const glm::mat4& m, std::size_t r, std::size_t c) {
   return at(m, r + 1, c + 1) * at(m, r + 2, c + 2) - at(m, r + 1, c + 2) * at(m, r + 2, c + 1);
 }
 
-/// A number at most `value`'s root, and off by less than 2^-200 of it.
+/// A lower bound of `value`'s square root, with a relative error below 2^-200.
 Rational root(const Rational& value) {
   if (value == 0) return 0;
   const int shift = 500 - floor_log2(value) / 2;
@@ -195,7 +195,7 @@ Rational root(const Rational& value) {
 
 Rational length(const Exact3& v) { return root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-/// The unit normal is the direction of (Aᵀ)⁻¹ n, by the bound of the header.
+/// Expects that the unit normal has the direction of (Aᵀ)⁻¹ n, within the header's bound.
 void expect_normal(const glm::mat4& model, const glm::vec3& n, const glm::vec3& computed) {
   Rational determinant;
   for (std::size_t c = 0; c < 3; ++c) determinant += at(model, 0, c) * cofactor(model, 0, c);
@@ -235,7 +235,7 @@ TEST(Normals, StayWithinTheirBound) {
     const int low = random.pick({-149, -20, -2});
     const int high = random.pick({0, 20, 126});
     glm::mat4 model = random_matrix(random, low, high);
-    // Nearly singular, and exactly so.
+    // Some models are singular, and some nearly singular.
     if (random.one_in(3)) model[2] = model[0];
     if (random.one_in(2)) model[2][1] = std::nextafter(model[2][1], 0.0F);
     const glm::vec3 n(random_position(random, low, high));
@@ -244,7 +244,7 @@ TEST(Normals, StayWithinTheirBound) {
 }
 
 TEST(Normals, StayPerpendicularUnderScaleMirrorAndShear) {
-  // The plane x + y + z = 0 by 2 x, y, 4 z: x / 2 + y + z / 4.
+  // Scaled by 2, 1, 4, the plane x + y + z = 0 becomes x / 2 + y + z / 4 = 0.
   glm::mat4 scale(1);
   scale[0][0] = 2;
   scale[2][2] = 4;
@@ -252,12 +252,12 @@ TEST(Normals, StayPerpendicularUnderScaleMirrorAndShear) {
   EXPECT_FLOAT_EQ(scaled.x * 2, scaled.y);
   EXPECT_FLOAT_EQ(scaled.z * 4, scaled.y);
   EXPECT_GT(scaled.y, 0);
-  // Mirrored at x = 0 the outward normal of a face stays outward.
+  // If a face is mirrored at x = 0, its outward normal stays outward.
   glm::mat4 mirror(1);
   mirror[0][0] = -1;
   EXPECT_EQ(normal_of(mirror, {3, 0, 0}), glm::vec3(-1, 0, 0));
   EXPECT_EQ(normal_of(mirror, {0, 0, 0.25F}), glm::vec3(0, 0, 1));
-  // x + y for x: the plane x = 0 becomes x − y = 0, and y = 0 stays.
+  // If x becomes x + y, the plane x = 0 becomes x − y = 0, and y = 0 stays.
   glm::mat4 shear(1);
   shear[1][0] = 1;
   const glm::vec3 sheared = normal_of(shear, {1, 0, 0});
@@ -266,7 +266,7 @@ TEST(Normals, StayPerpendicularUnderScaleMirrorAndShear) {
   EXPECT_EQ(normal_of(shear, {0, 1, 0}), glm::vec3(0, 1, 0));
 }
 
-/// A matrix of whole numbers of up to 24 bits whose determinant is 1, or −1.
+/// A matrix of integers of up to 24 bits with determinant 1 or −1.
 glm::mat4 unimodular(Random& random) {
   std::array<std::array<int, 3>, 3> columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int step = 0; step < 200; ++step) {
@@ -302,7 +302,7 @@ double determinant_in_double(const glm::mat4& m) {
   return sum;
 }
 
-// Determinants of ±1 that are sums of terms beyond 2^60: in double their sign is any.
+// Determinants of ±1 that are sums of terms beyond 2^60, so that double may give them any sign.
 TEST(Normals, MirrorByTheExactSign) {
   Random random(5);
   int wrong_in_double = 0;
@@ -334,24 +334,25 @@ TEST(Normals, AreZeroWhereThereIsNoDirection) {
       }
     }
   }
-  // What translates has no say.
+  // The translation does not matter.
   glm::mat4 moved(1);
   moved[3][0] = kInfinity;
   EXPECT_EQ(normal_of(moved, {0, 2, 0}), glm::vec3(0, 1, 0));
-  // Flattened onto z = 0 all that is left of normals is along z.
+  // If a model is flattened onto z = 0, its normals point along z.
   glm::mat4 flat(1);
   flat[2][2] = 0;
   EXPECT_EQ(normal_of(flat, {1, 1, 5}), glm::vec3(0, 0, 1));
 }
 
-// Kills: what rounding leaves of a sum that is zero taken for a direction. Everything is pressed
-// into the plane of two rows, and a normal along one of them has no image.
+// Kills: the rounding error of a sum that is exactly zero, used as a direction. The model presses
+// everything into one plane. A normal along one of its two nonzero rows has no image.
 TEST(Normals, OfASingularModelAreZeroOrExact) {
   const glm::mat4 flat(glm::vec4(0.1F, 0.7F, 0, 0), glm::vec4(0.2F, 0.5F, 0, 0),
                        glm::vec4(0.3F, 0.9F, 0, 0), glm::vec4(0, 0, 0, 1));
   EXPECT_EQ(normal_of(flat, {0.1F, 0.2F, 0.3F}), glm::vec3(0));
   EXPECT_EQ(normal_of(flat, {0.7F, 0.5F, 0.9F}), glm::vec3(0));
-  // C's last row is (0.03, 0.12, −0.09): its last term decides.
+  // The last row of the cofactors C is (0.03, 0.12, −0.09), so that the term whose number differs
+  // decides the sign.
   EXPECT_EQ(normal_of(flat, {0.1F, 0.2F, 0.30000004F}), glm::vec3(0, 0, -1));
   EXPECT_EQ(normal_of(flat, {0.1F, 0.20000002F, 0.3F}), glm::vec3(0, 0, 1));
 }

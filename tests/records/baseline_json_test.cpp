@@ -31,7 +31,7 @@ Baseline sample_baseline() {
   return {{sample_section(), specific}};
 }
 
-/// The sample's text with one part of it replaced, read again: what is wrong with it.
+/// Replaces one part of the sample's text, reads it again, and returns the error.
 std::string refusal(const std::string& part, const std::string& by) {
   std::string text = to_json(sample_baseline());
   const std::size_t at = text.find(part);
@@ -51,7 +51,7 @@ TEST(BaselineJson, ReadsBackAsItWas) {
   EXPECT_EQ(to_json(*read), text);
 }
 
-// What is read by people has a line of its own, and comes before what is only compared.
+// The data that people read has lines of its own, before the data that is only compared.
 TEST(BaselineJson, HasAnEntryALine) {
   const std::string text = to_json(sample_baseline());
   EXPECT_THAT(text, HasSubstr("\n{\"law\":\"values are <within> bounds\",\"kind\":\"coverage\","

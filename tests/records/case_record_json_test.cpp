@@ -58,7 +58,7 @@ TEST(CaseRecordJson, IsReadBack) {
   EXPECT_EQ(read_back(array).value(), two_cases());
 }
 
-// What most cases do not have takes no room.
+// Members that most cases do not have take no space.
 TEST(CaseRecordJson, LeavesOutWhatThereIsNot) {
   const json second = cases::json_of(two_cases()).at(1);
   EXPECT_EQ(second.size(), 8U);

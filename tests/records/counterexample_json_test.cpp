@@ -48,12 +48,14 @@ Counterexample small_counterexample() {
                                 {"a-law"},
                                 {"tie"},
                                 {"scissor"},
-                                {"samples", "w <= 0"}};
+                                {"samples", "w <= 0"},
+                                {{"x and y are exchanged"}},
+                                false};
   counterexample.close_up = {"y 5 [!]", "x    3"};
   return counterexample;
 }
 
-// Kills: any change of the format, which those who read old files would not notice.
+// Kills: any change of the format; readers of old files would not notice it.
 TEST(CounterexampleToJson, WritesTheFormat) {
   const json written = cases::json_of(small_counterexample());
   EXPECT_EQ(written["case"], json::parse(cases::to_json(small_counterexample().source)));
@@ -70,7 +72,8 @@ TEST(CounterexampleToJson, WritesTheFormat) {
   EXPECT_EQ(written["explanation"],
             json::parse(R"({"parts": ["coverage", "values"], "wrong": ["depth"],
               "also_violates": ["a-law"], "needs": ["tie"], "inherent": ["scissor"],
-              "indifferent": ["samples", "w <= 0"]})"));
+              "indifferent": ["samples", "w <= 0"], "hints": ["x and y are exchanged"],
+              "fails_again": false})"));
   EXPECT_EQ(written.size(), 7U);
 }
 
@@ -94,7 +97,7 @@ TEST(CounterexampleFromJson, ReadsWhatWasWritten) {
   EXPECT_EQ(cases::json_of(*again), written);
 }
 
-// Kills: older files, which have none of these, that no longer read.
+// Kills: refusing older files, which have none of these members.
 TEST(CounterexampleFromJson, OriginShrinkingAndCloseUpMayBeMissing) {
   json document = cases::json_of(small_counterexample());
   for (const char* key : {"origin", "shrinking", "explanation", "close_up"}) document.erase(key);

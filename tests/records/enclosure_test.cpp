@@ -112,7 +112,8 @@ TEST(ToDecimal, AnInfiniteEndIsShownAsSuch) {
   EXPECT_EQ(to_decimal({-kInfinity, -1}, 17), "[-inf, -1]");
 }
 
-// Kills: comparing the ends' texts, where the two zeros differ but the number does not.
+// Kills: comparing the texts of the ends, which differ for the two zeros although the number does
+// not.
 TEST(ToDecimal, ZerosOfBothSignsEncloseZeroAlone) { EXPECT_EQ(to_decimal({-0.0, 0.0}, 17), "0"); }
 
 std::string printed(double value, int digits) {
@@ -121,7 +122,7 @@ std::string printed(double value, int digits) {
   return text.data();
 }
 
-// Kills: cutting digits instead of rounding them; one digit too many; one too few.
+// Kills: cutting digits off instead of rounding; one digit too many; one too few.
 RC_GTEST_PROP(ToDecimal, GivesTheMostDigitsThatEveryNumberBetweenTheEndsRoundsTo, ()) {
   const auto mantissa = *rc::gen::inRange<std::int64_t>(1, std::int64_t{1} << 52);
   const auto exponent = *rc::gen::inRange(-80, 80);

@@ -45,7 +45,7 @@ TEST(Expectations, AreRefusedWithANameTwice) {
   EXPECT_EQ(to_string(list.error()), "f.txt: line 3: is another line's name, too");
 }
 
-/// A run of three laws on a backend, of which some are violated, and some known.
+/// A run of three laws on a backend. Some of them are violated, and some are known to be.
 Run run_of(const std::string& backend, const std::vector<std::string>& violated,
            const std::vector<std::string>& known = {}) {
   Run run;
@@ -67,7 +67,8 @@ TEST(Expectations, OfOneRunAreWhatItViolated) {
   EXPECT_EQ(texts.skips, "");
 }
 
-// Kills: a list that forgets what it was made of, when it is made again.
+// Kills: dropping the expectations that the run itself was given (known failures, skips) when lists
+// are made from the run.
 TEST(Expectations, KeepWhatWasExpected) {
   records::Run run = run_of("cpu", {}, {"b"});
   KnownList list;
@@ -93,7 +94,7 @@ TEST(Expectations, NameTheBackendWhereThereAreSeveral) {
   EXPECT_THAT(read.entries.at(1).backends, ElementsAre("gl:softpipe"));
 }
 
-// Kills: a list that its own reader takes for something else.
+// Kills: a list that its own reader misreads.
 TEST(Expectations, AreReadBackWhateverABackendIsCalled) {
   const std::string odd = "plugin:/a b/x[1],y=2/lib#.so";
   const ExpectationTexts texts = expectations_of({run_of(odd, {"a"}), run_of("cpu", {"b"})});

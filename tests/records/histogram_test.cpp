@@ -23,7 +23,7 @@ Histogram histogram_of(const std::vector<double>& magnitudes) {
   return histogram;
 }
 
-/// Zeros, borders, their neighbours, and numbers of all sizes within and beyond the borders.
+/// Zeros, borders, neighbours of borders, and numbers of all sizes within and beyond the borders.
 double random_magnitude() {
   const auto bucket = *rc::gen::inRange<std::size_t>(1, Histogram::kOverflowBucket);
   const double border = Histogram::borders(bucket).hi;
@@ -51,7 +51,7 @@ std::vector<double> random_magnitudes(std::size_t most) {
   return magnitudes;
 }
 
-// Kills: any change of a border, which would make old histograms mean something else.
+// Kills: any change of a border, which would change the meaning of old histograms.
 TEST(HistogramBorders, AreWhatChainsOfSquareRootsGive) {
   const double half = std::sqrt(2.0);
   const double quarter = std::sqrt(half);
@@ -76,7 +76,7 @@ TEST(HistogramBorders, EachBucketBeginsWhereTheOneBelowEnds) {
   EXPECT_EQ(Histogram::borders(Histogram::kOverflowBucket), (Enclosure{0x1p40, kInfinity}));
 }
 
-// Kills: buckets that hold their lower border.
+// Kills: buckets that include their lower border.
 TEST(HistogramBuckets, HoldTheirUpperBorderAndNotTheirLower) {
   for (std::size_t bucket = 1; bucket < Histogram::kOverflowBucket; ++bucket) {
     const Enclosure borders = Histogram::borders(bucket);
@@ -120,7 +120,7 @@ TEST(Histogram, AddingTimesIsAddingThatOften) {
   EXPECT_EQ(at_once, histogram_of({3, kInfinity, 3}));
 }
 
-// Kills: a border's own bucket counted as above it; 1/2 taken for misrounded.
+// Kills: counting a border's own bucket as above it; counting 1/2 as misrounded.
 TEST(HistogramCountAbove, CountsFromJustAboveTheBorder) {
   const Histogram histogram =
       histogram_of({0, 0.25, 0.5, 0.5, std::nextafter(0.5, 1), 7, 0x1p41, kInfinity});
@@ -151,7 +151,7 @@ TEST(HistogramQuantile, IsExactWhereItIsZero) {
   EXPECT_TRUE(contains(histogram.quantile(0.76).value(), 5));
 }
 
-// Kills: buckets that hold their lower border; correct rounding would seem to exceed 1/2 ULP.
+// Kills: buckets that include their lower border; correct rounding would seem to exceed 1/2 ULP.
 TEST(HistogramQuantile, OfCorrectlyRoundedValuesIsAtMostHalfAnUlp) {
   EXPECT_EQ(histogram_of({0, 0.25, 0.5, 0.5}).quantile(1).value().hi, 0.5);
 }
@@ -168,7 +168,7 @@ TEST(HistogramQuantile, OfCountsThatNoDoubleHoldsStaysAmongThem) {
   EXPECT_EQ(histogram.quantile(1), Histogram::borders(2));
 }
 
-// Kills: a rank off by one, at either end or between; non-finite counts that shift ranks.
+// Kills: a rank off by one at either end or in between; non-finite counts that shift ranks.
 RC_GTEST_PROP(HistogramQuantile, EnclosesTheQuantileOfTheObservations, ()) {
   std::vector<double> magnitudes = random_magnitudes(60);
   magnitudes.push_back(random_magnitude());
@@ -200,7 +200,7 @@ RC_GTEST_PROP(HistogramMerge, IsCountingTheObservationsOfBoth, ()) {
   RC_ASSERT(merged.count() + merged.non_finite() == a.size());
 }
 
-// Kills: rounding to nearest where a magnitude is to be rounded up.
+// Kills: rounding to nearest where a magnitude must be rounded up.
 TEST(MagnitudeBound, IsTheEndFartherFromZero) {
   EXPECT_EQ(magnitude_bound({0.25, 0.5}), 0.5);
   EXPECT_EQ(magnitude_bound({-0.5, -0.25}), 0.5);

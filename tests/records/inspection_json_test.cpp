@@ -73,7 +73,7 @@ Inspection small_inspection() {
   return inspection;
 }
 
-// Kills: any change of the format, which those who read old files would not notice.
+// Kills: any change of the format; readers of old files would not notice it.
 TEST(InspectionToJson, WritesTheFormat) {
   json written = cases::json_of(small_inspection());
   EXPECT_EQ(written["case"], json::parse(cases::to_json(small_inspection().source)));
@@ -122,7 +122,7 @@ TEST(InspectionFromJson, ReadsWhatWasWritten) {
   EXPECT_EQ(cases::json_of(*again), written);
 }
 
-// Kills: a member left out, numbers that lose bits.
+// Kills: leaving out a member; numbers that lose bits.
 RC_GTEST_PROP(InspectionFromJson, GivesBackAnyInspection, ()) {
   const Inspection inspection = random_inspection();
   const json written = cases::json_of(inspection);
@@ -147,15 +147,15 @@ TEST(InspectionFromJson, KeepsWhatIsNoNumber) {
   EXPECT_EQ(cases::json_of(inspection)["samples"][0]["values"][1]["actual"], "nan");
 }
 
-/// A fault that is to be refused: the value at a place of a good document is replaced.
+/// A fault that must be refused: the value at a place in a good document is replaced.
 struct Fault {
   std::string pointer;
-  std::string value;       ///< JSON text; empty: the value is taken out
+  std::string value;       ///< JSON text; empty: the value is removed
   std::string reason;      ///< part of it
-  std::string place = {};  ///< below the inspection; empty: the pointer
+  std::string place = {};  ///< within the inspection; empty: same as the pointer
 };
 
-/// In a test's name, which would otherwise hold addresses, another in every run.
+/// Used in the test's name, which would otherwise contain addresses that differ in every run.
 void PrintTo(const Fault& fault, std::ostream* out) {
   *out << (fault.value.empty() ? "without " + fault.pointer : fault.pointer + " = " + fault.value);
 }

@@ -5,7 +5,7 @@
 namespace rastercheck::records::inspection_test {
 namespace {
 
-// Kills: a neighbour, another sample of the pixel.
+// Kills: returning a neighbouring pixel, or another sample of the pixel.
 TEST(InspectedSampleOf, IsTheOneThatWasLookedFor) {
   Inspection inspection;
   inspection.place.x = 2;

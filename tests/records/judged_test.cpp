@@ -5,7 +5,7 @@
 namespace rastercheck::records::judged_test {
 namespace {
 
-/// 10 that came out right, 2 of another class and 3 that were not judged.
+/// 10 correct fragments, 2 of another class, and 3 that were not judged.
 ErrorStatistics some() {
   ErrorStatistics errors;
   errors.classes[FragmentClass::correct] = 10;
@@ -23,7 +23,7 @@ TEST(Judged, CountsValuesAndWhatIsNotJudgedOfThem) {
   EXPECT_EQ(judged.share_not_judged(), 6.0 / 30);
 }
 
-// Kills: fragments that count as judged as they are in a class.
+// Kills: counting fragments as judged because they have a class.
 TEST(Judged, CountsFragmentsThatAreNotJudgedOnce) {
   Judged judged;
   add(judged, AttributeKind::coverage, some());

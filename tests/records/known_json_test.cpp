@@ -78,7 +78,7 @@ TEST(KnownJson, OfNoDriverMayLackRulesAndLaws) {
   EXPECT_EQ(parse_known(cases::json_of(list).dump(), "f").value(), list);
 }
 
-// Kills: a waiver that never ends, as its day is no day.
+// Kills: a waiver that never ends, because its last day does not exist.
 TEST(KnownJson, IsRefusedWithADayThatThereIsNot) {
   for (const char* const day : {"2027-02-29", "2027-13-01", "27-01-01", "2027-1-1", "2027-01-0x"}) {
     json document = json::parse(kWaivers);
@@ -101,7 +101,7 @@ TEST(KnownJson, ExpectationsNameLawsAndNothingElse) {
   EXPECT_FALSE(parse_known(document.dump(), "f"));
 }
 
-/// What is said of the list where the value at a pointer is another; none: where it is gone.
+/// The error of the list after the value at a pointer is replaced, or removed if `value` is empty.
 std::string refusal(const char* pointer, const std::optional<json>& value) {
   const json::json_pointer place(pointer);
   json document = json::parse(kList);

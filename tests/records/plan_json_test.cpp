@@ -29,7 +29,7 @@ TEST(PlanJson, ComesBackAsItWas) {
   EXPECT_EQ(read(cases::json_of(none)).value(), none);
 }
 
-// Kills: keys that are there for nothing.
+// Kills: writing keys that have their default value.
 TEST(PlanJson, LeavesOutWhatIsAsUsual) {
   EXPECT_EQ(cases::json_of(Plan()),
             json::parse(R"({"seed": 0, "cases_per_law": 1000, "backends": ["cpu"]})"));

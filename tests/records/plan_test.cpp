@@ -21,7 +21,7 @@ TEST(OptionWords, AreOfWhatIsNotAsUsual) {
                   "--power", "5", "--keep-cases", "--timeout", "0.5"));
 }
 
-// Kills: a size without a scene, which `run` takes for nothing.
+// Kills: a size without a scene, which `run` does not use.
 TEST(OptionWords, HaveNoSizeOfNoScene) {
   Plan plan = sample_plan();
   plan.scene.clear();
@@ -35,7 +35,7 @@ TEST(ReplayWords, AreThoseOfDrawingAndKnowing) {
                           "mine.json", "--timeout", "0.5"));
 }
 
-// Kills: what is recorded, and decides nothing, held against a baseline.
+// Kills: comparing settings with a baseline that are only recorded and decide nothing.
 TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
   Plan expected;
   expected.seed = 7;

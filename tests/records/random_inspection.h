@@ -1,7 +1,7 @@
 #pragma once
 
-// Random inspections for laws about their JSON. One draw per statement: the order of draws in one
-// expression differs between compilers.
+// Random inspections, for laws about their JSON. Each statement makes only one random choice,
+// because compilers differ in the order of several choices in one expression.
 
 #include <rapidcheck.h>
 
@@ -34,7 +34,7 @@ Enum random_enumerator() {
   return static_cast<Enum>(*rc::gen::inRange<std::size_t>(0, names_of(Enum{}).size()));
 }
 
-/// No NaN, which is not equal to itself.
+/// A value without NaN, which does not equal itself.
 inline InspectedValue random_value() {
   InspectedValue value;
   value.attribute = maybe_index();
@@ -55,7 +55,7 @@ inline InspectedValue random_value() {
   return value;
 }
 
-/// One within the part of `of`, whose pattern has two.
+/// A sample within the part that `of` inspects, whose pattern has two samples.
 inline InspectedSample random_sample(const Inspection& of) {
   InspectedSample sample;
   sample.place.x = of.left + *rc::gen::inRange<std::uint32_t>(0, of.width);
@@ -96,7 +96,7 @@ inline std::vector<WindowPoint> random_points() {
   return points;
 }
 
-/// Why and what is looked at.
+/// Chooses why the sample is inspected, and what is inspected.
 inline void draw_subject(Inspection& inspection) {
   inspection.occasion = random_enumerator<Occasion>();
   inspection.law = one_of<std::string>({"a law", "a \"law\" <of> it"});

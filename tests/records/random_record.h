@@ -1,7 +1,7 @@
 #pragma once
 
-// Random records for laws about merging and JSON. One draw per statement: the order of draws in one
-// expression differs between compilers.
+// Random records, for laws about merging and JSON. Each statement makes only one random choice,
+// because compilers differ in the order of several choices in one expression.
 
 #include <rapidcheck.h>
 
@@ -23,7 +23,7 @@ T one_of(const std::vector<T>& choices) {
   return choices[*rc::gen::inRange<std::size_t>(0, choices.size())];
 }
 
-/// Any finite double, by its bits: exponents are as likely at the ends as in the middle.
+/// Any finite double. Its bits are random, so extreme exponents are as likely as moderate ones.
 inline double any_finite_double() {
   const auto bits = *rc::gen::arbitrary<std::uint64_t>();
   const auto value = std::bit_cast<double>(bits);
@@ -36,8 +36,8 @@ inline float any_finite_float() {
   return std::isfinite(value) ? value : std::bit_cast<float>(bits & 0xbfffffffU);
 }
 
-/// An error that often is as large as another one: few ends, either sign, exact or not. Sums of the
-/// largest leave 64 bits.
+/// An error that often has the same size as another one: few ends, either sign, exact or not. Sums
+/// of the largest errors exceed 64 bits.
 inline Enclosure random_error() {
   const double end = one_of<double>({0, 0.25, 0.5, 0.5, 1, 4, 0x1p39});
   const bool is_exact = *rc::gen::arbitrary<bool>();
@@ -46,7 +46,7 @@ inline Enclosure random_error() {
   return is_negative ? Enclosure{-end, -other} : Enclosure{other, end};
 }
 
-/// A WorstError whose every member often is that of another one.
+/// A WorstError in which every member often equals that of another one.
 inline WorstError random_worst() {
   WorstError worst;
   worst.error = random_error();
@@ -67,7 +67,7 @@ inline FragmentClass random_class() {
       *rc::gen::inRange<std::size_t>(0, names_of(FragmentClass{}).size()));
 }
 
-/// One that a fragment may have.
+/// A class that a fragment may have.
 inline FragmentClass random_fragment_class() {
   return static_cast<FragmentClass>(*rc::gen::inRange<std::size_t>(0, ClassCounts().counts.size()));
 }
@@ -114,7 +114,7 @@ inline RecordKey random_key() {
   return key;
 }
 
-/// What one fragment of one case adds to the records.
+/// The data that one fragment of one case adds to the records.
 struct Observation {
   RecordKey key;
   WorstError worst;
@@ -124,10 +124,10 @@ struct Observation {
   Levels levels;
   std::string label;
   bool is_violation = false;
-  std::string known;    ///< an entry's id; empty: none
-  std::string why_not;  ///< why the law says nothing of another case
+  std::string known;    ///< id of the entry; empty: none
+  std::string why_not;  ///< why the law does not apply to another case
   std::optional<NotJudged> not_judged;
-  std::optional<Defect> defect;  ///< given to a drawing, and noticed where it is a violation
+  std::optional<Defect> defect;  ///< made in the drawing on purpose, and noticed if `is_violation`
 };
 
 inline Observation random_observation() {

@@ -41,7 +41,7 @@ WorstError small_worst() {
   return worst;
 }
 
-/// One record with every member set.
+/// Records with one record in which every member is set.
 RecordSet small_records() {
   Record record;
   record.cases = {7, 1, 2};
@@ -60,7 +60,7 @@ RecordSet small_records() {
   record.errors.ideal.extremes.most_positive = above;
   ErrorSizes& sliver = record.errors.strata[Stratum::sliver];
   sliver.histogram.add(0);
-  // 2^64 and 2^71, which are no 64-bit numbers.
+  // 2^64 and 2^71, which do not fit into 64 bits.
   sliver.sum = {SignedSum::Units{1} << 64, SignedSum::Units{1} << 71, 1, 0};
   record.errors.strata[Stratum::near_horizon].histogram.add(0);
   record.errors.stages[Stratum::sliver][Stage::set_up] = {1, 2, 3, 0};
@@ -70,7 +70,7 @@ RecordSet small_records() {
   return {{{"law", "cpu", AttributeKind::smooth, "grid"}, record}};
 }
 
-// Kills: any change of the format, which those who read old files would not notice.
+// Kills: any change of the format; readers of old files would not notice it.
 TEST(RecordsToJson, WritesTheFormat) {
   const json expected = json::parse(R"([{
     "law": "law", "backend": "cpu", "attribute_kind": "smooth", "stratum": "grid",
@@ -131,8 +131,8 @@ TEST(RecordsFromJson, ReadsWhatWasWritten) {
   EXPECT_EQ(read("[]").value(), RecordSet());
 }
 
-// Records of before there were sums, strata and stages say nothing of them. Kills: old runs and
-// baselines that no longer read.
+// Records from before sums, strata and stages existed lack these members. Kills: refusing old runs
+// and baselines.
 TEST(RecordsFromJson, SumsStrataAndStagesMayBeMissing) {
   json array = cases::json_of(small_records());
   array[0].erase("strata");
@@ -146,7 +146,7 @@ TEST(RecordsFromJson, SumsStrataAndStagesMayBeMissing) {
   EXPECT_EQ(read(array.dump()).value(), expected);
 }
 
-// Kills: a range of sums that leaves out its ends.
+// Kills: a range of sums that excludes its ends.
 TEST(RecordsFromJson, TakesTheLargestSums) {
   RecordSet records = small_records();
   SignedSum& sum = records.begin()->second.errors.ideal.sum;
@@ -157,7 +157,7 @@ TEST(RecordsFromJson, TakesTheLargestSums) {
   EXPECT_EQ(read(array.dump()).value(), records);
 }
 
-// Kills: a member left out; a count through a double; digits too few; sums of 64 bits.
+// Kills: leaving out a member; a count converted to a double; too few digits; sums of only 64 bits.
 RC_GTEST_PROP(RecordsFromJson, GivesBackAnyRecords, ()) {
   RecordSet records = records_of(random_observations());
   for (auto& [key, record] : records) {
@@ -206,15 +206,15 @@ TEST(RecordsFromJson, AWholeNumberMayStandForADouble) {
             (Enclosure{-3, -2}));
 }
 
-/// A fault that is to be refused: the value at a place of a good document is replaced.
+/// A fault that must be refused: the value at a place in a good document is replaced.
 struct Fault {
   std::string pointer;
-  std::string value;  ///< JSON text; empty: the value is taken out
+  std::string value;  ///< JSON text; empty: the value is removed
   std::string place;
   std::string reason;  ///< part of it
 };
 
-/// In a test's name, which would otherwise hold addresses, another in every run.
+/// Used in the test's name, which would otherwise contain addresses that differ in every run.
 void PrintTo(const Fault& fault, std::ostream* out) {
   *out << (fault.value.empty() ? "without " + fault.pointer : fault.pointer + " = " + fault.value);
 }

@@ -65,7 +65,7 @@ TEST(Extremes, OfErrorsOnOneSideLeaveTheOtherEmpty) {
   EXPECT_EQ(extremes_of({below}), (Extremes{below, std::nullopt}));
 }
 
-// Kills: >= 0 for > 0; "no error" would be shown as the worst one.
+// Kills: >= 0 instead of > 0, which would show "no error" as the worst one.
 TEST(Extremes, AnErrorOfZeroIsOnNeitherSide) {
   EXPECT_EQ(extremes_of({error_of({0, 0})}), Extremes());
   EXPECT_EQ(extremes_of({error_of({-0.0, -0.0})}), Extremes());
@@ -76,7 +76,7 @@ TEST(Extremes, AnEnclosureOfBothSignsIsOnBothSides) {
   EXPECT_EQ(extremes_of({error}), (Extremes{error, error}));
 }
 
-// Kills: comparing the wrong ends; taking the smaller magnitude.
+// Kills: comparing the wrong ends; choosing the smaller magnitude.
 TEST(Extremes, TheLargerMagnitudeWins) {
   const WorstError small = error_of({0.25, 0.25});
   const WorstError large = error_of({3, 3});
@@ -100,12 +100,12 @@ TEST(Extremes, OfEqualFarEndsTheLargerNearEndWins) {
 
 std::string records_to_text(const RecordSet& records) { return cases::json_of(records).dump(); }
 
-/// Changes to an error that move it forward or back in the order of places.
+/// Changes an error so that it comes earlier or later in the order of places.
 using Change = std::function<void(WorstError&)>;
 
-// Kills: any member left out of the order, or two of them exchanged.
+// Kills: leaving a member out of the order, or exchanging two of them.
 TEST(Extremes, OfEqualErrorsTheFirstPlaceWins) {
-  // In the order of comparison; each pair gives an earlier and a later value.
+  // In the order of comparison; each pair sets an earlier and a later value.
   const std::vector<std::pair<Change, Change>> members{
       {[](WorstError& e) { e.case_index = 4; }, [](WorstError& e) { e.case_index = 6; }},
       {[](WorstError& e) { e.case_name = "a"; }, [](WorstError& e) { e.case_name = "z"; }},
@@ -118,7 +118,7 @@ TEST(Extremes, OfEqualErrorsTheFirstPlaceWins) {
       {[](WorstError& e) { e.actual = 4; }, [](WorstError& e) { e.actual = 6; }},
   };
   for (std::size_t i = 0; i < members.size(); ++i) {
-    // First in member i, last in all that are compared after it.
+    // This error is earlier in member i, and later in all members that are compared after it.
     WorstError first = error_of({1, 1});
     members[i].first(first);
     for (std::size_t j = i + 1; j < members.size(); ++j) members[j].second(first);
@@ -198,7 +198,8 @@ TEST(Add, CountsGoToCoverageAndErrorsToTheirKinds) {
   EXPECT_EQ(depth.errors.classes[FragmentClass::correct], 12U);
 }
 
-// Adding judgements one by one, or merged first, is the same. Kills: levels that merging forgets.
+// Adding judgements one by one gives the same as adding them merged. Kills: a merge that forgets
+// levels.
 RC_GTEST_PROP(Add, OfMergedJudgementsIsAddingBoth, ()) {
   Judgement a;
   a.levels = {random_levels(), random_levels()};
@@ -258,7 +259,7 @@ TEST(Merge, AddsStagesOneByOne) {
                 {Stratum::clipped, {{Stage::snap, SignedSum(2 * unit, 2 * unit, 1, 0)}}}}));
 }
 
-// Kills: a member that merging forgets.
+// Kills: a merge that forgets a member.
 TEST(Merge, AddsEveryCount) {
   Record a;
   a.cases = {1, 2, 3};
@@ -322,10 +323,11 @@ RC_GTEST_PROP(Merge, IsAssociative, ()) {
   RC_ASSERT(records_to_text(merged(merged(a, b), c)) == records_to_text(merged(a, merged(b, c))));
 }
 
-// Kills: ties decided by the order of arrival; members of the order left out.
+// Kills: ties decided by the order of arrival; members missing from the order.
 RC_GTEST_PROP(Merge, OfAnySplitGivesTheSameBytes, ()) {
   const std::vector<Observation> observations = random_observations();
-  // Every observation goes to any part, in order within it; parts come together in any order.
+  // Every observation goes to a random part, where the order is kept. The parts are merged in any
+  // order.
   const auto part_count = *rc::gen::inRange<std::size_t>(1, 5);
   std::vector<RecordSet> parts(part_count);
   for (const Observation& observation : observations) {

@@ -23,7 +23,7 @@ TEST(FileOf, KeepsEveryLetterAndDigit) {
   EXPECT_EQ(file_of(counterexample), "counterexamples/azAZ09--------.json");
 }
 
-// Kills: another file for the same failure at every seed.
+// Kills: a file name that depends on the seed, for the same failure.
 TEST(FileOf, IsTheSameWhereverItWasFound) {
   Counterexample one;
   one.source.found = {"law", "cpu", "missing", 1, 3};
@@ -42,7 +42,7 @@ TEST(UnreachedSentence, SaysHowOftenAndHowOftenAtLeast) {
             "Not reached: law on cpu: 'tie' in 1 of 9 cases, where at least 4 had to.");
 }
 
-// Kills: a run that was cut short and looks whole.
+// Kills: a run that was cut short and looks complete.
 TEST(Caveats, SayWhatIsMissing) {
   records::Run run;
   EXPECT_THAT(caveats(run), IsEmpty());
@@ -56,7 +56,7 @@ TEST(Caveats, SayWhatIsMissing) {
                           "depends on the machine."));
 }
 
-// Kills: a part that looks like the whole.
+// Kills: a shard that looks like the whole run.
 TEST(Caveats, SayThatItIsAShard) {
   records::Run run;
   run.shard.emplace();
@@ -69,7 +69,7 @@ TEST(Caveats, SayThatItIsAShard) {
                           "labels were reached; `rastercheck merge` puts all 7 together."));
 }
 
-// Kills: violations that nobody saw, and that look like any others.
+// Kills: violations of cases that were never drawn, but look like any others.
 TEST(Caveats, SayWhatWasNotDrawn) {
   records::Run run;
   run.records[{"a", "plugin:x", AttributeKind::coverage, "1"}].labels = {{"tie", 9}};

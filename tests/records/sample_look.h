@@ -1,7 +1,8 @@
 #pragma once
 
-// A closer look at the grown case of sample_gate.h, by hand: pixels (3, 5) and (4, 5) of a triangle
-// whose attribute is 1 at most, so that its scale ULP is 2^-23. Exactly it is 1/2 and 1/4.
+// A closer look at the grown case of sample_gate.h, made by hand. It shows pixels (3, 5) and (4, 5)
+// of a triangle whose attribute is at most 1, so its scale ULP is 2^-23. The exact values are 1/2
+// and 1/4.
 
 #include <bit>
 #include <cstdint>
@@ -16,7 +17,7 @@ namespace rastercheck::records {
 
 inline constexpr float kSampleUlp = 0x1p-23F;
 
-/// A value of attribute 0 that is `ulps` scale ULP off.
+/// A value of attribute 0 that is off by `ulps` scale ULP.
 inline InspectedValue sample_value(double exact, float ulps) {
   InspectedValue value;
   value.attribute = 0;
@@ -43,7 +44,7 @@ inline InspectedSample sample_of(std::uint32_t x, const InspectedValue& value) {
   return sample;
 }
 
-/// It is 3 and 0 scale ULP off now; of the baseline nothing was kept.
+/// The values are now off by 3 and 0 scale ULP. The baseline kept no pixels.
 inline CloserLook sample_look() {
   CloserLook look;
   look.key = {kSampleLaw, "cpu", Origin::random, 12};
@@ -73,7 +74,7 @@ inline CloserLook sample_look() {
   return look;
 }
 
-/// What a baseline kept of both pixels: the first 1 scale ULP below, the second not drawn.
+/// The pixels that a baseline kept: the first is 1 scale ULP too low, the second is not drawn.
 inline Specimen sample_specimen() {
   Specimen specimen;
   specimen.key = {kSampleLaw, "cpu", Origin::random, 12};

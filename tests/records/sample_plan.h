@@ -4,7 +4,7 @@
 
 namespace rastercheck::records {
 
-/// A plan in which nothing is as usual.
+/// A plan in which no setting has its default value.
 inline Plan sample_plan() {
   Plan plan{7, 12, {"cpu", "plugin:\"x\""}, {"a-law"}, {"*edge*", "--known"}, "bunny.obj", 640};
   plan.contract.emplace().file = "lax.json";

@@ -1,6 +1,7 @@
 #pragma once
 
-// A section of a baseline with a law or two, by hand: 4 values of errors 0, 1/4, 1/2 and 5/8.
+// A section of a baseline with one law, made by hand. It has 4 values, whose errors are 0, 1/4, 1/2
+// and 5/8.
 
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-// A shard that has something of everything.
+// A shard in which every member is set.
 
 #include "records/shard.h"
 

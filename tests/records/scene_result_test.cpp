@@ -18,7 +18,7 @@ TEST(SceneSentence, SaysHowMuchWasJudged) {
   EXPECT_NE(scene_sentence(scene).find("6 wrong, in known ways."), std::string::npos);
 }
 
-// Kills: a scene of which nothing was judged, and that looks as if all of it were right.
+// Kills: a scene that looks completely right although nothing of it was judged.
 TEST(SceneSentence, SaysWhyNothingWasJudged) {
   const SceneResult left_out{
       "bunny.obj", "gl:llvmpipe", 69666, 0, 0, 0, 0, false, {{"it is too far", 69666}}};

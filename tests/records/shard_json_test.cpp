@@ -22,7 +22,7 @@ TEST(ShardJson, ComesBackAsItWas) {
   EXPECT_EQ(read(cases::json_of(Shard())).value(), Shard());
 }
 
-// Kills: keys that are there for nothing.
+// Kills: writing keys that have no content.
 TEST(ShardJson, LeavesOutWhatThereIsNot) {
   const json document = cases::json_of(Shard());
   EXPECT_EQ(document.size(), 3U);

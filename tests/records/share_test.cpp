@@ -28,7 +28,7 @@ TEST(ShareText, IsInPercent) {
   EXPECT_EQ(share_text(4, 10000000), "0.00004%");
 }
 
-// Kills: "0%" of what there is, "100%" of what is not all.
+// Kills: "0%" of something that exists; "100%" of something that is not everything.
 TEST(ShareText, IsNeitherNoneNorAllOfWhatIsNot) {
   EXPECT_EQ(share_text(1, kMost), "0.0000000000000000054%");
   EXPECT_EQ(share_text(kMost - 1, kMost), "99.9999999999999999946%");
@@ -37,10 +37,10 @@ TEST(ShareText, IsNeitherNoneNorAllOfWhatIsNot) {
   EXPECT_EQ(share_text(kMost / 2, kMost), "50%");
 }
 
-/// Of the share and its rest, to double precision.
+/// The percentage that a text gives, to double precision.
 double in_percent(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
-// Kills: a rest that is rounded on its own; one digit too few.
+// Kills: rounding the rest separately; one digit too few.
 RC_GTEST_PROP(ShareText, IsCloseToTheShareAndItsRestToTheRest, ()) {
   const auto whole = *rc::gen::inRange<std::uint64_t>(1, 1ULL << 40);
   const auto part = *rc::gen::inRange<std::uint64_t>(0, whole + 1) >> *rc::gen::inRange(0, 40);
@@ -50,7 +50,7 @@ RC_GTEST_PROP(ShareText, IsCloseToTheShareAndItsRestToTheRest, ()) {
   const double exact = 100 * static_cast<double>(part) / static_cast<double>(whole);
   // Half a unit in the second digit of 1.0 is 1/20 of the number.
   if (2 * part <= whole) RC_ASSERT(std::abs(in_percent(text) - exact) <= exact * 0.0501);
-  // Hundredths of a percent and more are doubles to far more than the digits shown.
+  // Percentages of 0.01 and more are exact to far more digits as doubles than the texts show.
   const double rest = in_percent(share_text(whole - part, whole));
   RC_ASSERT(std::abs(in_percent(text) + rest - 100) <= 1e-13);
 }
@@ -62,7 +62,7 @@ TEST(LevelsText, NamesEveryLevel) {
   EXPECT_EQ(levels_text({}, 0), "");
 }
 
-// Kills: "100%" of what is only all that was answered.
+// Kills: "100%" of the questions that were answered, instead of all questions.
 TEST(LevelsText, CountsTheUndecidedAsAsked) {
   EXPECT_EQ(levels_text({3, 0, 0}, 1), "75% by filter, 0% by interval, 0% by exact numbers");
 }

@@ -19,14 +19,14 @@ using Units = SignedSum::Units;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// A number that is counted exactly: units of 2^-64, of which 2^40 has 2^104.
+/// The ends of a number, counted exactly in units of 2^-64, in which 2^40 has 2^104 units.
 struct Exact {
   Units lo = 0;
   Units hi = 0;
 };
 constexpr int kExactBits = 64;
 
-/// An error with the exact ends of its enclosure.
+/// An error, with the exact ends of its enclosure.
 struct Term {
   Enclosure error;
   Exact exact;
@@ -74,7 +74,7 @@ TEST(SignedSum, RoundsOutwards) {
   EXPECT_EQ(sum_of({{-least, least}}), SignedSum(-1, 1, 1, 0));
 }
 
-// Kills: the largest that is summed counted as beyond; one end alone asked.
+// Kills: counting the largest allowed term as too large; checking only one end.
 TEST(SignedSum, CountsWhatMayBeTooLargeApart) {
   const double above = std::nextafter(SignedSum::kMost, kInfinity);
   const Units most = SignedSum::kMostOfTerm;
@@ -106,18 +106,18 @@ RC_GTEST_PROP(SignedSum, EnclosesTheExactSum, ()) {
   RC_ASSERT(sum.beyond() == 0U);
   RC_ASSERT(sum.lo() * unit <= exact.lo);
   RC_ASSERT(sum.hi() * unit >= exact.hi);
-  // Each term loses less than a unit at either end.
+  // At either end, each term loses less than a unit.
   RC_ASSERT(exact.lo - sum.lo() * unit <= slack);
   RC_ASSERT(sum.hi() * unit - exact.hi <= slack);
 }
 
-// Kills: an order of terms that shows.
+// Kills: a sum that depends on the order of terms.
 RC_GTEST_PROP(SignedSum, MergedOfAnySplitIsTheSame, ()) {
   const std::vector<Term> terms = random_terms();
   SignedSum whole;
   std::vector<SignedSum> parts(3);
   for (const Term& term : terms) {
-    // Some are too large.
+    // Some terms are too large.
     const Enclosure error =
         *rc::gen::inRange(0, 8) == 0 ? Enclosure{term.error.lo, kInfinity} : term.error;
     whole.add(error);
@@ -133,17 +133,17 @@ RC_GTEST_PROP(SignedSum, MergedOfAnySplitIsTheSame, ()) {
   RC_ASSERT(back == whole);
 }
 
-/// Whether x <= units · 2^-32 / count, by whole numbers alone; count is at most 2^54.
+/// True if x <= units · 2^-32 / count, computed only with integers. count is at most 2^54.
 bool is_at_most(double x, Units units, std::uint64_t count) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
   const auto digits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  // x · count = product · 2^(exponent - 53), to be held against units · 2^-32.
+  // x · count = product · 2^(exponent - 53), which is compared with units · 2^-32.
   const Units product = Units{digits} * static_cast<Units>(count);
   const int shift = exponent - 53 + 32;
   if (shift >= 127) return digits <= 0;
   if (shift >= 0) return product <= (units >> shift);              // floor(units / 2^shift)
-  if (shift <= -127) return product > 0 ? units > 0 : units >= 0;  // as near to 0 as that
+  if (shift <= -127) return product > 0 ? units > 0 : units >= 0;  // x is nearer to 0 than any unit
   return -(-product >> -shift) <= units;                           // ceil(product / 2^-shift)
 }
 
@@ -156,7 +156,7 @@ RC_GTEST_PROP(SignedSum, TheMeanEnclosesTheExactOne, ()) {
   RC_ASSERT(mean.lo <= mean.hi);
   RC_ASSERT(is_at_most(mean.lo, sum.lo(), sum.count()));
   RC_ASSERT(is_at_most(-mean.hi, -sum.hi(), sum.count()));
-  // And no wider than that takes: eight steps of doubles at most.
+  // The enclosure is no wider than necessary: at most eight steps of doubles.
   const double size = magnitude_bound(mean);
   const double slack = 8 * (std::nextafter(size, kInfinity) - size);
   RC_ASSERT(!is_at_most(mean.lo + slack, sum.lo(), sum.count()) || sum.lo() == 0);

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-/// Two pixels by one with two samples; the third of them is not drawn.
+/// Two pixels by one, with two samples each; the third sample is not drawn.
 Specimen small() {
   Specimen specimen;
   specimen.key = {"law", "cpu", Origin::corpus, 7};
@@ -39,7 +39,7 @@ Result<std::vector<Specimen>> read(const json& document) {
                           });
 }
 
-// Kills: any change of the format, which those who read old baselines would not notice.
+// Kills: any change of the format; readers of old baselines would not notice it.
 TEST(SpecimenToJson, WritesTheFormat) {
   EXPECT_EQ(cases::json_of(small()), json::parse(R"({
     "law": "law", "backend": "cpu", "origin": "corpus", "index": 7, "name": "a <name>",
@@ -82,7 +82,7 @@ void expect_refused(const std::string& key, const json& value, const std::string
   EXPECT_THAT(specimens.error().reason, HasSubstr(reason));
 }
 
-// Kills: a reader that trusts sizes: "drawn" and "bits" have to be as many as they say.
+// Kills: a reader that trusts sizes: "drawn" and "bits" must be as long as the size says.
 TEST(SpecimenFromJson, RefusesAnyOtherForm) {
   expect_refused("more", 1, "/more", "");
   expect_refused("width", 0, "", "must have a sample");

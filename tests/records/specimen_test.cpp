@@ -9,7 +9,7 @@
 namespace rastercheck::records::specimen_test {
 namespace {
 
-/// Two by one pixels at (3, 5) with two samples, of a depth and an attribute; all drawn.
+/// Two by one pixels at (3, 5), with two samples each, a depth and an attribute; all are drawn.
 Specimen small() {
   Specimen specimen;
   specimen.key = {"law", "cpu", Origin::random, 7};
@@ -30,7 +30,7 @@ void set(Specimen& specimen, std::size_t at, float value) {
   specimen.bits[at] = std::bit_cast<std::uint32_t>(value);
 }
 
-// Kills: x and y exchanged, samples before pixels, places counted from the framebuffer's corner.
+// Kills: exchanging x and y; putting samples before pixels; counting from the framebuffer's corner.
 TEST(Specimen, FindsSamplesByTheirPlace) {
   const Specimen specimen = small();
   EXPECT_EQ(specimen.index_of(3, 5, 1), 1U);
@@ -68,17 +68,18 @@ TEST(ChangeOf, IsNothingOfTheSameBits) {
   EXPECT_EQ(change_of(specimen, specimen), std::nullopt);
 }
 
-// The attribute is 4 at most, where float32 numbers are 2^-21 apart; depths 1/2, 2^-24 apart.
+// The attribute is at most 4, where float32 numbers are 2^-21 apart. Depths are at most 1/2, where
+// they are 2^-24 apart.
 TEST(ChangeOf, CountsSpacingsOfTheLargestValue) {
   Specimen after = small();
-  set(after, 1, 1 + 0x1p-19F);         // 4 of the attribute's
-  set(after, 4, 0.5F + 3 * 0x1p-24F);  // 3 of the depth's
+  set(after, 1, 1 + 0x1p-19F);         // 4 spacings of the attribute
+  set(after, 4, 0.5F + 3 * 0x1p-24F);  // 3 spacings of the depth
   EXPECT_EQ(change_of(small(), after), (SpecimenChange{2, 0, 0, 4}));
   set(after, 6, 0.5F - 5 * 0x1p-24F);
   EXPECT_EQ(change_of(small(), after), (SpecimenChange{3, 3, std::nullopt, 5}));
 }
 
-// Kills: a sample that comes or goes, or a NaN, lost among numbers that changed.
+// Kills: losing a sample that appears or disappears, or a NaN, among numbers that changed.
 TEST(ChangeOf, PutsWhatHasNoSizeFirst) {
   Specimen after = small();
   set(after, 1, 1000);
@@ -91,7 +92,7 @@ TEST(ChangeOf, PutsWhatHasNoSizeFirst) {
             (SpecimenChange{1, 3, 0, std::numeric_limits<double>::infinity()}));
 }
 
-// −0 for +0 is no distance, and yet another value.
+// −0 and +0 are at no distance, and yet they are different values.
 TEST(ChangeOf, SeesTheSignOfZero) {
   Specimen before = small();
   set(before, 0, 0);

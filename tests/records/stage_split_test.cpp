@@ -5,7 +5,7 @@
 namespace rastercheck::records::stage_split_test {
 namespace {
 
-// Kills: the last of equally large parts; signs that count.
+// Kills: returning the last of equally large parts; comparing parts with their signs.
 TEST(LargestPart, IsTheFirstOfTheGreatestMagnitude) {
   ErrorSplit split;
   split.parts = {{Stage::set_up, {1, 1}}, {Stage::weights, {-3, -3}}, {Stage::evaluation, {3, 3}}};

@@ -43,7 +43,7 @@ LawSummary summary_of(const RecordSet& records) {
   return summarize(run).front();
 }
 
-// Kills: defects of one law or stratum only; backends taken together.
+// Kills: counting defects of one law or stratum only; adding up different backends.
 TEST(PowerByBackend, AddsUpLawsAndStrata) {
   records::Run run = small_run();
   const auto power_of = [&run](const char* law, const char* backend, const char* stratum) -> auto& {
@@ -57,7 +57,7 @@ TEST(PowerByBackend, AddsUpLawsAndStrata) {
                      {"cpu", {{Defect::crack, {4, 2}}, {Defect::values_nan, {2, 2}}}}}));
 }
 
-// Kills: the order of the records, which is that of names.
+// Kills: the order of the records, which is alphabetical.
 TEST(Summarize, HasARowForEveryLawAndBackendInTheOrderOfTheRun) {
   std::vector<std::string> order;
   for (const LawSummary& row : summarize(small_run())) order.push_back(row.law + row.backend);
@@ -91,7 +91,7 @@ TEST(Summarize, AddsStrata) {
   EXPECT_EQ(row.labels, (std::map<std::string, std::uint64_t>{{"clipped", 2}, {"tie", 4}}));
 }
 
-// A fragment has several values and is counted once. Kills: values counted as fragments.
+// A fragment has several values but is counted once. Kills: counting values as fragments.
 TEST(Summarize, CountsFragmentsByTheirCoverage) {
   RecordSet records;
   for (const AttributeKind kind : {AttributeKind::coverage, AttributeKind::smooth}) {
@@ -105,7 +105,7 @@ TEST(Summarize, CountsFragmentsByTheirCoverage) {
   EXPECT_EQ(row.classes[FragmentClass::missing], 6U);
 }
 
-// Kills: a law on values that holds because none of them was judged.
+// Kills: a law on values that holds although none of them was judged.
 TEST(Summarize, HoldsOnlyWhereSomethingWasJudged) {
   RecordSet records;
   Record& coverage = records[{"law", "cpu", AttributeKind::coverage, ""}];
@@ -147,7 +147,8 @@ TEST(Summarize, TheWorstMayBeOnEitherSideOrUnbounded) {
   EXPECT_EQ(worst_of({{0, 0}}), (Enclosure{0, 0}));
 }
 
-// 99 of 100 are 1/4: the 99th is one. One more, and it is not. Kills: quantiles of a stratum.
+// 99 of 100 values are 1/4, so the 99th is 1/4. With one value more, it is not. Kills: quantiles of
+// a single stratum.
 TEST(Summarize, P99IsOfAllKindsAndStrata) {
   RecordSet records;
   const std::size_t quarter = Histogram::bucket_of(0.25);
@@ -162,7 +163,7 @@ TEST(Summarize, P99IsOfAllKindsAndStrata) {
   EXPECT_EQ(summary_of(records).ideal.p99, Histogram::borders(Histogram::bucket_of(8)));
 }
 
-// Kills: kinds or strata mixed up; the mean of magnitudes; 1/2 taken for misrounded.
+// Kills: mixing kinds or strata; the mean of magnitudes; counting 1/2 as misrounded.
 TEST(Summarize, PrecisionIsByKindAndStratum) {
   RecordSet records;
   Record depth = with_ideal({{-0.5, -0.5}, {0.25, 0.25}, {0.75, 0.75}, {0.5, 0.5}});
@@ -200,7 +201,7 @@ TEST(Summarize, PrecisionIsByKindAndStratum) {
   EXPECT_EQ(rows[2].misrounded, 1U);
 }
 
-// Kills: the mean of those that happen to be summed, shown for all.
+// Kills: showing the mean of the values that happen to be summed as the mean of all.
 TEST(Summarize, OfValuesThatAreNotAllSummedThereIsNoMean) {
   Record old = with_ideal({{1, 1}});
   old.errors.ideal.histogram.add(2);
@@ -253,7 +254,7 @@ TEST(Summarize, AddsLevels) {
   EXPECT_EQ(summary_of(records).levels, (Levels{{2, 4, 6}, {8, 10, 12}}));
 }
 
-// Kills: what was not checked, or checked on nothing, taken for what held.
+// Kills: treating a law as held that was not checked, or checked on nothing.
 TEST(Summarize, VerdictsAreThreeValued) {
   const auto verdict_with = [](const CaseCounts& cases, std::uint64_t correct = 5) {
     Record record;
@@ -272,7 +273,7 @@ TEST(Summarize, VerdictsAreThreeValued) {
   EXPECT_EQ(summary_of({}).verdict, LawVerdict::not_checked);
 }
 
-// Kills: a law that has not tested what it claims to, taken for one that held.
+// Kills: treating a law as held that has not tested what it claims to test.
 TEST(Summarize, TakesUnreachedLabelsForThin) {
   const auto verdict_with = [](std::uint64_t violations, const std::string& backend) {
     records::Run run;
@@ -290,7 +291,7 @@ TEST(Summarize, TakesUnreachedLabelsForThin) {
   EXPECT_EQ(verdict_with(0, "another"), LawVerdict::held);
 }
 
-/// A run of one law on `cpu`, that held on so many of the cases asked for.
+/// A run of one law on `cpu`, which held on `checked` of the `asked` cases.
 records::Run run_of(std::uint64_t checked, std::uint64_t asked) {
   records::Run run;
   run.plan.laws = {"law"};
@@ -302,7 +303,7 @@ records::Run run_of(std::uint64_t checked, std::uint64_t asked) {
   return run;
 }
 
-// Kills: "held" of a law that was judged on 2 cases of 1,000.
+// Kills: "held" for a law that was judged on 2 cases of 1,000.
 TEST(Summarize, TakesFewCasesForThin) {
   const auto verdict_of = [](std::uint64_t checked, std::uint64_t asked) {
     return summarize(run_of(checked, asked)).front().verdict;
@@ -312,7 +313,7 @@ TEST(Summarize, TakesFewCasesForThin) {
   EXPECT_EQ(verdict_of(20, 1000), LawVerdict::held);
   EXPECT_EQ(verdict_of(199, 10'000), LawVerdict::thin);  // 2%
   EXPECT_EQ(verdict_of(200, 10'000), LawVerdict::held);
-  EXPECT_EQ(verdict_of(7, 7), LawVerdict::held);  // no more were asked for
+  EXPECT_EQ(verdict_of(7, 7), LawVerdict::held);  // no more cases were asked for
   EXPECT_EQ(verdict_of(6, 7), LawVerdict::thin);
   EXPECT_EQ(thin_sentence(summarize(run_of(2, 1000))), "1 property held on fewer than 20 cases");
   EXPECT_EQ(thin_sentence(summarize(run_of(20, 1000))), "");
@@ -349,7 +350,7 @@ TEST(KnownDefects, CountTheCasesOfAllLaws) {
   }
   const std::vector<KnownSummary> all = known_defects(run);
   ASSERT_EQ(all.size(), 3U);
-  EXPECT_EQ(all[0].cases, 0U);  // of another backend
+  EXPECT_EQ(all[0].cases, 0U);  // on another backend
   EXPECT_EQ(all[1].cases, 4U);
   EXPECT_FALSE(all[1].is_passed);
   EXPECT_TRUE(all[2].is_passed);

@@ -15,7 +15,7 @@ constexpr std::array kReasons{Reason::inside,    Reason::tie,           Reason::
                               Reason::outside,   Reason::clipped,       Reason::viewport,
                               Reason::culled,    Reason::degenerate};
 
-// Output files hold these words: changing one breaks those who read them.
+// Output files contain these words, so changing one breaks their readers.
 TEST(Verdict, HasTheWordsOfTheOutputFormat) {
   EXPECT_EQ(to_string(Verdict::required), "required");
   EXPECT_EQ(to_string(Verdict::forbidden), "forbidden");
@@ -42,7 +42,7 @@ TEST(Reason, NoTwoShareAWord) {
   EXPECT_EQ(words.size(), kReasons.size());
 }
 
-// The words stand unquoted in JSON strings, tables and HTML attributes.
+// The words are used unquoted in JSON strings, tables and HTML attributes.
 TEST(Reason, WordsAreShortPlainAscii) {
   for (const Reason reason : kReasons) {
     const std::string_view word = to_string(reason);

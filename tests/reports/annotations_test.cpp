@@ -25,7 +25,7 @@ TEST(GithubAnnotations, NameTheFileOfEachCounterexample) {
   EXPECT_THAT(text, HasSubstr("%0Arastercheck replay out/counterexamples/"));
 }
 
-// Kills: a text that ends the command, or is taken for an escape.
+// Kills: a text that ends the command, or is read as an escape sequence.
 TEST(GithubAnnotations, EscapeTexts) {
   records::Run run;
   run.unreached = {{"50%\nof, a: law", "cpu", "tie", 2, 13, 1000}};
@@ -37,7 +37,7 @@ TEST(GithubAnnotations, EscapeTexts) {
 
 TEST(GithubAnnotations, AreNoneWhereAllHeld) { EXPECT_EQ(github_annotations({}, "out"), ""); }
 
-// Kills: an error for what only the driver's version explains.
+// Kills: reporting an error where only the driver's version is the cause.
 TEST(GithubAnnotations, WarnOfPassesUnderAnotherVersion) {
   records::Run run;
   run.unexpected = {{"gl", "driver-1", "a law", records::Staleness::other_version},

@@ -8,7 +8,7 @@
 namespace rastercheck::reports::base64_test {
 namespace {
 
-// RFC 4648, section 10. Kills: padding that is short by one; reading beyond the last byte.
+// RFC 4648, section 10. Kills: padding that is too short by one; reading beyond the last byte.
 TEST(Base64, IsThatOfTheRfc) {
   EXPECT_EQ(to_base64(""), "");
   EXPECT_EQ(to_base64("f"), "Zg==");
@@ -20,7 +20,7 @@ TEST(Base64, IsThatOfTheRfc) {
   EXPECT_EQ(to_base64(std::string("\0\xfb\xff\xfe", 4)), "APv//g==");
 }
 
-// Kills: signed bytes; zero bytes taken for the end, or for padding.
+// Kills: signed bytes; taking zero bytes for the end, or for padding.
 RC_GTEST_PROP(Base64, GivesBackAnyBytes, (const std::string& bytes)) {
   const Result<std::string> again = from_base64(to_base64(bytes));
   RC_ASSERT(again.has_value());

@@ -1,4 +1,4 @@
-// The texts of a bisection; tests/cli/bisect_test.py has repositories searched.
+// Tests the texts of a bisection. tests/cli/bisect_test.py searches whole repositories.
 
 #include "reports/bisect_text.h"
 
@@ -74,7 +74,7 @@ TEST(BisectText, NamesTheCommitAndTheCase) {
                           Not(HasSubstr("better")), Not(HasSubstr("in the end"))));
 }
 
-// Kills: a first commit taken for all that there is.
+// Kills: reporting only the first worse commit, although more became worse later.
 TEST(BisectText, SaysWhereMoreIsWorseInTheEnd) {
   const std::string text = bisect_text(outcome(7, 9));
   EXPECT_THAT(text, AllOf(HasSubstr("    … and 2 more\n"),

@@ -41,8 +41,21 @@ TEST(CauseText, HasWhatWasTriedAndTheFirstCounterexample) {
 }
 
 TEST(CauseText, EndsWithALineAndACommandOfEach) {
-  EXPECT_THAT(causes_list(sample_run(), &command_of),
+  records::Run run = sample_run();
+  run.causes[0].hint = std::nullopt;
+  EXPECT_THAT(causes_list(run, &command_of),
               testing::EndsWith("2 counterexamples of 1 property, on cpu\n     replay 3\n"));
+}
+
+TEST(CauseText, HasAHintWhereThereIsOne) {
+  records::Run run = sample_run();
+  const std::string line = "int: 1 of 2 wrong drawings are right if <y> points the other way";
+  EXPECT_THAT(causes_text(run, &command_of), HasSubstr("\n  H" + line + ".\n"));
+  EXPECT_THAT(causes_list(run, &command_of), HasSubstr("\n     h" + line + "\n"));
+  run.causes[0].hint = records::Hint{"x and y are exchanged", 1, 1};
+  EXPECT_EQ(hint_text(run.causes[0]), "the one wrong drawing is right if x and y are exchanged");
+  run.causes[0].hint = std::nullopt;
+  EXPECT_THAT(causes_list(run, &command_of), testing::Not(HasSubstr("hint")));
 }
 
 TEST(CauseText, RunsOfBeforeHaveCounterexamplesWithoutACause) {

@@ -18,7 +18,7 @@ TEST(RunCommand, NamesWhatDecidesTheRun) {
   EXPECT_EQ(run_command(run), "rastercheck run --cases 20 --seed 7 --scene 'it'\\''s'");
 }
 
-// Kills: a campaign on all laws where some were asked for.
+// Kills: a campaign on all laws where only some were requested.
 TEST(RunCommand, HasItsOtherOptions) {
   records::Run run;
   run.plan.backends = {"cpu"};
@@ -35,7 +35,7 @@ TEST(RunCommand, HasItsOtherOptions) {
             "lax.json --no-known --shard 2/7");
 }
 
-// Kills: a replay that holds drawings to another contract; options that it does not know.
+// Kills: a replay that holds drawings to another contract; options that the replay does not know.
 TEST(ReplayCommand, TakesTheOptionsThatItKnows) {
   records::Run run;
   EXPECT_EQ(replay_command(run, "out/a b.json"), "rastercheck replay 'out/a b.json'");

@@ -41,7 +41,7 @@ TEST(CompareFormats, AreWrittenIntoOneFolder) {
   EXPECT_FALSE(write_comparison(sample_gate(), folder.path("file")));
 }
 
-// Kills: a name that leaves the folder.
+// Kills: a name that leads out of the folder.
 TEST(FileOf, IsAName) {
   records::Comparison comparison;
   comparison.key.backend = "plugin:../x.so";

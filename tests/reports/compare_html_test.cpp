@@ -18,7 +18,7 @@ using testing::Not;
 
 std::string page(const Gate& gate) { return find_compare_format("html")->write(gate); }
 
-/// The sample with a look at what grew, and the pixels that the baseline kept of it.
+/// The sample with a look at the case that grew, and with the pixels that the baseline kept of it.
 Gate gate_with_pixels() {
   Gate gate = sample_gate();
   gate.looks = {records::sample_look()};
@@ -26,7 +26,8 @@ Gate gate_with_pixels() {
   return gate;
 }
 
-/// Without the style that it shares with report.html, whose changes are no changes of this page.
+/// The page without the style that it shares with report.html, as changes of that style do not
+/// count as changes of this page.
 std::string without_style(std::string text) {
   const std::size_t at = text.find(kViewerStyle);
   return at == std::string::npos ? text : text.erase(at, kViewerStyle.size());
@@ -56,7 +57,7 @@ TEST(CompareHtml, BeginsWithTheVerdictAndTheLargestGrowth) {
   EXPECT_THAT(text, HasSubstr("<code>c0ffee</code>"));
 }
 
-// Kills: pictures that are not of the pixels, or of the wrong side.
+// Kills: pictures of other pixels, or of the wrong side.
 TEST(CompareHtml, ShowsOldNewAndDifference) {
   const std::string text = page(gate_with_pixels());
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 3U);
@@ -71,8 +72,8 @@ TEST(CompareHtml, ShowsOldNewAndDifference) {
   EXPECT_THAT(text, HasSubstr("0x1.fffff8p-2")) << "1/2 − 2^-23";
 }
 
-// No value of the case was farther off than 5/8: 3 ULP off it changed by 19/8 at least, and one
-// that is exact now need not have changed.
+// No value of the case was off by more than 5/8. So a value that is off by 3 ULP now has changed by
+// at least 19/8, and a value that is exact now need not have changed.
 TEST(CompareHtml, SaysWhatIsCertainWithoutOldPixels) {
   Gate gate = sample_gate();
   gate.looks = {records::sample_look()};
@@ -85,7 +86,7 @@ TEST(CompareHtml, SaysWhatIsCertainWithoutOldPixels) {
                               "unchanged</title>"));
 }
 
-// Kills: values that were not judged then taken for exact ones.
+// Kills: treating values that were not judged before as exact.
 TEST(CompareHtml, ClaimsNothingOfErrorsThatNobodyKnows) {
   records::BaselineSection before = records::sample_section();
   before.laws[records::kSampleLaw].cases[records::kSampleCase].worst.clear();
@@ -104,7 +105,7 @@ TEST(CompareHtml, SaysWhereNothingCouldBeDrawn) {
   EXPECT_THAT(text, HasSubstr("There is no picture of it"));
 }
 
-// OpenGL's window y points up: the upper one of two rows is that of the greater y.
+// In OpenGL, window y points up, so the upper one of two rows has the greater y.
 TEST(CompareHtml, TurnsPicturesAsTheWindowIs) {
   Gate gate = sample_gate();
   gate.looks = {records::sample_look()};
@@ -155,7 +156,7 @@ TEST(CompareHtml, HoldsSeveralBackends) {
   EXPECT_THAT(text, HasSubstr("<h2 id=\"backend-1\" class=\"held\">"));
 }
 
-// Kills: any text of files that is not escaped.
+// Kills: text from files that is not escaped.
 TEST(CompareHtml, IsNoPageOfWhatNamesSay) {
   const std::string hostile = "\"><script>alert(1)</script><img src=//x>";
   Gate gate = gate_with_pixels();
@@ -180,7 +181,7 @@ TEST(CompareHtml, IsNoPageOfWhatNamesSay) {
   EXPECT_THAT(text, Not(HasSubstr("<img")));
 }
 
-// Kills: links that lead nowhere, and ids that there are twice.
+// Kills: links that lead nowhere; ids that occur twice.
 TEST(CompareHtml, HasOnePlaceForEachLink) {
   const std::string text = page(gate_with_pixels());
   const std::regex link("href=\"#([^\"]*)\"");

@@ -96,7 +96,8 @@ TEST(ComparisonText, SaysWhatAPolicyAllows) {
                           HasSubstr("Allows nothing any more, and may go: p.json: /allow/2")));
 }
 
-// Kills: a stage named where the case was not drawn again, and the rounding that there always is.
+// Kills: naming a stage although the case was not drawn again; naming the rounding that every value
+// has.
 TEST(ComparisonText, SaysWhichStageMadeMostOfAGrownError) {
   Gate gate = sample_gate();
   EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("stage to look at")));
@@ -110,7 +111,7 @@ TEST(ComparisonText, SaysWhichStageMadeMostOfAGrownError) {
   EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("stage to look at")));
 }
 
-// Kills: parts that are no stages, "left open" for one, as what to look at.
+// Kills: naming a part that is not a stage, such as "left open", as the stage to look at.
 TEST(ComparisonText, NamesNoStageOfABackendThatTellsNone) {
   using records::Stage;
   records::BaselineSection before = records::sample_section();
@@ -138,7 +139,7 @@ TEST(ComparisonText, NamesNoStageOfABackendThatTellsNone) {
   }
 }
 
-// Kills: 0 for the error of values that were perhaps not judged.
+// Kills: 0 as the error of values that may not have been judged.
 TEST(ComparisonText, SaysWhereNoErrorIsKnownOfBefore) {
   records::BaselineSection before = records::sample_section();
   before.laws[records::kSampleLaw].cases[records::kSampleCase].worst.clear();
@@ -148,7 +149,7 @@ TEST(ComparisonText, SaysWhereNoErrorIsKnownOfBefore) {
                     HasSubstr("    error none → 0.75 ULP\n"), Not(HasSubstr("then  "))));
 }
 
-// Kills: two numbers that differ and look the same.
+// Kills: two numbers that differ but look the same.
 TEST(ComparisonText, ShowsAsManyDigitsAsDiffer) {
   records::BaselineSection after = records::sample_section();
   after.entries[records::kSampleSliver].worst = {0x1.4000000000001p-1, 0x1.4000000000001p-1};

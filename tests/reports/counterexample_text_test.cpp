@@ -35,7 +35,7 @@ TEST(CounterexampleText, SaysWhatMightGoOn) {
   EXPECT_THAT(counterexample_text(whole, "x"), HasSubstr("; as it was found.\n"));
 }
 
-// Of coverage the verdict and the distance; of a range both ends.
+// For coverage, the text gives the verdict and the distance; for a range, both ends.
 TEST(CounterexampleText, GivesExactValuesWithDecimals) {
   records::Counterexample missing = sample_counterexample(3);
   missing.violations.erase(missing.violations.begin());
@@ -48,7 +48,7 @@ TEST(CounterexampleText, GivesExactValuesWithDecimals) {
               HasSubstr("exactly [1/3, 2/3] (about 0.333333333 to 0.666666667)"));
 }
 
-/// Of a drawing that there is not.
+/// A counterexample whose case could not be drawn.
 records::Counterexample crashed() {
   records::Counterexample one = sample_counterexample(3);
   records::Violation crash;
@@ -61,7 +61,7 @@ records::Counterexample crashed() {
   return one;
 }
 
-// Kills: a sample, or an exact answer, of what was not drawn.
+// Kills: giving a sample or an exact answer although nothing was drawn.
 TEST(CounterexampleText, SaysOfNoDrawingOnlyWhy) {
   EXPECT_THAT(counterexample_text(crashed(), "x"),
               AllOf(HasSubstr("; shrunk in 214 tries.\n  its process ended\n"),
@@ -72,7 +72,7 @@ TEST(CounterexampleText, SaysOfNoDrawingOnlyWhy) {
             "its process ended\n");
 }
 
-// Kills: a number that is rounded, minus zero that is none, the grid taken for pixels.
+// Kills: a rounded number; minus zero without its sign; reading the grid as pixels.
 TEST(CaseText, ShowsStateVerticesAndTriangles) {
   const std::string text = case_text(sample_case("law", "cpu", 1));
   EXPECT_THAT(text, AllOf(HasSubstr("  64 × 48 pixels of 4 samples, viewport 0 0 64 48, rules "),
@@ -84,7 +84,7 @@ TEST(CaseText, ShowsStateVerticesAndTriangles) {
   EXPECT_THAT(case_text(exact), AllOf(HasSubstr("window x"), Not(HasSubstr("subpixel"))));
 }
 
-// Kills: a screen full of vertices.
+// Kills: filling the screen with vertices.
 TEST(CaseText, OnlyCountsMany) {
   cases::Case c = sample_case("law", "cpu", 1);
   c.triangles.assign(20, {0, 1, 2});

@@ -21,7 +21,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 int lightness(const Color& color) { return color[0] + color[1] + color[2]; }
 
-/// A map wide enough to need no margins, with one correct pixel at (column, 0).
+/// A map that is wide enough to need no margins, with one drawn pixel, at (7, 4).
 ErrorMap one_error(float error, PixelState state = PixelState::correct) {
   ErrorMap map{400, 9, {}, {}};
   map.states.resize(3600);
@@ -33,8 +33,8 @@ ErrorMap one_error(float error, PixelState state = PixelState::correct) {
 
 Color color_of(float error) { return draw_error_map(one_error(error), Rules::vulkan).at(7, 4); }
 
-// The ends of the ramp, and its fifths: 2^(-6 + 16/5 k) lies between control points by the linear
-// logarithm. 2^2 is halfway. Kills: a ramp over other exponents.
+// The ends of the ramp, and its middle: the control points are at 2^(-6 + 16/5 k), so 2^2 is
+// halfway between the two in the middle. Kills: a ramp over other exponents.
 TEST(DrawErrorMap, IsLogarithmicFromOneSixtyFourthToOneThousandTwentyFour) {
   EXPECT_EQ(color_of(0), kLeast);
   EXPECT_EQ(color_of(0x1p-149F), kLeast);
@@ -47,7 +47,7 @@ TEST(DrawErrorMap, IsLogarithmicFromOneSixtyFourthToOneThousandTwentyFour) {
   EXPECT_EQ(color_of(kNan), kRed);
 }
 
-// Kills: a logarithm that jumps where the exponent does.
+// Kills: a logarithm that jumps where the exponent changes.
 TEST(DrawErrorMap, GrowsLighterWithTheError) {
   int before = lightness(kLeast);
   for (float error = 0x1p-6F; error <= 0x1p10F; error *= 1.0905077F) {
@@ -89,7 +89,7 @@ TEST(DrawErrorMap, HasALegendThatFits) {
   EXPECT_EQ(narrow.height, wide.height - 8);
   EXPECT_EQ(narrow.at(131, 0), color_of(1));  // in the middle
   EXPECT_EQ(narrow.at(132, 0), kBackground);
-  // The bar runs from one end of the ramp to the other.
+  // The bar extends from one end of the ramp to the other.
   int least = 0;
   int most = 0;
   for (int column = 0; column < narrow.width; ++column) {

@@ -12,8 +12,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// The ends are at the first and the last label, and a step of the labels is the same share of the
-// ramp everywhere. Kills: labels of another scale.
+// The first and the last label are at the ends, and each step between labels is the same part of
+// the ramp. Kills: labels of another scale.
 TEST(ErrorScale, HasItsLabelsWhereItsColoursAre) {
   struct Labelled {
     const ErrorScale* scale;
@@ -33,7 +33,7 @@ TEST(ErrorScale, HasItsLabelsWhereItsColoursAre) {
   }
 }
 
-// Kills: maps of roundings and of texels that look alike.
+// Kills: maps of rounding errors and of texels that look alike.
 TEST(ErrorScale, OfTexelsHasOtherColoursThanOfRoundings) {
   std::set<Color> seen(ulp_scale().ramp.begin(), ulp_scale().ramp.end());
   seen.insert(ulp_scale().violated);

@@ -1,5 +1,5 @@
-// What the formats write of the sample run, held against approved files byte by byte. To approve
-// what they write now, look at it, then run this program with UPDATE_APPROVED=1.
+// Compares the files that the formats write for the sample run with approved files, byte by byte.
+// To approve new output, look at it first, then run this program with UPDATE_APPROVED=1.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ std::string written(std::string_view format, const records::Run& run) {
   return find_format(format).value().write(run);
 }
 
-/// The page without what it is brought to life with, which has tests of its own (tests/browser/).
+/// The page without the scripts and styles of its viewer, which has tests of its own
+/// (tests/browser/).
 std::string without_viewer(std::string text) {
   for (const std::string& part : {viewer_scripts(), viewer_policy(), std::string(kViewerStyle)}) {
     if (const std::size_t at = text.find(part); at != std::string::npos)
@@ -61,7 +62,7 @@ TEST(Formats, TellWhatIsKnownOfDrivers) {
   EXPECT_THAT(summary, HasSubstr("- Unexpected pass: the case of driver-2"));
 }
 
-// Kills: a text that goes into the page as it is.
+// Kills: a text that is inserted into the page unescaped.
 TEST(HtmlFormat, EscapesEveryText) {
   records::Run run = sample_run();
   add_known_defects(run);
@@ -97,7 +98,7 @@ TEST(HtmlFormat, EscapesEveryText) {
     }
   }
   std::string page = without_viewer(written("html", run));
-  // What the viewer reads is text to HTML, whatever is in it.
+  // For HTML, the viewer's data is only text, whatever it contains.
   constexpr std::string_view kData = "<script type=\"application/json\">";
   for (std::size_t at = page.find(kData); at != std::string::npos; at = page.find(kData)) {
     const std::size_t end = page.find("</script>", at);
@@ -115,13 +116,13 @@ TEST(HtmlFormat, NeedsNothingFromElsewhere) {
   for (const char* elsewhere : {"<link", "@import", "src=\"/", "src=\"h", "url(h"}) {
     EXPECT_EQ(page.find(elsewhere), std::string::npos) << elsewhere;
   }
-  // Scripts name namespaces, and who made them.
+  // Scripts contain the addresses of namespaces and of their authors.
   for (const char* elsewhere : {"http://", "https://"}) {
     EXPECT_THAT(without_viewer(page), Not(HasSubstr(elsewhere)));
   }
 }
 
-// Kills: a page that only says something where scripts run.
+// Kills: a page that says nothing unless scripts run.
 TEST(HtmlFormat, SaysWhatIsWrongWithoutScripts) {
   const std::string page = without_viewer(written("html", sample_run()));
   EXPECT_THAT(page, HasSubstr("Pixel (3, 4) of triangle 0: u &amp; v is exactly "
@@ -147,7 +148,7 @@ TEST(HtmlFormat, SaysWhichStageASampleIsMissingFrom) {
   EXPECT_THAT(page, HasSubstr("the first stage to say otherwise is <strong>snap</strong>"));
 }
 
-// Kills: an exception where a text is no UTF-8, control characters that break a line.
+// Kills: an exception for text that is not UTF-8; control characters that break a line.
 TEST(AllFormats, TakeAnyBytes) {
   records::Run run = sample_run();
   run.counterexamples[0].source.name = "\xff\n\x01";
@@ -159,7 +160,7 @@ TEST(AllFormats, TakeAnyBytes) {
   }
 }
 
-// Kills: a sample, or an exact answer, of what was not drawn.
+// Kills: giving a sample or an exact answer although nothing was drawn.
 TEST(AllFormats, TellOfNoDrawingOnlyWhy) {
   records::Violation crash;
   crash.fragment_class = records::FragmentClass::crash;

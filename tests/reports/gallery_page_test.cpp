@@ -34,7 +34,7 @@ std::string page_of(const GalleryPicture& picture) {
   return gallery_html(std::vector<GalleryFigure>{figure}).value();
 }
 
-// Kills: texts that are not escaped, numbers rounded down, a picture without its errors.
+// Kills: texts that are not escaped; numbers rounded down; a picture without its errors.
 TEST(GalleryHtml, ShowsAPictureBesideItsErrors) {
   const std::string page = page_of(picture());
   for (const char* part :
@@ -70,7 +70,7 @@ TEST(GalleryHtml, SaysWhatIsNotAsPromised) {
   EXPECT_THAT(page_of(wrong), HasSubstr("1 sample"));
 }
 
-// A strip is in the page once, and each frame shows its part. Kills: frames off by one.
+// The page contains a strip once, and each frame shows its part. Kills: frames off by one.
 TEST(GalleryHtml, ShowsEveryFrameOfAStrip) {
   GalleryPicture strip = picture();
   strip.frames = 3;

@@ -8,7 +8,7 @@
 namespace rastercheck::reports::image_test {
 namespace {
 
-// Kills: columns taken for rows, channels in another order.
+// Kills: exchanging columns and rows; channels in another order.
 TEST(Image, IsRowByRowFromTheTop) {
   Image image = Image::filled(3, 2, {1, 2, 3});
   image.set(2, 0, {4, 5, 6});

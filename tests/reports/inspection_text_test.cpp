@@ -20,7 +20,7 @@ using testing::StartsWith;
 
 Enclosure exactly(double value) { return {value, value}; }
 
-/// A triangle of 4 × 4 pixels with corners (0, 0), (4, 0), (0, 4), looked at in pixel (1, 0).
+/// A triangle with corners (0, 0), (4, 0), (0, 4) in 4 × 4 pixels, inspected in pixel (1, 0).
 Inspection small_inspection() {
   Inspection one;
   one.backend = "cpu";
@@ -64,7 +64,7 @@ Inspection small_inspection() {
   return one;
 }
 
-/// −1 from snapping, +1.75 from the set-up, −0.25 from rounding: +0.5 in all.
+/// −1 from snapping, +1.75 from the set-up, −0.25 from rounding: +0.5 in total.
 records::ErrorSplit small_split() {
   return {0,
           {{Stage::snap, exactly(-1)},
@@ -107,8 +107,8 @@ TEST(InspectionText, SaysWhatIsExactWhatWasDrawnAndHowFarOff) {
             "  κ       1, κ_D 1.5\n");
 }
 
-// Of 80 columns 24 and the axis are taken: 27 on either side are 1.75.
-// Kills: a bar on the wrong side, a sum that does not show.
+// Of 80 columns, 24 and the axis are taken, so 27 remain on either side, which stand for 1.75.
+// Kills: a bar on the wrong side; a total that is not shown.
 TEST(InspectionText, SplitsAnErrorByStage) {
   Inspection one = small_inspection();
   one.splits = {small_split()};
@@ -175,7 +175,7 @@ TEST(InspectionText, SaysWhatIsNotThere) {
   EXPECT_EQ(inspection_text(one), "");
 }
 
-/// The longest line, in characters of UTF-8.
+/// The length of the longest line, in UTF-8 characters.
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
   std::istringstream lines(text);
@@ -187,7 +187,7 @@ std::size_t longest_line(const std::string& text) {
   return longest;
 }
 
-// Kills: a fraction that a terminal breaks where it likes, a split whose bars do.
+// Kills: leaving it to the terminal to break a fraction, or the bars of a split.
 TEST(InspectionText, FitsATerminal) {
   Inspection one = small_inspection();
   const std::string fraction = std::string(90, '1') + "…" + std::string(90, '2');
@@ -202,7 +202,7 @@ TEST(InspectionText, FitsATerminal) {
       "in a book";
   const std::string text = inspection_text(one);
   EXPECT_EQ(longest_line(text), 80U) << text;
-  // Unbroken, the fraction is there.
+  // With its lines joined, the text contains the whole fraction.
   std::string joined;
   std::istringstream words(text);
   for (std::string word; words >> word;) joined += word;

@@ -21,7 +21,7 @@ LinePlot plot_of(const std::vector<PlotPoint>& points, bool is_logarithmic = fal
   return plot;
 }
 
-// The area is 44…424 by 12…262. Kills: y downwards, an axis that starts elsewhere.
+// The plot's area is 44…424 by 12…262. Kills: y pointing downwards; an axis that starts elsewhere.
 TEST(LinePlotSvg, PutsPointsOnItsAxes) {
   const std::string svg = line_plot_svg(plot_of({{0, 0}, {2, 0.5}, {4, 1}}));
   EXPECT_THAT(svg, HasSubstr("points=\"44.00,262.00 234.00,137.00 424.00,12.00\""));
@@ -33,7 +33,7 @@ TEST(LinePlotSvg, HasPowersOfTwoAtEqualDistances) {
   EXPECT_THAT(svg, HasSubstr("points=\"44.00,262.00 139.00,199.50 234.00,137.00 329.00,12.00\""));
 }
 
-// Kills: a logarithm of 0.
+// Kills: taking the logarithm of 0.
 TEST(LinePlotSvg, DrawsWhatLiesBeyondAtTheEnd) {
   const std::string svg = line_plot_svg(plot_of({{-1, 0}, {9, 100}}, true));
   EXPECT_THAT(svg, HasSubstr("points=\"44.00,262.00 424.00,12.00\""));

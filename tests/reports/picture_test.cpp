@@ -43,7 +43,7 @@ cases::Fragments drawn(const std::vector<Fragment>& fragments) {
   return framebuffer;
 }
 
-// Of one depth the light changes nothing. Kills: the two attributes swapped.
+// With a single depth, the light has no effect. Kills: swapping the two attributes.
 TEST(DrawPicture, TheCornersOfThePlaneAreThoseOfTheRange) {
   const Image image =
       draw_picture(blank(cases::Rules::vulkan, 5, 1), drawn({{0, 0, 0, 0.5F, {-2, 10}},
@@ -69,7 +69,7 @@ TEST(DrawPicture, WindowYPointsUpInOpenglOnly) {
   }
 }
 
-// Two pixels span the range; the third shows which of several fragments was taken.
+// Two pixels span the range; the third shows which of several fragments was chosen.
 TEST(DrawPicture, ShowsTheNearestFragmentOfTheFirstSampleThatHasOne) {
   const auto third = [](const std::vector<Fragment>& more) {
     std::vector<Fragment> all{{0, 0, 0, 0.5F, {0, 0}}, {2, 0, 0, 0.5F, {1, 0}}};
@@ -100,7 +100,7 @@ TEST(DrawPicture, WhatIsNoNumberIsMagentaAndScalesNothing) {
 
 int lightness(const Color& color) { return color[0] + color[1] + color[2]; }
 
-// A ridge seen from above: its left side faces the light. Kills: a relief turned inside out.
+// For a ridge seen from above, the left side faces the light. Kills: an inverted relief.
 TEST(DrawPicture, LightComesFromTheUpperLeft) {
   const auto slope_lightness = [](cases::Rules rules, float dx, float dy) {
     std::vector<Fragment> fragments;
@@ -114,7 +114,7 @@ TEST(DrawPicture, LightComesFromTheUpperLeft) {
   };
   constexpr float kStep = 1.0F / 32;
   using cases::Rules;
-  // Farther to the left: the surface looks left.
+  // Depth increases to the left, so the surface faces left.
   EXPECT_GT(slope_lightness(Rules::vulkan, -kStep, 0), slope_lightness(Rules::vulkan, kStep, 0));
   EXPECT_GT(slope_lightness(Rules::vulkan, 0, -kStep), slope_lightness(Rules::vulkan, 0, kStep));
   EXPECT_LT(slope_lightness(Rules::opengl, 0, -kStep), slope_lightness(Rules::opengl, 0, kStep));

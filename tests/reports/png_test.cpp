@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// Every pixel another colour.
+/// An image in which every pixel has another colour.
 Image gradient(int width, int height) {
   Image image = Image::filled(width, height, {0, 0, 0});
   for (int row = 0; row < height; ++row) {
@@ -28,7 +28,7 @@ Image gradient(int width, int height) {
   return image;
 }
 
-// Kills: rows upside down, channels swapped, a row too few.
+// Kills: rows upside down; swapped channels; a missing row.
 TEST(ToPng, IsReadBackByLibpng) {
   for (const auto& [width, height] : {std::pair{1, 1}, {3, 2}, {200, 120}}) {
     const Image image = gradient(width, height);

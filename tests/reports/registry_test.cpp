@@ -18,7 +18,7 @@ using ::testing::EndsWith;
 using ::testing::IsSupersetOf;
 using ::testing::StartsWith;
 
-// Kills: a registrar that the linker dropped; an order that is the linker's.
+// Kills: a registration that the linker dropped; listing the formats in the linker's order.
 TEST(Formats, AreListedByName) {
   const std::vector<std::string> names = format_names();
   EXPECT_THAT(names, IsSupersetOf({"html", "json", "junit", "markdown", "sarif"}));
@@ -28,12 +28,13 @@ TEST(Formats, AreListedByName) {
   for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(formats()[i].name, names[i]);
 }
 
-// What CONTRACT says a run's folder holds. Kills: a file in every run that few want.
+// The contents of a run's folder, as CONTRACT states. Kills: a file in every run that few users
+// want.
 TEST(Formats, AreWrittenByEveryRunOrOnRequest) {
   EXPECT_THAT(default_format_names(), ElementsAre("html", "json", "junit", "markdown"));
 }
 
-// Kills: two formats of which one writes over the other's file.
+// Kills: two formats of which one overwrites the other's file.
 TEST(Formats, HaveAFileEach) {
   std::set<std::string_view> files;
   for (const Format& format : formats()) {

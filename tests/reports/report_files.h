@@ -8,7 +8,7 @@
 
 namespace rastercheck::reports {
 
-/// These files and one for each report format that every run writes, in the order of their names.
+/// These files, and one for each report format that every run writes, sorted by name.
 inline std::vector<std::string> with_reports(std::vector<std::string> files) {
   for (const Format& format : formats()) {
     if (!format.is_on_request) files.emplace_back(format.file_name);

@@ -29,7 +29,7 @@ TEST(ParseRun, ReadsWhatWasWritten) {
   ASSERT_TRUE(again.has_value()) << to_string(again.error());
   EXPECT_EQ(*again, sample_run());
   EXPECT_EQ(written(*again), text);
-  // Zeros compare equal whatever their sign; as case files they do not.
+  // Zeros of different sign compare equal, but differ in case files.
   EXPECT_EQ(cases::to_json(again->counterexamples[0].source),
             cases::to_json(sample_run().counterexamples[0].source));
 }
@@ -59,7 +59,7 @@ TEST(ParseRun, ReadsAnEmptyRun) {
   EXPECT_EQ(parse_run(written({}), "run.json").value(), records::Run());
 }
 
-// Kills: a member of the run left out.
+// Kills: leaving out a member of the run.
 RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
   records::Run run;
   run.plan.seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -110,7 +110,7 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
   RC_ASSERT(written(*again) == text);
 }
 
-// What depends on the machine is under one key. Kills: a date or a duration elsewhere.
+// Everything that depends on the machine is under one key. Kills: a date or a duration elsewhere.
 TEST(RunJson, AllButTheEnvironmentIsOfTheRunAlone) {
   records::Run elsewhere = sample_run();
   elsewhere.environment = {{"machine", "another"}};
@@ -122,15 +122,15 @@ TEST(RunJson, AllButTheEnvironmentIsOfTheRunAlone) {
   EXPECT_EQ(here, there);
 }
 
-/// A fault that is to be refused: the value at a place of a good document is replaced.
+/// A fault that must be refused: the value at a place in a good document is replaced.
 struct Fault {
   std::string pointer;
-  std::string value;  ///< JSON text; empty: the value is taken out
+  std::string value;  ///< JSON text; empty: the value is removed
   std::string place;
   std::string reason;  ///< part of it
 };
 
-/// In a test's name, which would otherwise hold addresses, another in every run.
+/// Used in the test's name, which would otherwise contain addresses that differ in every run.
 void PrintTo(const Fault& fault, std::ostream* out) {
   *out << (fault.value.empty() ? "without " + fault.pointer : fault.pointer + " = " + fault.value);
 }

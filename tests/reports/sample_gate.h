@@ -1,6 +1,6 @@
 #pragma once
 
-// A comparison of two sections by hand, with one growth.
+// A comparison of two sections, made by hand, with one case that grew.
 
 #include "gate/compare.h"
 #include "reports/compare_format.h"
@@ -18,7 +18,7 @@ inline Gate gate_of(const records::BaselineSection& before, const records::Basel
   return gate;
 }
 
-/// The sliver's worst is 3/4 instead of 5/8, and set-up makes 5/4 on average instead of 1/4.
+/// The sliver's worst error is 3/4 instead of 5/8, and set-up makes 5/4 on average instead of 1/4.
 inline records::BaselineSection sample_grown_section() {
   using namespace records;
   records::BaselineSection section = records::sample_section();

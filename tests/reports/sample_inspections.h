@@ -1,13 +1,13 @@
 #pragma once
 
-// Two inspections to be looked at. Both are of the triangle with the window positions (1, 1),
-// (7, 2), (2, 7) in a target of 8×8 pixels, twice whose area is 35. With n_i the cross product of
-// the edge across from corner i and of the way to the sample, 16 units to the pixel, its
-// barycentrics are n_i / 560, and with w_i a power of two up to 4
+// Two inspections as examples. Both show the triangle with the window positions (1, 1), (7, 2), (2,
+// 7) in a target of 8×8 pixels; twice its area is 35. Let n_i be the cross product of the edge
+// opposite corner i and the vector to the sample, with 16 units per pixel. Then the sample's
+// barycentrics are n_i / 560, and if each w_i is a power of two up to 4,
 //
 //   e_i = n_i / (560 w_i),   u = Σ r_i n_i (4 / w_i) / Σ n_i (4 / w_i),   depth = Σ z_i n_i / 560,
 //
-// all of whole numbers. What was "drawn" is that, rounded, with errors put in by hand.
+// all made of integers. The "drawn" values are these values, rounded, with errors added by hand.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ namespace rastercheck::reports {
 
 class SampleInspection {
  public:
-  /// `w` of each corner: 1, 2 or 4. `pattern` in 1/16 pixels.
+  /// `w` holds each corner's w: 1, 2 or 4. `pattern` is in 1/16 pixels.
   SampleInspection(std::array<int, 3> w, std::vector<std::array<int, 2>> pattern)
       : w_(w), pattern_(std::move(pattern)) {
     inspection_.law = "values are within bounds";
@@ -57,7 +57,7 @@ class SampleInspection {
     return inspection_.samples[(y * kSize + x) * pattern_.size() + sample];
   }
 
-  /// Adds scale ULP to what was drawn of a value.
+  /// Changes the drawn value by so many scale ULP.
   static void err(records::InspectedValue& value, double units) {
     const double unit = value.attribute ? 0x1p-22 : 0x1p-24;
     value.actual = static_cast<float>(*value.nearest + units * unit);
@@ -100,7 +100,7 @@ class SampleInspection {
     }
   }
 
-  /// The sample at that place, in 1/16 pixels.
+  /// Fills in the sample at that place, given in 1/16 pixels.
   void fill(records::InspectedSample& sample, int u, int v) const {
     std::array<std::int64_t, 3> n{};
     double distance = -100;
@@ -149,8 +149,8 @@ class SampleInspection {
   records::Inspection inspection_;
 };
 
-/// Of the run's first counterexample: a wrong value at (3, 5), a missing sample, an extra one, one
-/// that may be drawn or not, and values that are no numbers.
+/// The inspection of the run's first counterexample: a wrong value at (3, 4), a missing sample, an
+/// extra one, one that may be drawn or not, and values that are not finite.
 inline records::Inspection sample_counterexample_inspection() {
   using namespace records;
   SampleInspection made({1, 1, 1}, {{8, 8}});
@@ -191,7 +191,7 @@ inline records::Inspection sample_counterexample_inspection() {
   return inspection;
 }
 
-/// The worst error of a stratum, two samples to a pixel, w from 1 to 4.
+/// The inspection of the worst error of a stratum, with two samples per pixel and w from 1 to 4.
 inline records::Inspection sample_worst_inspection() {
   using namespace records;
   SampleInspection made({1, 2, 4}, {{12, 12}, {4, 4}});

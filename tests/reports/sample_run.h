@@ -1,6 +1,6 @@
 #pragma once
 
-// A run with every member set and texts that want escaping.
+// A run in which every member is set, with texts that need escaping.
 
 #include <cstdint>
 #include <limits>
@@ -50,7 +50,9 @@ inline records::Counterexample sample_counterexample(std::uint64_t index) {
       sample_case("values are within bounds", "method:float32", index), 12, {value, missing}};
   found.origin = Origin::saved;
   found.shrinking = {214, index == 3};
-  found.explanation = {{DrawnPart::values}, {}, {}, {"samples"}, {"scissor"}, {"tie", "small"}};
+  found.explanation = {
+      {DrawnPart::values},           {}, {}, {"samples"}, {"scissor"}, {"tie", "small"},
+      {{"<y> points the other way"}}};
   found.close_up = {"y 5 [!]", "x    3", "! <wrong> & `more`"};
   return found;
 }
@@ -68,7 +70,7 @@ inline records::WorstError sample_worst(double error) {
   return worst;
 }
 
-/// What one law found on one backend, in two strata.
+/// Adds the findings of one law on one backend, in two strata.
 inline void add_sample_records(records::RecordSet& into, const std::string& law,
                                const std::string& backend, std::uint64_t violations) {
   using namespace records;
@@ -101,7 +103,7 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   keep(smooth.errors.excess.extremes, sample_worst(-0.25));
   keep(smooth.errors.strata[Stratum::near_horizon].extremes, sample_worst(0.375));
   keep(smooth.errors.strata[Stratum::ordinary].extremes, sample_worst(0.5));
-  // Means of 1/8, about 0 and about 1/6. The error below has no sum, as in files without any.
+  // Means of 1/8, about 0 and about 1/6. The error added below has no sum, as in older files.
   constexpr SignedSum::Units kOne = SignedSum::Units{1} << 32;
   smooth.errors.ideal.sum.add(kOne * 1500, kOne * 1500, 12000);
   smooth.errors.strata[Stratum::near_horizon].sum.add(-2, 3, 3000);
@@ -117,8 +119,8 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   into[{law, backend, AttributeKind::smooth, "grid"}] = smooth;
 }
 
-/// The run, of a driver with known defects: one that was seen, one that is gone; and with a law
-/// that says nothing.
+/// Makes the run one of a driver with known defects: one that was seen, and one that is gone. Adds
+/// a law that did not apply to any case.
 inline void add_known_defects(records::Run& run) {
   records::KnownList list{records::KnownDriver{"driver", "Mesa 22"}, {{}, {}}};
   for (records::KnownEntry& entry : list.entries) {
@@ -142,7 +144,7 @@ inline void add_known_defects(records::Run& run) {
   none.not_applicable_because["the backend <draws> no pictures"] = 9;
 }
 
-/// What two cases gave.
+/// The results of two cases.
 inline records::CaseRecordSet sample_cases(const std::string& law, const std::string& backend) {
   using namespace records;
   CaseRecord of_corpus;
@@ -186,7 +188,8 @@ inline records::Run sample_run() {
                  "values are wrong where a pixel has several samples",
                  {"samples"},
                  {"holds once values are put right", "holds as soon as: a pixel <has> one sample"},
-                 {0, 1}}};
+                 {0, 1},
+                 records::Hint{"<y> points the other way", 1, 2}}};
   run.inspections = {sample_counterexample_inspection(), sample_worst_inspection()};
   run.scenes = {
       {"it's a <bunny>", "cpu", 3, 2, 2, 0, 1, false, {}},

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "tests/reports/sample_run.h"
 
@@ -36,6 +37,41 @@ TEST(SummaryTable, HasARowForEachLawAndBackend) {
   EXPECT_EQ(summary_table({row()}, true, {}),
             "constants-stay-constant  cpu  12  1000  20%  0.5  ≤ 0.459  –  violated\n");
   EXPECT_THAT(summary_table({row()}, false, {}), StartsWith("law  "));
+}
+
+TEST(NotableRows, LeaveOutWhatHeld) {
+  std::vector<records::LawSummary> rows(5, row());
+  rows[0].verdict = records::LawVerdict::held;
+  rows[1].verdict = records::LawVerdict::not_checked;
+  rows[2].verdict = records::LawVerdict::known;
+  rows[3].verdict = records::LawVerdict::thin;
+  const std::vector<records::LawSummary> notable = notable_rows(rows);
+  ASSERT_EQ(notable.size(), 3U);
+  EXPECT_EQ(notable[0].verdict, records::LawVerdict::known);
+  EXPECT_EQ(notable[1].verdict, records::LawVerdict::thin);
+  EXPECT_EQ(notable[2].verdict, records::LawVerdict::violated);
+}
+
+// Kills: laws or causes of one backend counted for another.
+TEST(VerdictLines, CountLawsOfEachBackend) {
+  records::Run run;
+  run.plan.backends = {"cpu", "gl:softpipe", "unasked"};
+  run.causes.resize(3);
+  for (records::Cause& cause : run.causes) cause.backend = "gl:softpipe";
+  run.causes[0].backend = "cpu";
+  std::vector<records::LawSummary> rows(6, row());
+  for (records::LawSummary& one : rows) one.backend = "gl:softpipe";
+  rows[0].backend = "cpu";
+  rows[1].verdict = records::LawVerdict::held;
+  rows[2].verdict = records::LawVerdict::known;
+  rows[3].verdict = records::LawVerdict::not_checked;
+  EXPECT_EQ(verdict_lines(run, rows, false),
+            "cpu: 1 law violated in 1 cause.\n"
+            "gl:softpipe: 2 laws violated in 2 causes, 1 violated in known ways only, 1 held, "
+            "1 not checked.\n");
+  run.plan.backends = {"cpu"};
+  EXPECT_EQ(verdict_lines(run, rows, true),
+            "cpu: \x1b[1m\x1b[31m1 law violated in 1 cause\x1b[0m.\n");
 }
 
 TEST(KnownText, CountsTheCasesOfWhatWasSeen) {
@@ -82,7 +118,7 @@ TEST(SummaryCounts, AddUpAllRows) {
   EXPECT_EQ(summary_counts({}), "Samples: 0 required, 0 forbidden, 0 permitted, 0 undecided.\n");
 }
 
-// Kills: an infinite end, which JSON has no number for, left out.
+// Kills: leaving out an infinite end, which JSON cannot express as a number.
 TEST(SummaryJson, HasTheEndsOfEnclosures) {
   records::LawSummary infinite = row();
   infinite.ideal.p99 = {0x1p40, std::numeric_limits<double>::infinity()};
@@ -101,7 +137,7 @@ TEST(SummaryJson, HasPrecisionByKindAndStratum) {
   const json precision = document.at("laws").at(0).at("precision");
   ASSERT_EQ(precision.size(), 3U);
   EXPECT_EQ(precision.at(0).at("stratum"), nullptr);
-  // Certified: its ends are rounded outwards, to doubles.
+  // Certified ends are doubles, rounded outwards.
   const json mean = precision.at(0).at("mean");
   EXPECT_LE(mean.at(0), 0.125);
   EXPECT_GE(mean.at(1), 0.125);

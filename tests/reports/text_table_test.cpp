@@ -12,12 +12,12 @@ TEST(TextTable, HasColumnsAsWideAsTheirWidestCell) {
   EXPECT_EQ(text_table({}), "");
 }
 
-// Kills: widths in bytes.
+// Kills: measuring widths in bytes.
 TEST(TextTable, CountsCharacters) {
   EXPECT_EQ(text_table({{"≤ 1", "x"}, {"abcd", "y"}}), "≤ 1   x\nabcd  y\n");
 }
 
-// Kills: rows that a terminal breaks somewhere.
+// Kills: leaving it to the terminal to break rows.
 TEST(TextTable, IsEntriesWhereItIsWiderThanTheTerminal) {
   const std::vector<std::vector<std::string>> rows{
       {"  law", "worst ULP", "p99", "", "verdict"},

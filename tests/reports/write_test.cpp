@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A run's folder, which is not there yet.
+/// A run's folder that does not exist yet.
 class WriteReports : public ::testing::Test {
  protected:
   std::string directory() const { return folder_.path("out"); }
@@ -67,7 +67,7 @@ TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
   EXPECT_FALSE(fs::exists(directory()));
 }
 
-// Kills: counterexamples of an earlier run that look like today's, or are lost.
+// Kills: counterexamples of an earlier run that look like those of this run, or are lost.
 TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), default_format_names()).has_value());
   records::Run later = sample_run();
@@ -75,18 +75,18 @@ TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   later.plan.backends = {"method:float32"};
   later.counterexamples.erase(later.counterexamples.begin());
   records::Run interrupted = later;
-  interrupted.cases_left = 1;  // perhaps these
+  interrupted.cases_left = 1;  // these cases may not have been checked
   ASSERT_TRUE(write_reports(interrupted, directory(), {}).has_value());
   EXPECT_EQ(files(), with_reports({kThird, kOther}));
   records::Run shard = later;
-  shard.plan.shard = {2, 7};  // the first one checks them
+  shard.plan.shard = {2, 7};  // the first shard checks these cases
   ASSERT_TRUE(write_reports(shard, directory(), {}).has_value());
   EXPECT_EQ(files(), with_reports({kThird, kOther}));
   ASSERT_TRUE(write_reports(later, directory(), default_format_names()).has_value());
   EXPECT_EQ(files(), with_reports({kEarlierThird, kOther}));
 }
 
-// Kills: counterexamples that `replay counterexamples/*.json` takes for this run's.
+// Kills: old counterexamples that `replay counterexamples/*.json` takes for those of this run.
 TEST_F(WriteReports, PutsThoseOfOtherLawsAndBackendsAside) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), {}).has_value());
   records::Run other;
@@ -96,12 +96,12 @@ TEST_F(WriteReports, PutsThoseOfOtherLawsAndBackendsAside) {
   EXPECT_THAT(files(), ElementsAre(kEarlierThird, kEarlierOther));
 }
 
-// Kills: moving by the ending of the name, or every case file.
+// Kills: moving files only because of the ending of their name; moving every case file.
 TEST_F(WriteReports, LeavesWhatItDidNotWrite) {
   cases::Case without_found = sample_case("law", "cpu", 1);
   without_found.found.reset();
   put("counterexamples/law-cpu-extra.json", cases::to_json(without_found));
-  put("counterexamples/--.json", cases::to_json(without_found));  // the name of no `found`
+  put("counterexamples/--.json", cases::to_json(without_found));  // named by an empty `found`
   put("counterexamples/mine.json", cases::to_json(sample_case("law", "cpu", 2)));
   put("counterexamples/law-cpu-infinite.json", "no case");
   put("counterexamples/notes.txt", "");
@@ -124,7 +124,7 @@ TEST_F(WriteReports, NamesTheFileThatCannotBeWritten) {
   ASSERT_FALSE(done.has_value());
   EXPECT_EQ(to_string(done.error()),
             directory() + "/summary.md: cannot be written: Is a directory");
-  // Nothing half done stays behind.
+  // No unfinished file stays behind.
   for (const std::string& file : files()) EXPECT_FALSE(file.ends_with(".partial")) << file;
 }
 
@@ -135,7 +135,7 @@ TEST_F(WriteReports, NamesAFolderThatCannotBeMade) {
   EXPECT_EQ(to_string(done.error()), directory() + ": cannot be made: Not a directory");
 }
 
-// Kills: one counterexample silently taking another's place.
+// Kills: one counterexample silently replacing another.
 TEST_F(WriteReports, RefusesTwoCounterexamplesOfOneName) {
   records::Run run;
   run.counterexamples = {sample_counterexample(3), sample_counterexample(3)};

@@ -17,7 +17,7 @@ GLint integer(GLenum what) {
   return value;
 }
 
-/// The numbers of samples that colours and depths both have, of those that cases may have.
+/// The sample counts that cases may have and that both colour and depth targets support.
 std::vector<int> read_sample_counts(int most, bool says_which) {
   std::vector<int> counts{1, 2, 4, 8, 16};
   std::erase_if(counts, [most](int count) { return count > most; });
@@ -92,7 +92,7 @@ std::string lacks_of_target(const Capabilities& has, const cases::FramebufferSiz
     return fmt::format("targets have {} samples at most, asked for {}", has.max_samples,
                        size.samples);
   }
-  // Samples are read as pixels beside each other.
+  // Samples are read as neighbouring pixels.
   if (size.width * size.samples > has.max_size || size.height > has.max_size) {
     return fmt::format("targets of {} x {} with {} samples, pixels times samples {} at most",
                        size.width, size.height, size.samples, has.max_size);
@@ -146,7 +146,7 @@ Capabilities read_capabilities() {
     has.viewport_subpixel_bits = integer(GL_VIEWPORT_SUBPIXEL_BITS);
     glGetFloatv(GL_VIEWPORT_BOUNDS_RANGE, has.viewport_bounds.data());
   } else {
-    // Nothing is said of where they may begin: as far as versions that say it promise.
+    // These versions report no bounds: assume those that later versions guarantee.
     has.viewport_bounds = {-32768, 32767};
   }
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, has.max_viewport.data());

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a context can draw of cases: its limits, asked once, and which cases are beyond these.
+// The limits of a context, queried once, and a check of cases against them.
 
 #include <array>
 #include <cstddef>
@@ -13,44 +13,44 @@
 namespace rastercheck::backends::gl {
 
 struct Capabilities {
-  std::string api;  ///< "OpenGL 3.3", as in "OpenGL 3.3 has no ..."
+  std::string api;  ///< "OpenGL 3.3", for messages such as "OpenGL 3.3 has no ..."
   bool is_es = false;
   int version = 33;  ///< 10 · major + minor
   bool has_clip_control = false;
   bool has_provoking_vertex = false;
   bool has_depth_clamp = false;
   bool has_noperspective = false;
-  bool has_sample_qualifier = false;  ///< and interpolateAtOffset()
-  bool has_sample_targets = false;    ///< multisampled arrays
+  bool has_sample_qualifier = false;  ///< the `sample` qualifier and interpolateAtOffset()
+  bool has_sample_targets = false;    ///< arrays of multisampled images
   bool has_viewport_fractions = false;
-  bool has_appending = false;      ///< storage buffers for fragments, targets without images
-  bool clears_beyond_one = false;  ///< float depth, to a value above 1
+  bool has_appending = false;      ///< storage buffers for fragments, and targets without images
+  bool clears_beyond_one = false;  ///< clears float depth to values above 1
   int subpixel_bits = 4;
   int viewport_subpixel_bits = 0;
-  /// Eight or none. Programs are to be few, and so have all of them; what is not enabled does not
-  /// clip.
+  /// Either 8 or 0. To keep programs few, all of them declare all eight; distances that are not
+  /// enabled do not clip.
   int max_clip_distances = 0;
   int max_draw_buffers = 4;
   int max_size = 2048;  ///< of a target, in pixels
   int max_layers = 256;
   int max_samples = 1;
-  std::vector<int> sample_counts{1};       ///< those up to it, as far as the context says which
-  std::size_t max_storage = 0;             ///< of a storage buffer, bytes
-  std::array<float, 2> viewport_bounds{};  ///< pixels, inclusive, of x and y
+  std::vector<int> sample_counts{1};       ///< up to max_samples, if the context lists them
+  std::size_t max_storage = 0;             ///< bytes of a storage buffer
+  std::array<float, 2> viewport_bounds{};  ///< pixels; inclusive, for x and y
   std::array<int, 2> max_viewport{};       ///< pixels
 
-  /// Vectors of four floats that clip distances take in a vertex.
+  /// The number of four-float vectors that the clip distances of one vertex take.
   std::size_t clip_vectors() const { return static_cast<std::size_t>(max_clip_distances) / 4; }
 };
 
-/// Of the context that is current, which is at least OpenGL 3.3 or OpenGL ES 3.0.
+/// Reads the limits of the current context, which must be at least OpenGL 3.3 or OpenGL ES 3.0.
 Capabilities read_capabilities();
 
-/// Which cases a context draws, as far as it can say.
+/// The cases that a context draws, insofar as its limits show this.
 cases::Capabilities drawable(const Capabilities& has);
 
-/// What of a case a context lacks, in words; empty where it lacks nothing. How many samples it
-/// really gives, and where these are, is to be seen when it draws.
+/// Names the feature of a case that the context lacks; empty if it lacks none. Only a drawing shows
+/// how many samples the context really gives, and where they are.
 std::string lacks(const Capabilities& has, const cases::Case& c);
 
 }  // namespace rastercheck::backends::gl

@@ -43,8 +43,8 @@ std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClas
   return outside + "void main() {\n" + inside + "}\n";
 }
 
-/// Appends a record of each fragment, whatever its triangle is drawn over: nothing else is written,
-/// as some of Mesa's drivers lose records of fragments that have colours, too.
+/// A fragment shader that appends a record of each fragment. It writes nothing else, because some
+/// of Mesa's drivers lose records of fragments that also write colours.
 std::string appending_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
   std::string outside = shader_head(has) +
                         "#extension GL_ARB_shader_storage_buffer_object : require\n"
@@ -66,8 +66,8 @@ std::string appending_shader(const Capabilities& has, const std::vector<VaryingC
   return outside + "void main() {\n" + inside + "}\n";
 }
 
-/// Of several samples an input without a place of its own may be interpolated anywhere in the
-/// pixel: centres are asked for.
+/// True if the shader must request the centre: with several samples, an input without a location
+/// qualifier may be interpolated anywhere in the pixel.
 bool asks_for_centre(const VaryingClass& varies, bool is_multisampled) {
   return is_multisampled && varies.interpolation != cases::Interpolation::flat &&
          varies.location == cases::Location::center;

@@ -11,24 +11,24 @@
 
 namespace rastercheck::backends::gl {
 
-/// How a program hands over a triangle's fragments.
+/// How a program outputs the fragments of a triangle.
 enum class Output : std::uint8_t {
-  /// Colour target 0 has the triangle's number, target 1 + i the values of varying i.
+  /// Colour target 0 receives the triangle's number, target 1 + i the values of varying i.
   colors,
-  /// Each fragment appends a record (backends/appended_drawing.h) to storage buffer 0, which counts
-  /// them in its first word; varying i's values begin kRecordHead + 4 i words into it. The uniform
-  /// `room` is how many there is room for.
+  /// Each fragment appends a record (backends/appended_drawing.h) to storage buffer 0, whose first
+  /// word counts the records. The values of varying i begin at word kRecordHead + 4 i of a record.
+  /// The uniform `room` is the number of records that fit.
   records,
 };
 
-/// Programs that draw cases. Vertex input 0 is the clip position, 1 + i varying i, those after them
-/// the clip distances, four each, and the last the triangle's number, a float.
+/// Programs that draw cases. Vertex input 0 is the clip position and input 1 + i is varying i. Then
+/// follow the clip distances, four per input, and last the triangle's number, a float.
 class CasePrograms {
  public:
-  /// `has` must outlive it.
+  /// `has` must outlive this object.
   explicit CasePrograms(const Capabilities& has) : has_(&has) {}
 
-  /// The one for a pass, made where it is asked for first. Fails where it does not compile.
+  /// Returns the program for a pass, made on first request. Fails if the program does not compile.
   Result<GLuint> get(const Pass& pass, bool is_multisampled, Output output = Output::colors);
 
  private:
@@ -43,7 +43,7 @@ class CasePrograms {
   std::map<Key, Object> made_;
 };
 
-/// "#version …" and what else a shader begins with.
+/// Returns "#version …" and the other lines at the start of a shader.
 std::string shader_head(const Capabilities& has);
 
 }  // namespace rastercheck::backends::gl

@@ -10,10 +10,10 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// The distance of what a case has no clip plane for.
+/// The distance that is used for clip planes that the case does not have.
 constexpr float kInside = 1;
 
-/// Vectors of four floats that a vertex has.
+/// The number of four-float vectors per vertex.
 std::size_t vectors_of(const Capabilities& has, const Pass& pass) {
   return 1 + pass.size() + has.clip_vectors();
 }
@@ -34,8 +34,8 @@ void set_viewport(const Capabilities& has, const cases::Viewport& v) {
   }
 }
 
-/// Faces are meant as displayed, and with Vulkan's window y, which points down, a framebuffer is
-/// displayed the other way up.
+/// Which face a triangle shows is defined as displayed. In Vulkan, window y points down, so a
+/// framebuffer is displayed the other way up.
 void set_faces(const cases::Case& c) {
   set(GL_CULL_FACE, c.cull != cases::Cull::none);
   glCullFace(c.cull == cases::Cull::front ? GL_FRONT : GL_BACK);
@@ -44,8 +44,8 @@ void set_faces(const cases::Case& c) {
   glFrontFace(is_ccw ? GL_CCW : GL_CW);
 }
 
-/// Vulkan's NDC y and window y both point down, OpenGL's both up: with the lower left as origin the
-/// formulas are the same, as are rows of what is read.
+/// Vulkan's NDC y and window y both point down, OpenGL's both up. With the origin at the lower
+/// left, the formulas and the order of rows that are read back are the same for both.
 void set_conventions(const Capabilities& has, const cases::Case& c) {
   const bool is_vulkan = c.rules == cases::Rules::vulkan;
   if (has.has_clip_control && has.is_es) {
@@ -107,7 +107,7 @@ void hand_over_vertices(const Capabilities& has, const cases::Case& c,
     }
     glEnableVertexAttribArray(i);
     constexpr std::uintptr_t kVector = 4 * sizeof(float);
-    // GL takes an offset for a pointer.
+    // GL expects the offset as a pointer.
     glVertexAttribPointer(i, i < vectors ? 4 : 1, GL_FLOAT, GL_FALSE, stride,
                           std::bit_cast<const void*>(i * kVector));
   }

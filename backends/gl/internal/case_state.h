@@ -1,6 +1,6 @@
 #pragma once
 
-// A case in GL's words, for the context that is current.
+// Translates a case into GL state, for the current context.
 
 #include <epoxy/gl.h>
 
@@ -13,21 +13,22 @@
 
 namespace rastercheck::backends::gl {
 
-/// The vertices of triangles, three each, for a pass: position, varyings and clip distances, four
-/// floats each, and the triangle's number among these, from 1; one after the other. What has no
-/// value is 0, clip distances that the case does not have are inside.
+/// The vertex data of a pass, three vertices per triangle. Each vertex has its position, varyings
+/// and clip distances as vectors of four floats, then the triangle's number in the span, counted
+/// from 1. Missing values are 0. Clip distances that the case lacks are set to a value inside.
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass);
 
-/// Puts vertices_of() into the buffer and makes it the input of a case's program.
+/// Puts vertices_of() into the buffer and sets it as the input of a case's program.
 void hand_over_vertices(const Capabilities& has, const cases::Case& c,
                         std::span<const cases::Triangle> triangles, const Pass& pass,
                         GLuint vertex_array, GLuint buffer);
 
-/// Everything but the scissor test, which clears heed: set it when the target is cleared.
+/// Sets the case's state except the scissor test, which also affects clears: set that with
+/// set_scissor() after clearing the target.
 void set_case_state(const Capabilities& has, const cases::Case& c);
 void set_scissor(const cases::Case& c);
-/// What other draws than those of cases do not expect.
+/// Resets the state that other drawing code expects to have its default value.
 void reset_case_state(const Capabilities& has);
 
 }  // namespace rastercheck::backends::gl

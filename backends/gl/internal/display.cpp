@@ -13,7 +13,8 @@ bool client_has(const char* extension) {
   return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension);
 }
 
-/// The devices that draw by themselves before those that the processor draws for.
+/// Appends EGL devices. Devices with hardware of their own precede those that draw on the
+/// processor.
 void append_devices(std::vector<Display>& displays, bool only_hardware) {
   if (!client_has("EGL_EXT_platform_device") ||
       !(client_has("EGL_EXT_device_base") || client_has("EGL_EXT_device_enumeration"))) {
@@ -43,8 +44,8 @@ tl::unexpected<Error> egl_failure(const std::string& what) {
 }
 
 Result<std::vector<Display>> find_displays(Prefer prefer) {
-  // libepoxy ends the process where it is asked for a function that no library has: each step asks
-  // first whether the next one is there.
+  // libepoxy ends the process if asked for a function that no library has, so each step first
+  // checks that the function it calls exists.
   if (!epoxy_has_egl()) {
     return failure("there is no EGL here (libEGL.so.1; Debian's libegl1 has it)");
   }

@@ -10,17 +10,17 @@
 
 namespace rastercheck::backends::gl {
 
-/// Where EGL makes contexts without a window.
+/// An EGL display on which contexts can be made without a window.
 struct Display {
   EGLDisplay name = EGL_NO_DISPLAY;
   std::string place;  ///< for messages: "the surfaceless platform", "device 0"
 };
 
-/// All that there are, the one to be tried first first. Fails where there is no EGL, or neither a
-/// surfaceless platform nor devices.
+/// All displays, in the order to try them. Fails if EGL is missing, or has neither a surfaceless
+/// platform nor devices.
 Result<std::vector<Display>> find_displays(Prefer prefer);
 
-/// EGL's error code, as its specification lists them.
+/// The error for EGL's current error code, which is named as in EGL's specification.
 tl::unexpected<Error> egl_failure(const std::string& what);
 
 }  // namespace rastercheck::backends::gl

@@ -10,7 +10,7 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// Bytes of records that are read back at once.
+/// The most bytes of records that are read back at once.
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr std::size_t kWord = sizeof(std::uint32_t);
 
@@ -56,7 +56,7 @@ Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
   glUseProgram(*program);
   glUniform1ui(glGetUniformLocation(*program, "room"), static_cast<GLuint>(room));
   set_case_state(*has_, c);
-  // A test before the shader would keep fragments from it.
+  // A depth test that runs before the shader would discard fragments.
   glDisable(GL_DEPTH_TEST);
   set_scissor(c);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles.size()));
@@ -72,7 +72,7 @@ Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   const Result<void> done = check("appending fragments");
   if (!done) {
-    bytes_ = 0;  // there may have been no memory for them
+    bytes_ = 0;  // memory may have run out
     return tl::unexpected(done.error());
   }
   return std::size_t{count};

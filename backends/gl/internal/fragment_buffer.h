@@ -1,6 +1,6 @@
 #pragma once
 
-// A storage buffer that the fragments of a case are appended to.
+// A storage buffer that receives the fragments of a case.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,18 +18,19 @@ namespace rastercheck::backends::gl {
 
 class FragmentBuffer {
  public:
-  /// `has` and `programs`, which outlive it, are those of a context that has_appending.
+  /// `has` and `programs` must belong to a context with `has.has_appending`, and must outlive the
+  /// buffer.
   FragmentBuffer(const Capabilities& has, CasePrograms& programs);
 
-  /// Words of records that there may be room for.
+  /// The most words of records that the buffer can hold.
   std::size_t most_words() const;
 
-  /// Draws triangles of a case, and gives how many fragments they have. Up to `room` of these it
-  /// has records of, as Output::records has them.
+  /// Draws triangles of a case and returns how many fragments they have. Keeps up to `room`
+  /// records, in the layout of Output::records.
   Result<std::size_t> draw(const cases::Case& c, std::span<const cases::Triangle> triangles,
                            const Pass& pass, std::size_t room);
 
-  /// The records of the last draw, if there was room for them all.
+  /// The records of the last draw, if all of them fitted into the buffer.
   std::span<const std::uint32_t> words() const { return words_; }
 
  private:
@@ -40,7 +41,7 @@ class FragmentBuffer {
   Object vertex_array_;
   Object vertices_;
   Object records_;
-  Object target_;  ///< without images
+  Object target_;  ///< a framebuffer without images
   std::size_t bytes_ = 0;
   std::vector<std::uint32_t> words_;
 };

@@ -11,14 +11,14 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// One triangle over the whole target.
+/// Draws one triangle that covers the whole target.
 constexpr const char* kLayerVertexShader = R"(
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1);
 }
 )";
 
-/// The samples of a pixel side by side; number and depth in one.
+/// Writes the samples of a pixel side by side. The first output holds the number and the depth.
 std::string layer_fragment_shader(const Capabilities& has, int samples, std::size_t varyings) {
   const char* const sampler = samples > 1 ? "sampler2DMSArray" : "sampler2DArray";
   std::string outside =
@@ -117,7 +117,7 @@ Result<void> LayerCopy::read(std::span<const GLuint> images, GLint layer,
     read_copy(i + 1);
     content.values[i] = pixels;
   }
-  // Textures that stay bound would not go with the layers.
+  // Textures that stay bound would not be freed together with the layers.
   for (GLenum i = 0; i < images.size(); ++i) {
     glActiveTexture(GL_TEXTURE0 + i);
     glBindTexture(target, 0);

@@ -10,13 +10,14 @@
 
 namespace rastercheck::backends::gl {
 
-/// Turns what layers hold into what can be read where OpenGL does not: samples one by one, and all
-/// of it in OpenGL ES, which reads four floats at a time and from colours only.
+/// Copies layers into a readable form where OpenGL cannot read them directly. OpenGL cannot read
+/// single samples. OpenGL ES reads only colours, four floats at a time, so everything needs a copy
+/// there.
 class LayerCopy {
  public:
   static Result<LayerCopy> create(const CopyProgram& program, const LayerShape& shape);
 
-  /// Reads a layer of images: numbers, depth, varyings.
+  /// Reads a layer of the images: numbers, depth and the chosen varyings.
   Result<void> read(std::span<const GLuint> images, GLint layer, const std::vector<bool>& varyings,
                     LayerContent& content) const;
 

@@ -58,7 +58,7 @@ GLenum Layers::target() const {
   return is_multisampled() ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_ARRAY;
 }
 
-/// Bound to its target.
+/// Makes an image and leaves it bound to its target.
 Object Layers::make_image(GLenum format, GLenum channels) const {
   Object image = generate_texture();
   glBindTexture(target(), image.name());
@@ -87,7 +87,7 @@ Result<void> Layers::make_images() {
   depth_ = make_image(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
   if (Result<void> made = check(to_string(shape_)); !made) return made;
   if (!is_multisampled()) return {};
-  // A driver may round the number of samples up.
+  // A driver may give more samples than requested.
   GLint samples = 0;
   glGetTexLevelParameteriv(target(), 0, GL_TEXTURE_SAMPLES, &samples);
   if (samples == shape_.size.samples) return {};

@@ -1,6 +1,7 @@
 #pragma once
 
-// Layers of one size to draw triangles into, each by itself, and what was drawn there.
+// A set of layers of one size to draw triangles into, one triangle per layer, and what they
+// contain.
 
 #include <epoxy/gl.h>
 
@@ -22,36 +23,36 @@ namespace rastercheck::backends::gl {
 struct LayerShape {
   cases::FramebufferSize size;
   int layers = 1;
-  std::size_t varyings = 0;  ///< colour targets of four floats besides that of numbers
+  std::size_t varyings = 0;  ///< colour targets of four floats, besides the target for numbers
   bool operator==(const LayerShape&) const = default;
 
-  /// Of a layer's pixels.
+  /// The number of samples in one layer.
   std::size_t samples() const {
     return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
            static_cast<std::size_t>(size.samples);
   }
-  /// Of the driver's memory for a layer.
+  /// The driver memory that one layer takes.
   std::size_t bytes_of_layer() const { return samples() * (8 + 16 * varyings); }
 };
 
-/// What a layer holds, [y][x][sample], samples in the driver's order.
+/// The content of a layer, [y][x][sample], with samples in the driver's order.
 struct LayerContent {
-  std::vector<float> numbers;  ///< of the triangles in the draw, from 1; 0 where none was drawn
+  std::vector<float> numbers;  ///< of triangles in the draw, from 1; 0 where nothing was drawn
   std::vector<float> depth;
   std::vector<std::vector<std::array<float, 4>>> values;  ///< [varying]
-  bool is_empty = true;  ///< the numbers are all 0, and the rest was not read
+  bool is_empty = true;  ///< the numbers are all 0, and nothing else was read
 };
 
 /// A program that copies a layer.
 struct CopyProgram {
   GLuint name = 0;
-  GLint layer = -1;  ///< location of the uniform
+  GLint layer = -1;  ///< location of the uniform `layer`
 };
 
-/// Those that there are, made where they are asked for first.
+/// Copy programs, each made on first request.
 class CopyPrograms {
  public:
-  /// `has` must outlive it.
+  /// `has` must outlive this object.
   explicit CopyPrograms(const Capabilities& has) : has_(&has) {}
   Result<CopyProgram> get(int samples, std::size_t varyings);
 
@@ -62,11 +63,11 @@ class CopyPrograms {
 
 class LayerCopy;
 
-/// float32 throughout: a number, varyings and depth for each sample.
+/// Layers that hold a number, a depth and varyings for each sample, all in float32.
 class Layers {
  public:
-  /// `has` and `programs` must outlive it. Failure::unsupported where the driver has no such
-  /// targets, or not exactly this number of samples.
+  /// `has` and `programs` must outlive the layers. Fails with Failure::unsupported if the driver
+  /// has no such targets, or does not give exactly this number of samples.
   static Result<Layers> create(const Capabilities& has, CopyPrograms& programs,
                                const LayerShape& shape);
 
@@ -75,15 +76,14 @@ class Layers {
   ~Layers();
 
   const LayerShape& shape() const { return shape_; }
-  /// GL's name of the framebuffer object of a layer.
+  /// The GL name of a layer's framebuffer object.
   GLuint framebuffer(std::size_t layer) const { return framebuffers_[layer].name(); }
 
-  /// The driver's index of each of the standard pattern's samples. Failure::unsupported where its
-  /// samples are elsewhere.
+  /// The driver's index of each sample of the standard pattern. Fails with Failure::unsupported if
+  /// the driver places its samples elsewhere.
   Result<std::vector<std::size_t>> sample_order() const;
 
-  /// What was drawn into a layer, and the values of those varyings that are asked for. Changes the
-  /// state of GL.
+  /// Reads a layer, with the values of the chosen varyings. Changes GL state.
   Result<void> read(std::size_t layer, const std::vector<bool>& varyings, LayerContent& content);
 
  private:
@@ -101,7 +101,7 @@ class Layers {
   Object depth_;
   std::vector<Object> values_;
   std::vector<Object> framebuffers_;
-  std::unique_ptr<LayerCopy> copy_;  ///< where it is needed
+  std::unique_ptr<LayerCopy> copy_;  ///< only if layers of this kind need copying
 };
 
 }  // namespace rastercheck::backends::gl

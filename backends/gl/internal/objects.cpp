@@ -7,7 +7,7 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// The log's first line that says something: an error is one line.
+/// The first line of the log that has text; error messages have only one line.
 std::string first_line(const std::string& log) {
   const std::size_t begin = log.find_first_not_of(" \r\n");
   if (begin == std::string::npos) return "no reason given";
@@ -113,8 +113,8 @@ tl::unexpected<Error> failure(std::string reason) {
 Result<void> check(const std::string& what) {
   const GLenum first = glGetError();
   if (first == GL_NO_ERROR) return {};
-  // GL keeps one flag per kind of error: whoever comes next is not to find the others. A lost
-  // context tells the same for ever.
+  // GL keeps one flag per kind of error. Clear the other flags, so that the next check does not
+  // find them. The loop is limited, because a lost context reports its error forever.
   for (int flags = 0; flags < 16 && glGetError() != GL_NO_ERROR; ++flags) {
   }
   return failure(what + " failed (GL error " + hexadecimal(first) + ")");

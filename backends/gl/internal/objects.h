@@ -1,6 +1,6 @@
 #pragma once
 
-// GL's objects with owners, and GL's errors as values.
+// Owning wrappers for GL objects, and GL errors as values.
 
 #include <epoxy/gl.h>
 
@@ -11,7 +11,7 @@
 
 namespace rastercheck::backends::gl {
 
-/// A GL object's name, deleted with its owner while the context is current.
+/// Owns a GL object's name. The context must be current when the owner is destroyed.
 class Object {
  public:
   using Delete = void (*)(GLuint name) noexcept;
@@ -44,22 +44,22 @@ Object make_sampler();
 Object make_texture(GLenum target);
 Object make_vertex_array();
 
-/// The same for OpenGL 3.3 and OpenGL ES: names of what comes to be where it is bound first.
+/// For OpenGL 3.3 and OpenGL ES: generates a name, whose object is created at its first binding.
 Object generate_buffer();
 Object generate_framebuffer();
 Object generate_texture();
 Object generate_vertex_array();
 
-/// A linked program, or what the compiler or the linker said.
+/// Returns a linked program, or the message of the compiler or linker.
 Result<Object> make_program(const char* vertex_shader, const char* fragment_shader);
 
-/// An error of drivers, in one line.
+/// An error of the driver, in one line.
 tl::unexpected<Error> failure(std::string reason);
 
-/// The first error that GL noted since the last call, as "`what` failed (GL error 0x…)".
+/// Fails with the first error that GL recorded since the last call: "`what` failed (GL error 0x…)".
 Result<void> check(const std::string& what);
 
-/// "0x502"
+/// Formats the code, as in "0x502".
 std::string hexadecimal(GLenum code);
 
 }  // namespace rastercheck::backends::gl

@@ -18,7 +18,7 @@ VaryingClass class_of(const cases::Attribute& attribute, int samples) {
   return varies;
 }
 
-/// All that vary at one of these places, in both ways.
+/// All classes at these locations: smooth, and noperspective if available.
 Classes classes_at(const std::vector<Location>& locations, bool has_noperspective) {
   Classes classes;
   for (const Location location : locations) {
@@ -28,7 +28,7 @@ Classes classes_at(const std::vector<Location>& locations, bool has_noperspectiv
   return classes;
 }
 
-/// The first of the passes from `begin` on that has room, or a new one of these classes.
+/// Puts the attribute into the first pass from `begin` on that has room, or into a new pass.
 void put(std::size_t attribute, const VaryingClass& varies, const Classes& classes,
          std::size_t begin, std::vector<Pass>& passes) {
   for (std::size_t i = begin;; ++i) {

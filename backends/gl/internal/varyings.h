@@ -1,10 +1,11 @@
 #pragma once
 
-// A case's attributes as varyings. Programs are few, since drivers that compile for the processor
-// take longer for one than for hundreds of cases: each has a vector of four floats for every way to
-// vary that may come up together, whether a case has attributes of it or not. What has more
-// attributes is drawn several times. Samples' own values are drawn apart from those of whole
-// pixels, which would else be asked for at every sample as well.
+// Packs a case's attributes into varyings. Drivers that compile shaders for the processor take
+// longer to compile one program than to draw hundreds of cases, so there must be few programs. So
+// each program has one vector of four floats for every class of varying that may occur together,
+// whether or not a case uses it. A case with more attributes is drawn several times. Attributes at
+// samples are drawn separately from attributes of whole pixels, which would otherwise be evaluated
+// at every sample too.
 
 #include <array>
 #include <cstddef>
@@ -14,26 +15,27 @@
 
 namespace rastercheck::backends::gl {
 
-/// How the attributes of a vector vary. Flat ones have no location, and nor do those of one sample
-/// for each pixel: theirs is `center`.
+/// How the attributes of a vector vary. The location is `center` for flat attributes, which have
+/// none, and for all attributes if pixels have a single sample.
 struct VaryingClass {
   cases::Interpolation interpolation = cases::Interpolation::smooth;
   cases::Location location = cases::Location::center;
   auto operator<=>(const VaryingClass&) const = default;
 };
 
-/// Up to four attributes, or none.
+/// A varying that holds up to four attributes, or none.
 struct Varying {
   VaryingClass varies;
-  std::array<std::size_t, 4> attributes{};  ///< indices into the case's
+  std::array<std::size_t, 4> attributes{};  ///< indices into the case's attributes
   std::size_t count = 0;
   bool operator==(const Varying&) const = default;
 };
 
-/// What is drawn at once: the vectors of a program, some of them without attributes.
+/// The varyings that one draw outputs, one for each vector of the program. Some may hold no
+/// attributes.
 using Pass = std::vector<Varying>;
 
-/// At least one pass, without noperspective where there is none.
+/// Returns at least one pass. The passes have noperspective vectors only if `has_noperspective`.
 std::vector<Pass> pack(const std::vector<cases::Attribute>& attributes, int samples,
                        bool has_noperspective);
 

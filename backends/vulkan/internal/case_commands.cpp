@@ -16,7 +16,7 @@ void append_vertex(const cases::Case& c, Pass pass, const VertexLayout& layout, 
   const std::span<float> all = std::span(floats).subspan(begin);
   const cases::ClipVertex& p = c.positions[vertex];
   std::ranges::copy(std::array{p.x, p.y, p.z, p.w, static_cast<float>(number)}, all.begin());
-  // Distances that the case does not have clip nothing.
+  // 1 keeps clip distances that the case lacks from clipping.
   std::ranges::fill(all.subspan(layout.clip_distances, layout.slots - layout.clip_distances), 1.0F);
   std::ranges::copy(c.clip_distances_of(vertex), all.subspan(layout.clip_distances).begin());
   const std::span<const float> values = c.attributes_of(vertex);
@@ -32,7 +32,7 @@ VkViewport viewport_of(const cases::Viewport& v) {
   return {v.x, v.y, v.width, v.height, v.min_depth, v.max_depth};
 }
 
-/// Cuts the scissor down to the framebuffer: Vulkan's has no negative numbers.
+/// Clips the scissor rectangle to the framebuffer, as Vulkan allows no negative coordinates.
 VkRect2D scissor_of(const cases::Case& c) {
   const int width = c.framebuffer.width;
   const int height = c.framebuffer.height;
@@ -51,8 +51,8 @@ VkCullModeFlags cull_of(cases::Cull cull) {
   return cull == cases::Cull::back ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_FRONT_BIT;
 }
 
-/// Vulkan's counter-clockwise is so where window y points down. With OpenGL's rules it points up:
-/// the rows are the same, and what is displayed is turned over.
+/// Vulkan defines counter-clockwise for a window whose y points down. With OpenGL's rules y points
+/// up: the rows stay the same, but the display is flipped.
 VkFrontFace front_face_of(const cases::Case& c) {
   const bool is_ccw = c.front_face == cases::FrontFace::ccw;
   const bool is_up = c.rules == cases::Rules::opengl;
@@ -71,7 +71,7 @@ PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
   kind.samples = c.framebuffer.samples;
   kind.depth_clamp = c.depth_clamp;
   kind.negative_one_to_one = c.rules == cases::Rules::opengl;
-  // Where a device does not have it there is no flat attribute.
+  // If this feature is missing, cases have no flat attributes.
   kind.provoking_last = kind.negative_one_to_one && limits.provoking_vertex_last;
   kind.clip_distances = shader_clip_distances(c.clip_distance_count);
   for (const Slot& slot : pass) kind.slots.push_back(slot.qualifier);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A case in Vulkan's words.
+// Translates a case into Vulkan commands.
 
 #include <vulkan/vulkan_core.h>
 
@@ -20,11 +20,11 @@ using Pass = std::span<const Slot>;
 
 PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass);
 
-/// Appends the vertices of a triangle, which gets that number.
+/// Appends the vertices of a triangle, with `number` as the triangle's number.
 void append_triangle(const cases::Case& c, Pass pass, const VertexLayout& layout,
                      std::size_t triangle, std::size_t number, std::vector<float>& floats);
 
-/// Recorded before draws: pipeline, vertices and all state of the case.
+/// Call while recording, before draws: binds the pipeline, the vertices and all state of the case.
 void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
                VkBuffer vertices);
 

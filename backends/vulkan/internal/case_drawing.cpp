@@ -25,15 +25,15 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// Layers that are drawn together take this at most, bytes: more are no quicker.
+/// The most bytes of layers that are drawn together; more would not be faster.
 constexpr std::size_t kTogether = std::size_t{16} << 20U;
 constexpr std::size_t kMaxLayers = 64;
-/// One layer may take this, of the 4 GiB that a process has.
+/// The most bytes of one layer, out of the 4 GiB that a process has.
 constexpr std::size_t kMost = std::size_t{1} << 30U;
-/// Whole numbers up to here are float32.
+/// Integers up to this number are exact in float32.
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 24U;
 
-/// The triangles of one layer, in the order of drawing.
+/// The triangles of one layer, in the order in which they are drawn.
 using Layer = std::vector<std::size_t>;
 
 std::vector<Pass> passes_of(std::span<const Slot> slots, std::size_t most) {
@@ -52,9 +52,9 @@ std::vector<Layer> layers_of(const cases::Case& c) {
     for (std::size_t i = 0; i < c.triangles.size(); ++i) layers.push_back({i});
     return layers;
   }
-  // Where a case does not say what the buffer begins with it is 1, at which there may be fragments,
-  // so that the test is `less or equal`; the first of equal ones is left where they are drawn from
-  // last to first.
+  // If a case gives no initial depth, the depth buffer starts at 1, and fragments may have depth 1.
+  // So the test is `less or equal`; drawing from last to first keeps the first of equally near
+  // fragments.
   Layer all(c.triangles.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   if (!c.depth_clear) std::reverse(all.begin(), all.end());
@@ -62,18 +62,18 @@ std::vector<Layer> layers_of(const cases::Case& c) {
   return layers;
 }
 
-/// The fragments of a case, as passes and layers bring them.
+/// Collects the fragments of a case, pass by pass and layer by layer.
 class CaseFragments {
  public:
   explicit CaseFragments(const cases::Case& c) : case_(&c) {
     drawn_.attribute_count = c.attributes.size();
   }
 
-  /// The next layer of a pass; every pass has all layers in the same order.
+  /// Adds the next layer of a pass. Every pass must have all layers in the same order.
   Result<void> add(const Target& target, std::size_t layer, const Layer& triangles, Pass pass,
                    bool is_first_pass);
   void begin_pass() { next_ = 0; }
-  /// Whether a pass has had as many fragments as the first.
+  /// True if the pass has as many fragments as the first pass.
   bool is_complete() const { return next_ == drawn_.size(); }
   cases::Fragments take();
 
@@ -143,7 +143,7 @@ Result<void> CaseFragments::add(const Target& target, std::size_t layer, const L
   return {};
 }
 
-/// By triangle; within one they are in order already.
+/// Sorts the fragments by triangle. Those of the same triangle are already in order.
 cases::Fragments CaseFragments::take() {
   if (std::ranges::is_sorted(drawn_.triangle)) return std::move(drawn_);
   std::vector<std::size_t> order(drawn_.size());
@@ -202,7 +202,8 @@ CaseDrawing::CaseDrawing(CaseDrawing&& other) noexcept = default;
 CaseDrawing& CaseDrawing::operator=(CaseDrawing&& other) noexcept = default;
 CaseDrawing::~CaseDrawing() = default;
 
-/// The target of the case before where it serves, one with at least so many layers otherwise.
+/// Reuses the target of the previous case if it fits. Otherwise makes one with at least that many
+/// layers.
 Result<const Target*> CaseDrawing::Impl::target_for(TargetShape shape) {
   shape.layers = std::bit_ceil(shape.layers);
   if (target) {
@@ -377,8 +378,8 @@ Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, boo
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
-/// Whether fragments are appended unless another way is asked for: layers, which are read back
-/// whole, would be drawn in more than one go.
+/// True if fragments are appended when the caller gives no way: only if layers, which are read back
+/// whole, would take more than one batch.
 bool CaseDrawing::Impl::appends(const cases::Case& c) const {
   if (!device->limits().fragment_stores || !lacks_of_appending(c).empty()) return false;
   const TargetShape one{c.framebuffer.width, c.framebuffer.height, 1,

@@ -13,26 +13,26 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Draws cases that the device lacks nothing of (limits.h), each triangle in the case's own
-/// viewport: into a layer of its own, of which many are drawn, read back and looked through
-/// together, or by appending all fragments to a buffer (backends/appended_drawing.h). With a depth
-/// test all triangles go into one layer. A target for each triangle's number says what is covered,
-/// whatever the values.
+/// Draws cases for which lacks() (limits.h) is empty, each triangle in the case's own viewport.
+/// Either each triangle goes into a layer of its own, and many layers are drawn, read back and
+/// searched together; or all fragments are appended to a buffer (backends/appended_drawing.h). With
+/// a depth test, all triangles go into one layer. Layers include an image of triangle numbers,
+/// which shows what is covered, whatever the values are.
 class CaseDrawing {
  public:
-  /// Of the device, which has to outlive it.
+  /// `device` must outlive the result.
   static Result<CaseDrawing> create(const Device& device);
 
   CaseDrawing(CaseDrawing&& other) noexcept;
   CaseDrawing& operator=(CaseDrawing&& other) noexcept;
   ~CaseDrawing();
 
-  /// The ways that the device has.
+  /// The ways of drawing that the device supports.
   std::vector<cases::DrawBy> ways() const;
 
-  /// Fails as Failure::unsupported where the case takes more memory than there is for one, or the
-  /// way does not draw such cases. Without a way, fragments are appended where layers would take
-  /// long. Calls `go_on` after each part of the drawing.
+  /// Draws a case. If no way is given, appends fragments when layers would take long. Calls `go_on`
+  /// after each part of the drawing. Fails with Failure::unsupported if the case needs more memory
+  /// than one case may take, or if the way cannot draw it.
   Result<cases::Fragments> draw(
       const cases::Case& c, std::optional<cases::DrawBy> way = std::nullopt,
       const std::function<void()>& go_on = [] {});

@@ -9,20 +9,20 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Commands that are recorded, done, and waited for.
+/// Records commands, executes them and waits until they are done.
 class Commands {
  public:
   static Result<Commands> create(const Device& device);
 
-  /// Fails where memory runs out or the device is lost. Waits for as long as it takes: whoever
-  /// waits for a case ends this process where that is too long.
+  /// Fails if memory runs out or the device is lost. The wait is unlimited: the process that asked
+  /// for the drawing ends this one when it takes too long.
   Result<void> run(const Device& device, const std::function<void(VkCommandBuffer)>& record);
 
  private:
   Commands() = default;
 
   CommandPool pool_;
-  VkCommandBuffer buffer_ = VK_NULL_HANDLE;  ///< the pool's
+  VkCommandBuffer buffer_ = VK_NULL_HANDLE;  ///< owned by the pool
   Fence fence_;
 };
 

@@ -21,7 +21,7 @@ struct Properties {
   VkPhysicalDeviceProperties device{};
   VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
                                           nullptr,
-                                          VK_DRIVER_ID_MAX_ENUM,  // of no driver
+                                          VK_DRIVER_ID_MAX_ENUM,  // matches no driver
                                           {},
                                           {},
                                           {}};
@@ -31,7 +31,7 @@ Properties properties_of(VkPhysicalDevice physical) {
   Properties all;
   VkPhysicalDeviceProperties2 properties{};
   properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-  // Of an older device there is nothing about its driver.
+  // Devices of older versions report nothing about their driver.
   VkPhysicalDeviceProperties plain{};
   vkGetPhysicalDeviceProperties(physical, &plain);
   if (plain.apiVersion >= VK_API_VERSION_1_2) properties.pNext = &all.driver;
@@ -54,7 +54,7 @@ bool has_part(std::string_view text, std::string_view part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), alike) != text.end();
 }
 
-/// The less the better.
+/// The rank of a type of device; lower is better.
 int rank_of(VkPhysicalDeviceType type) {
   switch (type) {
     case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
@@ -114,7 +114,7 @@ std::set<std::string> extensions_of(VkPhysicalDevice physical) {
   return names;
 }
 
-/// The features that are of use, as structs that point at each other: neither copied nor moved.
+/// The features that are used, in structs that point at each other: not copyable or movable.
 struct Features {
   VkPhysicalDeviceFeatures2 core{};
   VkPhysicalDeviceVulkan13Features vulkan13{};
@@ -141,7 +141,7 @@ struct Features {
   Features& operator=(const Features&) = delete;
   ~Features() = default;
 
-  /// Leaves of what the device has what is used.
+  /// Drops the device's features that are not used.
   void keep_used() {
     const VkPhysicalDeviceFeatures has = core.features;
     core.features = {};
@@ -159,7 +159,7 @@ struct Features {
   }
 };
 
-/// A family of queues that draw; those compute too.
+/// The first family of queues that can both draw and compute.
 std::optional<std::uint32_t> drawing_family(VkPhysicalDevice physical) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
@@ -172,7 +172,7 @@ std::optional<std::uint32_t> drawing_family(VkPhysicalDevice physical) {
   return std::nullopt;
 }
 
-/// The numbers of samples that all images of a target can have.
+/// The sample counts that all images of a target support.
 unsigned sample_counts_of(VkPhysicalDevice physical) {
   unsigned counts = ~0U;
   for (const auto& [format, attachment] :
@@ -211,7 +211,7 @@ Limits limits_of(VkPhysicalDevice physical, const Features& features) {
   limits.depth_clamp = core.depthClamp == VK_TRUE;
   limits.depth_clip_control = features.depth_clip_control.depthClipControl == VK_TRUE;
   limits.provoking_vertex_last = features.provoking_vertex.provokingVertexLast == VK_TRUE;
-  // One attachment is for the triangle's number.
+  // One attachment is needed for the triangle's number.
   limits.slots = static_cast<int>(std::min<std::size_t>(
       std::min(device.maxColorAttachments, device.maxFragmentOutputAttachments) - 1, kMaxSlots));
   return limits;

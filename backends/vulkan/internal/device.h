@@ -14,23 +14,23 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Which of the devices that an instance has: all that is asked for has to be so. Of several the
-/// first, a GPU before what draws on the CPU unless the index says otherwise.
+/// Which device of an instance to use. It must meet every condition. If several do and no index is
+/// given, the first is used, where GPUs precede devices that draw on the CPU.
 struct DeviceChoice {
   std::optional<std::size_t> index;  ///< in the loader's order
-  std::string name;                  ///< a part of the device's name, in either case; empty: any
+  std::string name;                  ///< part of the device's name, in either case; empty: any
   std::string driver;                ///< Driver::name; empty: any
 };
 
-/// What images and pictures are made of.
+/// The formats of images.
 inline constexpr VkFormat kNumberFormat = VK_FORMAT_R32_SFLOAT;
 inline constexpr VkFormat kSlotFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 
-/// A device with one queue that draws, and what goes with it.
+/// A device with one queue that draws, and the objects that belong to them.
 class Device {
  public:
-  /// Fails where there is no such device, or it has no Vulkan 1.3, as Failure::unavailable.
+  /// Fails with Failure::unavailable if no device fits the choice, or if it lacks Vulkan 1.3.
   static Result<Device> create(Instance instance, const DeviceChoice& choice);
 
   Device(Device&& other) noexcept;
@@ -42,12 +42,12 @@ class Device {
   VkQueue queue() const;
   std::uint32_t queue_family() const;
   const Limits& limits() const;
-  /// Device, driver and version of the API, on one line.
+  /// Names the device, the driver and the API version, in one line.
   std::string description() const;
   Driver driver() const;
-  /// Whether it draws with the processor.
+  /// True if the device draws on the processor.
   bool is_software() const;
-  /// Instance::take_messages.
+  /// See Instance::take_messages().
   std::string take_messages();
 
  private:

@@ -8,7 +8,7 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-// The C header has no names of results; the C++ one does, and takes as long to compile as all else.
+// The C header has no names for results. The C++ header has them, but doubles the compile time.
 constexpr std::array<std::pair<VkResult, const char*>, 10> kResultNames{{
     {VK_TIMEOUT, "VK_TIMEOUT"},
     {VK_ERROR_OUT_OF_HOST_MEMORY, "VK_ERROR_OUT_OF_HOST_MEMORY"},

@@ -10,10 +10,10 @@ namespace rastercheck::backends::vulkan {
 
 tl::unexpected<Error> failed(const std::string& reason, Failure failure = Failure::refused);
 
-/// Of a call that gave something else than success.
+/// The error for a call that failed.
 tl::unexpected<Error> failed(const char* call, VkResult result);
 
-/// Nothing where it is success.
+/// Fails unless the result is VK_SUCCESS.
 Result<void> check(const char* call, VkResult result);
 
 }  // namespace rastercheck::backends::vulkan

@@ -8,7 +8,7 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// Bytes of records that are looked through at once.
+/// The most bytes of records that are processed at once.
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr std::size_t kWord = sizeof(std::uint32_t);
 
@@ -82,7 +82,7 @@ void FragmentBuffer::show_host(VkCommandBuffer commands) {
 }
 
 std::span<const std::uint32_t> FragmentBuffer::all_words() const {
-  // The memory is mapped, at an address that is aligned for any type.
+  // The cast is safe, as memory is mapped at an address aligned for any type.
   return {reinterpret_cast<const std::uint32_t*>(buffer_.bytes.data()),
           buffer_.bytes.size() / kWord};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// A storage buffer that fragments are appended to (shaders/append.frag).
+// A storage buffer to which shaders/append.frag appends fragments.
 
 #include <vulkan/vulkan_core.h>
 
@@ -21,20 +21,21 @@ class FragmentBuffer {
  public:
   static Result<FragmentBuffer> create(const Device& device, const Pipelines& pipelines);
 
-  /// Words of records that there may be room for.
+  /// The most words of records that the buffer can hold.
   std::size_t most_words() const { return most_words_; }
 
-  /// Makes room for so many words of records, without any so far.
+  /// Makes room for `words` words of records. The buffer is empty afterwards.
   Result<void> make_room(const Device& device, std::size_t words);
 
-  /// Recorded before a draw by a pipeline of appending_layout(): `room` is in records.
+  /// Call while recording, before a draw with a pipeline of appending_layout(). `room` is a number
+  /// of records.
   void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t room) const;
-  /// Recorded after it, for this process to see what was written.
+  /// Call while recording, after the draw: makes the records visible to this process.
   static void show_host(VkCommandBuffer commands);
 
-  /// How many fragments there were.
+  /// The number of fragments that were drawn.
   std::size_t count() const { return all_words().front(); }
-  /// The records; what is behind the last is undefined.
+  /// The records. The words after the last record are undefined.
   std::span<const std::uint32_t> words() const { return all_words().subspan(1); }
 
  private:
@@ -43,11 +44,11 @@ class FragmentBuffer {
 
   std::size_t most_words_ = 0;
   DescriptorPool pool_;
-  VkDescriptorSet set_ = VK_NULL_HANDLE;  ///< the pool's
+  VkDescriptorSet set_ = VK_NULL_HANDLE;  ///< owned by the pool
   HostBuffer buffer_;
 };
 
-/// Begins to draw with neither colours nor depth.
+/// Begins rendering without colour or depth images.
 void begin_without_images(VkCommandBuffer commands, const cases::FramebufferSize& size);
 
 }  // namespace rastercheck::backends::vulkan

@@ -9,8 +9,8 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// A variable of the environment, for as long as this lives: the loader has no other way to be
-/// told.
+/// Sets an environment variable during its lifetime; the loader cannot be configured in another
+/// way.
 class Variable {
  public:
   Variable(const char* name, const std::string& value) : name_(name) {
@@ -95,7 +95,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
   if (!options.driver_files.empty()) {
     drivers.emplace("VK_DRIVER_FILES", joined(options.driver_files));
   }
-  // Layers that are there for whoever draws, overlays and such, are not what is judged.
+  // Implicit layers, such as overlays, must not affect the drawings that are judged.
   const Variable no_layers("VK_LOADER_LAYERS_DISABLE", "~implicit~");
 
   auto impl = std::make_unique<Impl>();

@@ -11,14 +11,14 @@
 namespace rastercheck::backends::vulkan {
 
 struct InstanceOptions {
-  /// Files that describe drivers, these and no others; empty: what the loader finds.
+  /// The files that describe the only drivers to use; if empty, the loader chooses.
   std::vector<std::string> driver_files;
-  bool validates = false;  ///< with the validation layer
+  bool validates = false;  ///< load the validation layer
 };
 
 class Instance {
  public:
-  /// Fails where there is no driver or no layer, as Failure::unavailable.
+  /// Fails with Failure::unavailable if the loader finds no driver, or not the validation layer.
   static Result<Instance> create(const InstanceOptions& options);
 
   Instance(Instance&& other) noexcept;
@@ -26,7 +26,7 @@ class Instance {
   ~Instance();
 
   VkInstance get() const;
-  /// What the validation layer has said since it was asked last; empty without it.
+  /// Returns the validation layer's messages since the last call. Empty without that layer.
   std::string take_messages();
 
  private:

@@ -6,7 +6,7 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// The first kind of memory of those allowed that has all properties.
+/// The first allowed memory type that has all the properties.
 std::optional<std::uint32_t> memory_type(const Device& device, std::uint32_t allowed,
                                          VkMemoryPropertyFlags wanted) {
   VkPhysicalDeviceMemoryProperties properties{};
@@ -45,7 +45,7 @@ Result<HostBuffer> make_host_buffer(const Device& device, std::size_t size,
   if (!buffer) return tl::unexpected(buffer.error());
   VkMemoryRequirements requirements{};
   vkGetBufferMemoryRequirements(device.get(), buffer->get(), &requirements);
-  // Memory that is cached is quick to read, and all of it is slow where it is not.
+  // Cached memory is preferred, since reads from uncached memory are slow.
   constexpr VkMemoryPropertyFlags kCoherent =
       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   Result<Memory> memory =

@@ -10,7 +10,7 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// A buffer that this process sees, too.
+/// A buffer that this process can also access.
 struct HostBuffer {
   Memory memory;
   Buffer buffer;

@@ -8,7 +8,7 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// A Vulkan object that is destroyed with this. The device has to outlive it.
+/// Owns a Vulkan object and destroys it. The device must outlive it.
 template <typename Handle, auto destroy>
 class Object {
  public:
@@ -46,7 +46,7 @@ using Pipeline = Object<VkPipeline, &vkDestroyPipeline>;
 using PipelineLayout = Object<VkPipelineLayout, &vkDestroyPipelineLayout>;
 using ShaderModule = Object<VkShaderModule, &vkDestroyShaderModule>;
 
-/// An object made by a function such as vkCreateImage; `call` is its name.
+/// Makes an object with a function such as vkCreateImage, whose name is `call`.
 template <typename Made, typename Make, typename Info>
 Result<Made> make_object(const char* call, Make make, VkDevice device, const Info& info) {
   decltype(Made().get()) handle = VK_NULL_HANDLE;

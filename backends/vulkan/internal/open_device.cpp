@@ -15,12 +15,12 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// A driver that is asked for by name.
+/// A driver that can be requested by name.
 struct KnownDriver {
   std::string_view name;
-  std::array<std::string_view, 2> folders;  ///< where files that describe it lie
-  std::string_view file;                    ///< what their names begin with
-  std::string_view package;                 ///< that has it in Debian
+  std::array<std::string_view, 2> folders;  ///< folders of the files that describe the driver
+  std::string_view file;                    ///< start of those files' names
+  std::string_view package;                 ///< the Debian package that has the driver
 };
 constexpr std::array<KnownDriver, 2> kKnownDrivers{{
     {"lavapipe",
@@ -33,7 +33,7 @@ constexpr std::array<KnownDriver, 2> kKnownDrivers{{
      "chromium-common"},
 }};
 
-/// What a specification asks for.
+/// The request that a specification makes.
 struct Wanted {
   DeviceChoice device;
   const KnownDriver* driver = nullptr;

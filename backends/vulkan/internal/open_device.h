@@ -8,12 +8,13 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Opens what stands behind the colon of a specification: nothing for the machine's best device,
-/// its index, a part of its name, or the name of a driver that draws on the CPU; `,validate` behind
-/// these, or alone, for the validation layer. Fails where there is none, as Failure::unavailable.
+/// Opens the device that the text after the colon of a specification names. The text is empty for
+/// the machine's best device; otherwise it is a device's index, part of its name, or the name of a
+/// driver that draws on the CPU. `,validate` after it, or `validate` alone, adds the validation
+/// layer. Fails with Failure::unavailable if no device fits.
 Result<Device> open_device(const std::string& options);
 
-/// The drivers that are known by name.
+/// The drivers that can be requested by name.
 std::vector<std::string_view> driver_names();
 
 }  // namespace rastercheck::backends::vulkan

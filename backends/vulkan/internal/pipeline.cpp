@@ -5,7 +5,7 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// The parts of a pipeline's description, which point at each other and at the source.
+/// The structs that describe a pipeline, which point at each other and at the source.
 struct Description {
   VkVertexInputBindingDescription binding{};
   VkPipelineVertexInputStateCreateInfo vertices{};

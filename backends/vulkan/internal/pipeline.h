@@ -11,8 +11,9 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// What a pipeline that draws lists of triangles is made of. Viewport, scissor, culling, front face
-/// and the function of the depth test, which writes, are set when a draw is recorded.
+/// The parts of a pipeline that draws lists of triangles. Set when a draw is recorded: the
+/// viewport, the scissor, culling, the front face and the function of the depth test. That test
+/// writes depth.
 struct PipelineSource {
   std::span<const std::uint32_t> vertex_shader;
   std::span<const std::uint32_t> fragment_shader;
@@ -21,21 +22,21 @@ struct PipelineSource {
   std::vector<VkVertexInputAttributeDescription> inputs;
   int samples = 1;
   bool depth_clamp = false;
-  bool negative_one_to_one = false;  ///< clip depth −w…w
+  bool negative_one_to_one = false;  ///< clip depth from −w to w
   bool provoking_last = false;
   std::vector<VkFormat> colors;
-  bool has_depth = true;  ///< else there is neither a depth test nor an image for it
+  bool has_depth = true;  ///< if false: no depth test and no depth image
 };
 
 Result<Pipeline> make_pipeline(const Device& device, VkPipelineLayout layout,
                                const PipelineSource& source);
 
-/// Of pipelines without descriptors or push constants.
+/// A layout for pipelines without descriptors and push constants.
 Result<PipelineLayout> make_empty_layout(const Device& device);
 
 Result<ShaderModule> make_module(const Device& device, std::span<const std::uint32_t> words);
 
-/// A shader's stage, `main` of the module.
+/// The shader stage whose entry point is `main` of the module.
 VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits which, const ShaderModule& module,
                                          const VkSpecializationInfo* constants = nullptr);
 

@@ -11,7 +11,7 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// So many are kept: a driver has some hundred kilobytes of code for each.
+/// The most pipelines that are kept: for each one, a driver has some hundred kilobytes of code.
 constexpr std::size_t kKept = 128;
 
 // Locations of shaders/case.vert.
@@ -23,7 +23,8 @@ std::uint32_t bytes(std::size_t floats) {
   return static_cast<std::uint32_t>(floats * sizeof(float));
 }
 
-/// Whatever the shader reads; what is not in the buffer begins where vertices do.
+/// All inputs that the shader reads. An input that is not in the buffer reads the vertex's first
+/// floats.
 std::vector<VkVertexInputAttributeDescription> inputs_of(const PipelineKind& kind) {
   constexpr VkFormat kVector = VK_FORMAT_R32G32B32A32_SFLOAT;
   const VertexLayout layout = vertex_layout(kind);
@@ -40,7 +41,7 @@ std::vector<VkVertexInputAttributeDescription> inputs_of(const PipelineKind& kin
   return all;
 }
 
-/// Which slots are to be evaluated at the centre, of pixels that have other places to do it at.
+/// The slots that must be evaluated at the centre, if pixels have several samples.
 class Centers {
  public:
   explicit Centers(const PipelineKind& kind) {
@@ -99,9 +100,9 @@ Result<PipelineLayout> make_appending_layout(const Device& device, VkDescriptorS
 
 VertexLayout vertex_layout(const PipelineKind& kind) {
   VertexLayout layout;
-  // Read as vectors of four.
+  // The shader reads clip distances as vectors of four.
   layout.slots = layout.clip_distances + (kind.clip_distances + 3) / 4 * 4;
-  // Vertices are no shorter than what is read of them.
+  // A vertex must have at least as many floats as the shader reads.
   layout.size = layout.slots + kSlotSize * kind.slots.size();
   return layout;
 }

@@ -10,39 +10,39 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// What a pipeline is made for; everything else of a draw is set when it is recorded.
+/// The properties that a pipeline depends on; all other state is set when a draw is recorded.
 struct PipelineKind {
   int samples = 1;
   bool depth_clamp = false;
-  bool negative_one_to_one = false;  ///< clip depth −w…w
+  bool negative_one_to_one = false;  ///< clip depth from −w to w
   bool provoking_last = false;
-  std::size_t clip_distances = 0;  ///< of the shader (shaders.h)
-  /// Whether fragments append records to the buffer of appending_layout() and write nothing else.
+  std::size_t clip_distances = 0;  ///< as declared by the shader (shaders.h)
+  /// True if fragments only append records to the buffer of appending_layout().
   bool appends = false;
   std::vector<Qualifier> slots;
   auto operator<=>(const PipelineKind&) const = default;
 };
 
-/// Floats of a vertex in the buffer that these pipelines read: position, number of the triangle,
-/// clip distances, slots.
+/// The floats of a vertex in the buffer that these pipelines read: position, triangle number, clip
+/// distances, slots.
 struct VertexLayout {
-  std::size_t clip_distances = 5;  ///< where they begin
-  std::size_t slots = 5;           ///< where they begin
+  std::size_t clip_distances = 5;  ///< index of the first clip distance
+  std::size_t slots = 5;           ///< index of the first slot's floats
   std::size_t size = 5;
 };
 VertexLayout vertex_layout(const PipelineKind& kind);
 
-/// Pipelines, kept for the next case of their kind.
+/// Makes pipelines and keeps them for later cases of the same kind.
 class Pipelines {
  public:
   static Result<Pipelines> create(const Device& device);
 
-  /// The pipeline lives until another one is asked for. Viewport, scissor, culling, front face and
-  /// depth test are dynamic.
+  /// Returns a pipeline, which lives until get() is called again. Viewport, scissor, culling, front
+  /// face and depth test are dynamic.
   Result<VkPipeline> get(const Device& device, const PipelineKind& kind);
 
-  /// The layout of pipelines that append: a storage buffer at set 0, binding 0, and a push
-  /// constant, how many records the buffer has room for.
+  /// The layout of pipelines that append: a storage buffer at set 0, binding 0, and a push constant
+  /// that is the number of records that fit into the buffer.
   VkPipelineLayout appending_layout() const { return appending_layout_.get(); }
   VkDescriptorSetLayout records_layout() const { return records_layout_.get(); }
 

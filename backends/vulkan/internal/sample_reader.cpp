@@ -9,7 +9,7 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-constexpr std::uint32_t kGroup = 64;  ///< invocations, as the shader has them
+constexpr std::uint32_t kGroup = 64;  ///< invocations per work group, as in the shader
 
 Result<DescriptorSetLayout> make_bindings(const Device& device) {
   const std::array<VkDescriptorSetLayoutBinding, 2> bindings{{

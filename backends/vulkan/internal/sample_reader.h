@@ -12,10 +12,10 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Copies images of several samples a pixel to buffers (shaders/samples.comp).
+/// Copies multisampled images to buffers with shaders/samples.comp.
 class SampleReader {
  public:
-  /// An image, and where in a buffer it goes, bytes.
+  /// An image, and the buffer that it is copied to, from the byte `begin` on.
   struct Source {
     VkImageView image = VK_NULL_HANDLE;
     VkBuffer buffer = VK_NULL_HANDLE;
@@ -26,7 +26,7 @@ class SampleReader {
     DescriptorPool pool;
     std::vector<VkDescriptorSet> sets;  ///< one for each source
   };
-  /// As the shader has it.
+  /// The size of an image, with the same members as in the shader.
   struct Shape {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -37,7 +37,7 @@ class SampleReader {
   static Result<SampleReader> create(const Device& device);
 
   Result<Bindings> bind(const Device& device, std::span<const Source> sources) const;
-  /// Recorded with the image in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
+  /// Call while recording. The image must be in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
   void record(VkCommandBuffer commands, VkDescriptorSet source, const Shape& shape,
               std::size_t layers) const;
 

@@ -6,11 +6,12 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Of so many clip distances as a case has, how many the shader for it has: 0, 1 or 8.
+/// How many clip distances, 0, 1 or 8, the shader has for a case with `of_case` clip distances.
 std::size_t shader_clip_distances(std::size_t of_case);
 
-/// SPIR-V of shaders/: with that many clip distances, that many slots (0 to kMaxSlots). Those with
-/// centres have a boolean constant for each slot, by its index.
+/// The SPIR-V of the shaders in shaders/, with `clip_distances` clip distances or `slots` slots (0
+/// to kMaxSlots). Shaders with centres have one boolean specialization constant for each slot,
+/// whose id is the slot's index.
 std::span<const std::uint32_t> vertex_shader(std::size_t clip_distances);
 std::span<const std::uint32_t> fragment_shader(std::size_t slots, bool has_centers);
 std::span<const std::uint32_t> appending_shader(std::size_t slots);

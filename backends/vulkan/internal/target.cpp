@@ -12,7 +12,7 @@ VkImageAspectFlags aspect(bool is_depth) {
   return is_depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-/// A multiple of whatever a device may want descriptors to begin at.
+/// A multiple of every alignment that a device may require of descriptors' offsets.
 constexpr std::size_t kAlignment = 256;
 
 std::size_t part_bytes(const TargetShape& shape, std::size_t components) {
@@ -129,7 +129,7 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
   return target;
 }
 
-/// To be drawn into, or from being drawn into to being read.
+/// Transitions the image for drawing into it, or from drawing to reading.
 void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before) const {
   const VkImageLayout drawn = part.is_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                             : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;

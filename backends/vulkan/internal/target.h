@@ -17,19 +17,20 @@ struct TargetShape {
   int samples = 1;
   std::size_t slots = 0;
   std::size_t layers = 1;
-  bool has_numbers = true;  ///< else there are no numbers()
+  bool has_numbers = true;  ///< if false, there is no image of triangle numbers
   bool operator==(const TargetShape&) const = default;
 
   std::size_t layer_samples() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
            static_cast<std::size_t>(samples);
   }
-  /// Of images and of what they are read back to.
+  /// The bytes of the images and of the buffer that they are read back to.
   std::size_t bytes() const;
 };
 
-/// Images of several layers that are drawn into one after the other and read back together: the
-/// triangles' numbers, depths, and the slots; colours of a pass in this order, numbers first.
+/// Images of several layers, which are drawn into one after the other and read back together:
+/// triangle numbers, depths and slots. The colour attachments of a pass are the numbers, then the
+/// slots.
 class Target {
  public:
   static Result<Target> create(const Device& device, const SampleReader& reader,
@@ -37,15 +38,16 @@ class Target {
 
   const TargetShape& shape() const { return shape_; }
 
-  /// Recorded before drawing: what was in the images is lost.
+  /// Call while recording, before drawing: discards the old content of the images.
   void begin(VkCommandBuffer commands) const;
-  /// Recorded around the drawing into one layer, which is cleared, its depths to `clear_depth`.
+  /// Call both while recording, around the drawing into one layer. begin_layer() clears the layer,
+  /// and its depths to `clear_depth`.
   void begin_layer(VkCommandBuffer commands, std::size_t layer, float clear_depth) const;
   static void end_layer(VkCommandBuffer commands);
-  /// Recorded after drawing: reads so many layers back.
+  /// Call while recording, after drawing: reads `layers` layers back.
   void end(VkCommandBuffer commands, const SampleReader& reader, std::size_t layers) const;
 
-  /// What was read back of a layer, once that has been done: [y][x][sample].
+  /// The content that was read back from a layer: [y][x][sample].
   std::span<const float> numbers(std::size_t layer) const;
   std::span<const float> depths(std::size_t layer) const;
   /// [y][x][sample][kSlotSize].
@@ -55,10 +57,10 @@ class Target {
   struct Part {
     DeviceImage image;
     std::vector<ImageView> views;  ///< one for each layer
-    ImageView whole;               ///< all layers, to read samples from
+    ImageView whole;               ///< all layers, for reading samples
     bool is_depth = false;
     std::size_t components = 1;
-    std::size_t begin = 0;  ///< in the buffer, bytes
+    std::size_t begin = 0;  ///< offset in the buffer, in bytes
   };
 
   Target() = default;
@@ -67,7 +69,7 @@ class Target {
   std::span<const float> read(const Part& part, std::size_t layer) const;
 
   TargetShape shape_;
-  std::vector<Part> parts_;  ///< depths, slots, numbers where there are some
+  std::vector<Part> parts_;  ///< depths, slots, and numbers if present
   HostBuffer buffer_;
   SampleReader::Bindings bindings_;
 };

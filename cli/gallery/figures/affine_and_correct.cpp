@@ -1,5 +1,5 @@
-// Figure 6-1 of seed 000: where linear interpolation is right, where it is not, and what is right
-// there.
+// Figure 6-1 of Appendix 5: where linear interpolation is right, where it is wrong, and the correct
+// result.
 
 #include <array>
 #include <utility>
@@ -12,8 +12,9 @@
 namespace rastercheck::gallery::affine_and_correct_figure {
 namespace {
 
-/// w = 5 at every vertex: four fifths of the picture's width, so that window positions are whole
-/// pixels and texture coordinates of samples are float32 numbers.
+/// A square facing the camera, with w = 5 at every vertex. It spans four fifths of the picture's
+/// width, so that window positions are whole pixels and texture coordinates at samples are float32
+/// numbers.
 cases::Case facing(const Canvas& canvas) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "facing";
@@ -35,7 +36,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "Where linear interpolation is enough, and where it is not";
   figure.source =
-      "Seed 000, Appendix 5: Perspective Correct Interpolation, figure 6-1. Left to right: "
+      "Appendix 5: Perspective Correct Interpolation, figure 6-1. Left to right: "
       "orthogonal, affine, perspective correct.";
   figure.sentences = {
       "A square of two triangles. Where it is orthogonal to the view direction all vertices "

@@ -1,5 +1,5 @@
-// Seed 002, §2.1: as the camera rolls, the texture of a linearly interpolated quad slides across it
-// "like a rubber sheet".
+// Heckbert & Moreton 1991, §2.1: as the camera rolls, the texture of a linearly interpolated quad
+// slides across it "like a rubber sheet".
 
 #include <array>
 #include <utility>
@@ -18,7 +18,7 @@ constexpr int kFrames = 8;
 Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "A rolling camera: the linear quad swims";
-  figure.source = "Seed 002, §2.1, flaws of linear interpolation.";
+  figure.source = "Heckbert & Moreton 1991, §2.1, flaws of linear interpolation.";
   figure.sentences = {
       "The rectangle of figures 2 and 3, with the camera rolled by 22.5° from frame to frame. "
       "What a row of the picture interpolates between depends on how the quad is turned, so "

@@ -1,5 +1,5 @@
-// Figures 2 and 3 of seed 002: a checkerboard on a rectangle in perspective, drawn as one polygon
-// by linear and by rational linear interpolation.
+// Figures 2 and 3 of Heckbert & Moreton 1991: a checkerboard on a rectangle in perspective, drawn
+// as one polygon by linear and by rational linear interpolation.
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace rastercheck::gallery::checkerboard_in_perspective_figure {
 namespace {
 
-/// Marks at both sides of a picture, in the rows of the corners.
+/// Draws marks at both sides of a picture, in the rows of the corners.
 void mark_rows(reports::Image& image, const std::vector<double>& rows) {
   constexpr reports::Color kMark{190, 30, 45};
   const int length = image.width / 24;
@@ -31,7 +31,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "A checkerboard in perspective: linear and rational linear";
   figure.source =
-      "Seed 002, P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping "
+      "P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping "
       "and Shading, 1991, figures 2 (left) and 3 (right).";
   figure.sentences = {
       "Linear interpolation along the edges and then along the rows of a polygon lacks the "

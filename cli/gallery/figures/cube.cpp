@@ -1,5 +1,5 @@
-// Seed 004, slides 5, 6, 14 and 15: a textured cube, linear, linear in faces of eight triangles,
-// and perspective correct.
+// MIT 6.837 2000, lecture 18, slides 5, 6, 14 and 15: a textured cube, drawn linearly, linearly
+// with eight triangles per face, and perspective correct.
 
 #include <array>
 #include <utility>
@@ -16,7 +16,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "A textured cube, and its faces cut into eight triangles";
   figure.source =
-      "Seed 004, MIT 6.837 Computer Graphics, lecture 18, fall 2000, slides 6 (two triangles a "
+      "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slides 6 (two triangles a "
       "face), 15 (eight) and 14 (perspective correct).";
   figure.sentences = {
       "Linear interpolation bends the checks at the diagonal of each face. Cut into eight "

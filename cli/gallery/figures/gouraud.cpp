@@ -1,5 +1,5 @@
-// Seed 004, slides 16 and 17: Gouraud shading is linear on the screen, which is wrong and seldom
-// seen, but where triangles meet in a "T".
+// MIT 6.837 2000, lecture 18, slides 16 and 17: Gouraud shading is linear on the screen. That is
+// wrong, but seldom visible except where triangles meet in a "T".
 
 #include <array>
 #include <utility>
@@ -12,8 +12,8 @@
 namespace rastercheck::gallery::gouraud_figure {
 namespace {
 
-/// A floor whose colours are linear in its length: left of the middle one quad, right of it two, of
-/// which the border between them meets the left one's edge in a T.
+/// A floor whose colours are linear in its length: one quad left of the middle and two quads right
+/// of it, whose common border meets the left quad's edge in a T.
 cases::Case joint(const Canvas& canvas) {
   cases::Case scene = empty_scene(canvas, std::array<std::string, 3>{"red", "green", "blue"});
   scene.name = "a T joint";
@@ -34,7 +34,7 @@ cases::Case joint(const Canvas& canvas) {
 Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "Gouraud shading, and a T joint";
-  figure.source = "Seed 004, MIT 6.837 Computer Graphics, lecture 18, fall 2000, slides 16 and 17.";
+  figure.source = "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slides 16 and 17.";
   figure.sentences = {
       "Colours that are interpolated linearly on the screen are wrong, too, but they vary so "
       "smoothly that each quad for itself looks right. Where one quad meets two in a T, the "

@@ -1,4 +1,4 @@
-// Seed 004, slide 18: a texture that is repeated over a polygon.
+// MIT 6.837 2000, lecture 18, slide 18: a texture repeated over a polygon.
 
 #include <array>
 #include <utility>
@@ -11,7 +11,7 @@
 namespace rastercheck::gallery::tiling_figure {
 namespace {
 
-/// A floor of 4 · 6 tiles, from coordinates below 0 on.
+/// A floor of 4 · 6 tiles, starting at coordinates below 0.
 cases::Case floor_of_tiles(const Canvas& canvas) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "a tiled floor";
@@ -23,8 +23,7 @@ cases::Case floor_of_tiles(const Canvas& canvas) {
 Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "Tiling: a texture again and again";
-  figure.source =
-      "Seed 004, MIT 6.837 Computer Graphics, lecture 18, fall 2000, slide 18, texture tiling.";
+  figure.source = "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slide 18, texture tiling.";
   figure.sentences = {
       "Texture coordinates run from −2 to 2 across the floor and from −3 to 3 along it; of each "
       "the whole part is dropped, so that the tile comes again, below 0 as well. With many "

@@ -1,4 +1,4 @@
-// Seed 004, slide 19: texels whose alpha is 0 leave what is behind.
+// MIT 6.837 2000, lecture 18, slide 19: texels with alpha 0 show what is behind.
 
 #include <array>
 #include <utility>
@@ -11,7 +11,7 @@
 namespace rastercheck::gallery::transparency_figure {
 namespace {
 
-/// The checkerboard as a wall, and before it the trellis, a little turned.
+/// The checkerboard as a wall, with the trellis in front, slightly turned.
 cases::Case trellis_before_wall(const Canvas& canvas) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "a trellis before a wall";
@@ -25,7 +25,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "Transparency: texels that are not there";
   figure.source =
-      "Seed 004, MIT 6.837 Computer Graphics, lecture 18, fall 2000, slide 19, texture "
+      "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slide 19, texture "
       "transparency.";
   figure.sentences = {
       "Where the trellis' texels have alpha 0, neither colour nor depth is written, and the "

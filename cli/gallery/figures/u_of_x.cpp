@@ -1,4 +1,5 @@
-// Figure 4 of seed 002: a texture coordinate along a row, as it is and as methods approximate it.
+// Figure 4 of Heckbert & Moreton 1991: a texture coordinate along a row, exact and as approximated
+// by methods.
 
 #include <fmt/format.h>
 
@@ -19,14 +20,14 @@
 namespace rastercheck::gallery::u_of_x_figure {
 namespace {
 
-/// Of three rows the one in the middle, whose samples lie on the triangle's axis.
+/// Three rows; the samples of the middle one lie on the triangle's axis.
 constexpr int kRows = 3;
 constexpr int kRow = 1;
-/// How much farther away the right end is than the left one.
+/// Ratio of the right end's distance from the eye to the left end's.
 constexpr float kRatio = 8;
 
-/// A triangle with its left edge upright, u = 0 and w = 1 on it, and u = 1 and w = kRatio at the
-/// vertex on the right: along the axis u runs from 0 to 1 within one triangle.
+/// A triangle with an upright left edge, where u = 0 and w = 1, and a vertex on the right, where u
+/// = 1 and w = kRatio. So u runs from 0 to 1 along the axis of a single triangle.
 cases::Case wedge(const Canvas& canvas) {
   cases::Case scene = empty_scene(canvas, std::array<std::string, 1>{"u"});
   scene.name = "a wedge";
@@ -45,13 +46,14 @@ struct Series {
   std::string_view dashes;
 };
 
-/// The paper has the first curve solid, the second dashed, the third dotted.
+/// Dash patterns of the curves. In the paper the first curve is solid, the second dashed, the third
+/// dotted.
 constexpr std::array<Series, 4> kSeries{{{"method:screen-linear", "linear, one polygon", "9 4"},
                                          {"method:subdivide-2", "linear, two polygons", "2 3"},
                                          {"method:polynomial-quadratic", "quadratic", "11 3 2 3"},
                                          {"method:polynomial-cubic", "cubic", "5 2"}}};
 
-/// Where the row's samples lie, and the exact u there.
+/// Returns the places of the row's samples, and the exact u there.
 std::vector<reports::PlotPoint> exact_points(const cases::Case& scene) {
   const oracle::SceneTruth truth(scene, cases::contract_of(scene));
   const oracle::TriangleTruth triangle(truth, 0);
@@ -74,7 +76,7 @@ std::vector<reports::PlotPoint> drawn_points(const DrawnScene& drawn) {
   return points;
 }
 
-/// What each point is off by, in texels, where both have one.
+/// Returns the error of each point, in texels, where both lists have a point.
 std::vector<reports::PlotPoint> errors_of(const std::vector<reports::PlotPoint>& points,
                                           const std::vector<reports::PlotPoint>& exact) {
   std::vector<reports::PlotPoint> errors;
@@ -133,7 +135,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "Approximations of u along a row";
   figure.source =
-      "Seed 002, P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping "
+      "P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping "
       "and Shading, 1991, figure 4; quadratic and cubic: §2.1.";
   figure.sentences = {
       "A texture coordinate that is linear on an object is rational linear along a row of the "

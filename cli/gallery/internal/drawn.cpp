@@ -42,7 +42,7 @@ std::vector<ras::PolygonVertex> polygon_of(const cases::Case& scene) {
   return polygon;
 }
 
-/// The fragments of the quad, each given to the triangle in which it lies.
+/// Draws the quad's fragments; each goes to the triangle in which it lies.
 Result<cases::Fragments> draw_quad(const cases::Case& quad) {
   ras::Fragments drawn;
   const std::optional<ras::PolygonFault> fault = ras::draw_polygon(

@@ -1,6 +1,6 @@
 #pragma once
 
-// A scene as a method drew it, with what the method promises of it.
+// A scene as drawn by a method, with what the method promises about it.
 
 #include <string>
 #include <string_view>
@@ -13,21 +13,21 @@
 namespace rastercheck::gallery {
 
 struct DrawnScene {
-  std::string method;        ///< the backend's specification, or what stands for it
-  std::string missing;       ///< why nothing was drawn; empty where it was
-  cases::Case scene;         ///< of clip positions
+  std::string method;        ///< the backend's specification, or a name in its place
+  std::string missing;       ///< why nothing was drawn; empty if drawn
+  cases::Case scene;         ///< in clip positions
   cases::Contract contract;  ///< decides what is a violation
   cases::Fragments fragments;
 };
 
-/// In place of a backend: a convex quad as one polygon, linear along its edges and then along rows
-/// (seed 002, §2). Of cases under Vulkan's rules with four vertices and the triangles (0, 1, 2) and
-/// (0, 2, 3), to which its fragments are given by where they lie. What is covered is held against
-/// what rational-linear promises.
+/// Takes the place of a backend: draws a convex quad as one polygon, linear along its edges and
+/// then along rows (Heckbert & Moreton 1991, §2). For cases under Vulkan's rules with four vertices
+/// and the triangles (0, 1, 2) and (0, 2, 3); each fragment goes to the triangle in which it lies.
+/// Coverage is compared with what rational-linear promises.
 inline constexpr std::string_view kLinearPolygon = "scanline-linear, as one polygon";
 
-/// A case with or without a camera, drawn by a backend or as above. By a method that there is none
-/// of, it is `missing`.
+/// Draws a case, with or without a camera, with a backend or kLinearPolygon. If no such method
+/// exists, sets `missing`.
 Result<DrawnScene> draw_by(std::string_view method, const cases::Case& scene);
 
 }  // namespace rastercheck::gallery

@@ -18,7 +18,7 @@ using records::PixelState;
 using reports::Color;
 using reports::Image;
 
-/// The fragments that are seen: of each sample the nearest that the shader draws.
+/// The visible fragments: for each sample the nearest one that the shader draws.
 class Seen {
  public:
   struct Sample {
@@ -67,8 +67,8 @@ class Seen {
            sample;
   }
 
-  /// The mean of light, for which the square of a level stands: close enough to sRGB, and the same
-  /// everywhere.
+  /// Returns the mean colour of a pixel's samples in linear light. Takes the square of a level as
+  /// linear light: this is close enough to sRGB, and the same on every machine.
   Color mean(int x, int y) const {
     std::array<double, 3> sums{};
     for (int k = 0; k < size_.samples; ++k) {
@@ -92,7 +92,7 @@ class Seen {
   std::vector<Sample> samples_;
 };
 
-/// max |r_i| of each attribute of each triangle, as its ulp.
+/// Returns the ulp of an attribute's max |r_i| over a triangle's vertices.
 double ulp_of(const cases::Case& scene, std::uint32_t triangle, std::uint32_t attribute) {
   double magnitude = 0;
   for (const std::uint32_t vertex : scene.triangles[triangle]) {
@@ -105,7 +105,7 @@ double ulp_of(const cases::Case& scene, std::uint32_t triangle, std::uint32_t at
   return std::ldexp(1.0, exponent - kFractionBits);
 }
 
-/// Gathers what the judge says of what is seen.
+/// Collects the judge's results for the visible fragments.
 class Reader {
  public:
   Reader(const DrawnScene& drawn, const Seen& seen, const ErrorUnit& unit)
@@ -151,7 +151,7 @@ class Reader {
     return sample.place.y * static_cast<std::size_t>(map_.width) + sample.place.x;
   }
 
-  /// Of the attributes, in the unit of the picture.
+  /// Returns the largest error of a sample's attributes, in the picture's unit.
   double largest_error(const oracle::JudgedSample& sample) const {
     double largest = 0;
     for (const oracle::JudgedValue& value : sample.values) {
@@ -174,7 +174,7 @@ class Reader {
   std::size_t violations_ = 0;
 };
 
-/// Images of one size, side by side.
+/// Joins images of one size side by side.
 Image side_by_side(const std::vector<const Image*>& images) {
   const int width = images.front()->width;
   Image all = Image::filled(width * static_cast<int>(images.size()), images.front()->height,
@@ -207,8 +207,8 @@ Result<reports::GalleryPicture> judged_picture(const DrawnScene& drawn, const Sh
   const Seen seen(drawn, shader);
   picture.picture = seen.picture();
 
-  // Whether places are covered is held against what the method promises, values against the exact
-  // triangle, whatever is promised of them: laws hold methods to that.
+  // Compares coverage with what the method promises, but values always with the exact triangle:
+  // laws check what the method promises for values.
   Reader reader(drawn, seen, unit);
   oracle::JudgeOptions coverage_only;
   coverage_only.judges_values = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A picture of the gallery: fragments as colours, and how far they are from the exact values.
+// Makes a picture of the gallery: fragments as colours, and their errors against the exact values.
 
 #include <cstdint>
 #include <functional>
@@ -16,15 +16,15 @@
 
 namespace rastercheck::gallery {
 
-/// The colour of a fragment of a triangle with these attributes; nothing of one that is not drawn,
-/// nor hides what is behind (seed 004, slide 19).
+/// Returns the colour of a fragment of a triangle with these attributes; empty if the fragment is
+/// not drawn and hides nothing behind it (MIT 6.837 2000, lecture 18, slide 19).
 using Shader = std::function<std::optional<reports::Color>(std::uint32_t triangle,
                                                            std::span<const float> attributes)>;
 
-/// What errors are measured in.
+/// The unit of errors.
 struct ErrorUnit {
   const reports::ErrorScale* scale = nullptr;
-  /// Units for a difference of 1 in an attribute; 0 of scale ULP.
+  /// Units per difference of 1 in an attribute; 0 if the unit is scale ULP.
   double per_one = 0;
 };
 ErrorUnit in_ulp();
@@ -33,9 +33,9 @@ ErrorUnit in_levels();
 
 inline constexpr int kTexels = 256;
 
-/// Paints the nearest fragment of each sample, and the mean of each pixel's samples, and judges
-/// them: what is covered by the contract, values by the exact perspective ones (the ideal error of
-/// oracle/judge.h), whatever the method means to draw. Fails where the oracle's self-check does.
+/// Paints the nearest fragment of each sample and averages each pixel's samples. Judges coverage by
+/// the contract, and values by the exact perspective values (the ideal error of oracle/judge.h),
+/// whatever the method intends to draw. Fails if the oracle's self-check fails.
 Result<reports::GalleryPicture> judged_picture(const DrawnScene& drawn, const Shader& shader,
                                                const ErrorUnit& unit);
 
@@ -43,18 +43,19 @@ Result<reports::GalleryPicture> judged_picture(const DrawnScene& drawn, const Sh
 struct PanelPlan {
   std::string name;
   std::string title;
-  std::string_view method;  ///< as of draw_by
+  std::string_view method;  ///< as in draw_by()
   cases::Case scene;
   Shader shader;
   ErrorUnit unit;
 };
 Result<reports::GalleryPicture> draw_panel(const PanelPlan& plan);
 
-/// The figure, with these pictures.
+/// Adds these pictures to the figure.
 Result<reports::GalleryFigure> with_panels(reports::GalleryFigure figure,
                                            std::span<const PanelPlan> plans);
 
-/// Pictures of one size and unit as the frames of one, under the name and title of the first.
+/// Joins pictures of equal size and unit into one picture, side by side as its frames, with the
+/// name and title of the first.
 reports::GalleryPicture strip_of(std::span<const reports::GalleryPicture> frames);
 
 }  // namespace rastercheck::gallery

@@ -10,7 +10,7 @@ namespace {
 constexpr double kNear = 0.25;
 constexpr double kFar = 64;
 
-/// GLM's matrices are column-major.
+/// Converts a matrix from GLM's column-major order.
 cases::Matrix4 row_major(const glm::dmat4& matrix) {
   cases::Matrix4 rows{};
   std::size_t next = 0;
@@ -90,10 +90,10 @@ void add_sheet(cases::Case& scene, const Sheet& sheet, int cells) {
 cases::Case leaning_rectangle(const Canvas& canvas, double field_of_view, double roll) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "a checkerboard in perspective";
-  // The paper's figure has two corners on the left, in rows well apart.
+  // In the paper's figure two corners are on the left, in rows well apart.
   constexpr double kOwnRoll = 130;
   scene.camera = camera_of({{0, 0, 2.25}, field_of_view, kOwnRoll + roll});
-  // The plane's axes, at right angles to each other.
+  // The plane's axes, perpendicular to each other.
   const glm::dvec3 a = glm::dvec3(2, 1, -2) / 3.0;
   const glm::dvec3 b = glm::dvec3(1, 2, 2) / 3.0;
   add_sheet(scene, {-a - b, 2.0 * a, 2.0 * b});
@@ -114,7 +114,7 @@ cases::Case cube(const Canvas& canvas, int cells) {
   scene.name = "a textured cube";
   scene.camera = camera_of({{1.85, 1.55, 2.15}, 46, 0});
   scene.cull = cases::Cull::back;
-  // Of each face the outward normal and two edges, so that a × b points outwards.
+  // For each face: the outward normal, and two edges a, b such that a × b points outwards.
   for (const int axis : {0, 1, 2}) {
     for (const double side : {-1.0, 1.0}) {
       glm::dvec3 normal(0);

@@ -14,7 +14,7 @@ constexpr Color kCream{244, 238, 222};
 constexpr Color kApricot{226, 126, 74};
 constexpr Color kSage{108, 158, 140};
 
-/// ⌊r · size⌋ modulo the size: never below 0.
+/// Returns ⌊coordinate · kTexels⌋ modulo kTexels, never below 0.
 int texel(float coordinate) {
   const double share = double{coordinate} - std::floor(double{coordinate});
   return std::min(static_cast<int>(share * kTexels), kTexels - 1);
@@ -22,7 +22,7 @@ int texel(float coordinate) {
 
 bool is_dark_check(std::span<const float> uv) {
   constexpr int kCheck = kTexels / 8;
-  // At u = 1 the last check, not the first: the board is no tile.
+  // At u = 1 use the last check, not the first: the board does not repeat.
   const auto check = [](float coordinate) {
     return std::clamp(static_cast<int>(std::floor(coordinate * kTexels)), 0, kTexels - 1) / kCheck;
   };

@@ -1,15 +1,15 @@
 // A little rasterizer in C++20, as a RasterCheck plugin.
-// docs/judge-your-rasterizer.md tells how to build it and have it judged.
+// docs/judge-your-rasterizer.md tells how to build it and how to have it judged.
 //
-// Window positions are snapped to a grid of 1/256 pixel. From there on coverage is exact: edges are
-// integers, and a sample exactly on one goes by the tie rule. Values come from the same integers,
-// in double, and are rounded to float32 once, at the end.
+// Window positions are snapped to a grid of 1/256 pixel. After that, coverage is exact: edges have
+// integer coefficients, and the tie rule decides for a sample exactly on an edge. Values are
+// computed from the same integers, in double, and rounded to float32 once, at the end.
 //
-// It does not clip. Triangles with some w <= 0, or that reach farther than 32768 pixels, are left
-// to others: it says so (`lacks`, RASTERCHECK_UNSUPPORTED), and is not judged by them.
+// It does not clip. It refuses triangles with some w <= 0, and triangles that reach farther than
+// 32768 pixels. It says so (`lacks`, RASTERCHECK_UNSUPPORTED), so they do not count against it.
 //
-// Numbers below: u = 2^-53, by which an operation on doubles is off, relatively. Float32 numbers
-// have steps of more than 2^-24 of themselves, so that 2^-29 of a step is less than u.
+// Below, u = 2^-53 is the relative error of an operation on doubles. A float32 step is more than
+// 2^-24 of the number itself, so u is less than 2^-29 of a step.
 
 #include <algorithm>
 #include <array>
@@ -27,13 +27,13 @@
 namespace {
 
 constexpr std::int64_t kGrid = 256;   // points per pixel and axis
-constexpr double kGuardBand = 32768;  // pixels; as contract.guard_band is where it is 0
-constexpr double kMostDepth = 65536;  // of z/w at vertices
+constexpr double kGuardBand = 32768;  // pixels; the default of contract.guard_band
+constexpr double kMostDepth = 65536;  // limit for |z/w| at vertices
 constexpr std::size_t kMostSamples = 16;
 
-using Triple = std::array<double, 3>;  // of each vertex a number
+using Triple = std::array<double, 3>;  // a number for each vertex
 
-// What it promises. Members that are not named are 0: ties as asked, no limits but `lacks`.
+// The plugin's promises. Members that are not set are 0: ties as asked, and no limits but `lacks`.
 constexpr rastercheck_contract contract() {
   rastercheck_contract c{};
   c.size = sizeof(c);
@@ -41,7 +41,7 @@ constexpr rastercheck_contract contract() {
   c.subpixel_bits = 8;
   c.rounding = RASTERCHECK_ROUNDING_NEAREST_EVEN;
   c.position_error = 0x1p-27F;  // see window_position()
-  c.clip_tolerance = 1;         // a cut runs between snapped vertices: it moves by half a unit
+  c.clip_tolerance = 1;         // a cut runs between snapped vertices, so it moves by half a unit
   c.basis = RASTERCHECK_BASIS_SNAPPED;
   c.keeps = RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_EQUAL_DEPTH;
   c.smooth.constant = 0.5F + 0x1p-24F;         // see weighted_mean()
@@ -58,9 +58,9 @@ struct Point {
   std::int64_t v = 0;
 };
 
-// E = a u + b v + c: twice the area between an edge and a point, positive inside, 0 on the edge.
-// Coordinates are within 2^23 of the origin, so that a and b are within 2^24 and E within 2^50:
-// exact in int64 and in double.
+// E = a u + b v + c is twice the area between an edge and a point, positive inside, 0 on the edge.
+// Coordinates are at most 2^23 from the origin, so a and b are within 2^24 and E is within 2^50.
+// These are exact in int64 and in double.
 struct Edge {
   std::int64_t a = 0;
   std::int64_t b = 0;
@@ -89,16 +89,17 @@ struct Triangle {
   }
 };
 
-// A window coordinate in pixels. It and `middle` are within 2^15, so c / w * scale is within 2^16:
-// division and product are off by u 2^16 each, `middle` and the sum by u 2^15 each, all of them by
-// less than 2^-35 pixels or 2^-27 grid units. (scale is half a viewport: exact.)
+// A window coordinate in pixels. The result and `middle` are within 2^15, so c / w * scale is
+// within 2^16. The division and the product are off by u 2^16 each, `middle` and the sum by u 2^15
+// each. Together, this is less than 2^-35 pixels or 2^-27 grid units. (scale is half a viewport:
+// exact.)
 double window_position(double c, double w, double scale, double middle) {
   return c / w * scale + middle;
 }
 
-// The mean of the vertices' values. The weights are of one sign and off by u of themselves; with
-// products, sums and the quotient the mean is off by 8 u of the greatest value, 2^-26 of a float32
-// step, and by half a step from its rounding.
+// The mean of the vertices' values. The weights have the same sign and a relative error of u. With
+// the products, the sums and the quotient, the mean is off by 8 u of the greatest value, which is
+// 2^-26 of a float32 step, and by half a step from its rounding.
 float weighted_mean(const Triple& r, const Triple& weight) {
   return static_cast<float>((r[0] * weight[0] + r[1] * weight[1] + r[2] * weight[2]) /
                             (weight[0] + weight[1] + weight[2]));
@@ -110,7 +111,7 @@ bool is_between(std::int64_t u, double begin, double size) {
   return pixels >= low && pixels < high;
 }
 
-// Whether begin + size is exact, so that the far border of the viewport is where it should be.
+// True if begin + size is exact, so that the far side of the viewport is where it should be.
 bool is_exact_sum(double begin, double size) {
   const double end = begin + size;
   return end - begin == size && end - size == begin;
@@ -153,7 +154,7 @@ class Drawing {
   double middle_x() const { return double{draw_.viewport_x} + double{draw_.viewport_width} / 2; }
   double middle_y() const { return double{draw_.viewport_y} + double{draw_.viewport_height} / 2; }
 
-  // Nothing where a vertex lies too far away.
+  // Nothing if a vertex lies too far away.
   std::optional<Triangle> triangle(std::span<const std::uint32_t, 3> vertices) const {
     Triangle t;
     const double height = is_d3d_ ? -draw_.viewport_height : draw_.viewport_height;
@@ -167,7 +168,7 @@ class Drawing {
       t.depth[i] = t.z[i] / t.w[i];
       if (!(std::abs(x) <= kGuardBand && std::abs(y) <= kGuardBand)) return std::nullopt;
       if (!(std::abs(t.depth[i]) <= kMostDepth)) return std::nullopt;
-      // To nearest even, the default rounding.
+      // Rounds to nearest even, the default rounding mode.
       t.corner[i] = {std::llrint(x * kGrid), std::llrint(y * kGrid)};
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -176,7 +177,7 @@ class Drawing {
     return t;
   }
 
-  // Makes edges positive inside; false where the triangle has no area or is culled.
+  // Makes edges positive inside. Returns false if the triangle has no area or is culled.
   bool orient(Triangle& t) const {
     const std::int64_t area = t.edge[0].at(t.corner[0]);
     const bool is_ccw = (area > 0) == is_opengl_;  // y up
@@ -185,19 +186,21 @@ class Drawing {
     return area != 0 && draw_.cull != (is_front ? RASTERCHECK_CULL_FRONT : RASTERCHECK_CULL_BACK);
   }
 
-  // Whether a sample at which a functional is 0 is inside: by the functional's gradient.
+  // Decides whether a sample is inside where a linear function is 0, by the function's gradient (a,
+  // b).
   bool owns_zero(double a, double b) const {
     const bool is_top_left = draw_.tie_rule == RASTERCHECK_TIE_RULE_TOP_LEFT;
     return a > 0 || (a == 0 && (is_top_left == !is_opengl_ ? b > 0 : b < 0));
   }
 
-  // Whether Σ d_i E_i / w_i is negative. Each term is off by a few u of itself, as if d_i were: the
-  // cut runs 2^-50 of the triangle's size beside where it should be.
+  // Returns Σ d_i E_i / w_i. Each term has a relative error of a few u, as if d_i had it, so the
+  // cut runs 2^-50 of the triangle's size beside its right place.
   static double cut(const Triple& d, const Triple& weight) {
     return d[0] * weight[0] + d[1] * weight[1] + d[2] * weight[2];
   }
 
-  // Whether a sample is on the wrong side of a clip distance; of one of 0 its gradient decides.
+  // True if a sample is on the wrong side of a clip distance. If the distance is 0, its gradient
+  // decides.
   bool is_clipped(const Triangle& t, const Triple& d, const Triple& weight) const {
     const double sum = cut(d, weight);
     if (sum != 0 || is_d3d_) return sum < 0;
@@ -241,11 +244,11 @@ class Drawing {
     return true;
   }
 
-  // z/w is linear in the window, so it is the mean of the vertices', weighted by E_i. Beginning at
-  // a vertex and adding differences, equal ones come out equal. With Q the greatest |z/w|:
-  // quotients are off by u Q, differences, products, their sum and its quotient by 2 u Q each, the
-  // sum with the first by u Q; 10 u Q. The depth range adds 3 u Q: 13 u Q of its greater end, which
-  // with Q = 2^16 is less than 2^-9 of a float32 step.
+  // z/w is linear in the window, so it is the mean of z/w at the vertices, weighted by E_i. Adding
+  // differences to the value of one vertex keeps equal values equal. Let Q be the greatest |z/w|.
+  // Quotients are off by u Q. Differences, products, their sum and its quotient are off by 2 u Q
+  // each, and the sum with the first value by u Q. This makes 10 u Q. The depth range adds 3 u Q,
+  // which makes 13 u Q of its greater end. With Q = 2^16 this is less than 2^-9 of a float32 step.
   float depth_at(const Triangle& t, Point p) const {
     const double n = draw_.min_depth;
     const double f = draw_.max_depth;
@@ -260,7 +263,7 @@ class Drawing {
     return static_cast<float>(depth);
   }
 
-  // The attributes at a sample, or at a point of the pixel that stands for its centroid.
+  // Writes the attributes at a sample, or at the point that counts as the pixel's centroid.
   void shade(const Triangle& t, Point sample, Point centroid, std::span<float> values) const {
     for (std::size_t a = 0; a < values.size(); ++a) {
       const auto [interpolation, location] = attributes_[a];
@@ -309,7 +312,8 @@ class Drawing {
   }
 
   void draw_triangle(const Triangle& t, std::uint32_t number) {
-    // Pixels that the triangle's box, the scissor and the framebuffer have in common.
+    // Draws pixels that are in the triangle's bounding box, the scissor rectangle and the
+    // framebuffer.
     const auto [u_least, u_most] = std::minmax({t.corner[0].u, t.corner[1].u, t.corner[2].u});
     const auto [v_least, v_most] = std::minmax({t.corner[0].v, t.corner[1].v, t.corner[2].v});
     const std::int64_t left = draw_.scissor_x;
@@ -334,7 +338,7 @@ class Drawing {
   std::span<const std::uint32_t> indices_;  // [triangle][3]
 };
 
-// No exception may leave a function that C calls.
+// No exception may leave a function that is called from C.
 std::uint32_t draw(const rastercheck_draw* draw, rastercheck_output* out) {
   try {
     return Drawing(*draw, *out).run();

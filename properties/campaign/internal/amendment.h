@@ -6,8 +6,8 @@
 
 namespace rastercheck::properties {
 
-/// Has a backend's drawings changed by one thing more while it lives, after whatever changes them
-/// already.
+/// Adds an amendment to a backend's drawings for this object's lifetime, applied after existing
+/// amendments.
 class MoreAmended {
  public:
   MoreAmended(backends::Backend& backend, backends::Backend::Amendment more)

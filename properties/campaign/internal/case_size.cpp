@@ -27,6 +27,7 @@ std::uint64_t state_of(const cases::Case& c) {
   state += count(c.depth_clear.has_value());
   state += count(c.depth_clamp);
   state += count(c.viewport.min_depth != 0 || c.viewport.max_depth != 1);
+  state += count(c.choices.has_value());
   state += c.clip_distance_count;
   for (const cases::Attribute& attribute : c.attributes) {
     state += 1 + count(attribute.interpolation != cases::Interpolation::smooth) +
@@ -109,7 +110,7 @@ CaseSize size_of(const cases::Case& c) {
     viewport += std::abs(number);
     size.bits += bits_of(number);
   }
-  // Beyond 2^53 all are alike.
+  // All sizes beyond 2^53 count as equal.
   size.viewport = static_cast<std::uint64_t>(std::ceil(std::min(viewport, 0x1p53)));
   size.bits += bits_of(c.viewport.min_depth) + bits_of(c.viewport.max_depth);
   for (const cases::ClipVertex& vertex : c.positions) {

@@ -10,6 +10,7 @@
 #include "oracle/transform.h"
 #include "properties/campaign/check_case.h"
 #include "properties/campaign/internal/amendment.h"
+#include "properties/campaign/internal/hints.h"
 #include "properties/campaign/internal/put_right.h"
 #include "properties/campaign/internal/variations.h"
 #include "properties/drawing.h"
@@ -26,14 +27,14 @@ enum class Outcome {
   says_nothing,  ///< the law does not apply, or the backend does not draw the case
 };
 
-/// A law, asked of changed cases.
+/// Checks a law on changed versions of a case.
 class Experiment {
  public:
   Experiment(const Law& law, backends::Backend& backend, std::uint64_t index,
              const KnownDefects* known, bool is_drawn)
       : law_(&law), backend_(&backend), index_(index), known_(known), is_drawn_(is_drawn) {}
 
-  /// With these parts of what is drawn put right.
+  /// Returns the law's outcome if these parts of the drawing are corrected.
   Outcome outcome(const cases::Case& c, const DrawnParts& parts) const {
     const MoreAmended put_right_too(
         *backend_, [&](const cases::Case& drawn_case, cases::Fragments& drawn) {
@@ -42,12 +43,12 @@ class Experiment {
     const Check check = check_or_note(*law_, c, *backend_, index_, known_);
     if (!check.is_applicable || check.fault) return Outcome::says_nothing;
     if (check.violation_count == 0 || !check.known.empty()) return Outcome::holds;
-    // A drawing that fails says nothing of one that is wrong, nor the other way round.
+    // A failed drawing and a wrong drawing are different failures.
     const bool is_drawn = check.violations.empty() || check.violations.front().has_place();
     return is_drawn == is_drawn_ ? Outcome::fails : Outcome::says_nothing;
   }
 
-  /// Which parts of the case's own drawing are wrong by the contract.
+  /// Returns the parts of the case's own drawing that are wrong by the contract.
   DrawnParts wrong_parts(const cases::Case& source) const {
     const Result<cases::ClipCase> c = oracle::to_clip_case(source, "");
     if (!c) return {};
@@ -70,7 +71,7 @@ class Experiment {
   backends::Backend* backend_;
   std::uint64_t index_;
   const KnownDefects* known_;
-  bool is_drawn_;  ///< what the counterexample is about
+  bool is_drawn_;  ///< whether the counterexample is a wrong drawing, not a failed one
 };
 
 const DrawnParts& all_parts() {
@@ -85,7 +86,7 @@ DrawnParts parts_besides(const DrawnParts& parts) {
   return rest;
 }
 
-/// The fewest that have to be put right; nothing where that does not help.
+/// Returns the smallest set of parts whose correction makes the law hold; empty if none does.
 DrawnParts parts_to_put_right(const Experiment& experiment, const cases::Case& c) {
   const auto holds = [&](const DrawnParts& parts) {
     return experiment.outcome(c, parts) == Outcome::holds;
@@ -100,18 +101,19 @@ DrawnParts parts_to_put_right(const Experiment& experiment, const cases::Case& c
   return all_parts();
 }
 
-/// The case in a target that holds more of its triangles.
+/// Returns the case with a framebuffer that shows more of its triangles.
 cases::Case with_room(cases::Case c) {
-  constexpr int kRoom = 32;  // pixels: some hundred samples of a triangle that fills it
+  constexpr int kRoom = 32;  // pixels; a triangle that fills them has some hundred samples
   c.framebuffer.width = std::max(c.framebuffer.width, kRoom);
   c.framebuffer.height = std::max(c.framebuffer.height, kRoom);
   return c;
 }
 
-/// Counts how often parts of a case's own drawing are wrong just where the law fails.
+/// Counts, for each part, the cases in which the part is wrong in the case's own drawing if and
+/// only if the law fails.
 class Coincidence {
  public:
-  /// The parts that are wrong in a case of which the law fails.
+  /// `wrong`: the parts that are wrong in a case for which the law fails.
   Coincidence(const Experiment& experiment, const DrawnParts& wrong) : experiment_(&experiment) {
     for (const DrawnPart part : wrong) counts_[part].alike = 1;
   }
@@ -125,8 +127,9 @@ class Coincidence {
     }
   }
 
-  /// Gives those that were in three of four cases. Not in all: a law that draws other cases than
-  /// the one that it is asked about may fail for these.
+  /// Returns the parts that, in at least three of four cases, were wrong if and only if the law
+  /// failed. Does not require all cases: a law that also draws other cases may fail because of
+  /// those.
   DrawnParts parts() const {
     DrawnParts parts;
     for (const auto& [part, count] : counts_) {
@@ -145,13 +148,13 @@ class Coincidence {
   std::map<DrawnPart, Count> counts_;
 };
 
-/// A case to take things away from, and where it fails.
+/// A case from which features are removed, and the place where it fails.
 struct Base {
   cases::Case source;
   cases::SamplePlace at;
 };
 
-/// Holds what is found out of one thing that is taken away from all bases.
+/// The result of removing one feature from all bases.
 struct Finding {
   bool is_there = false;
   bool holds = false;
@@ -174,7 +177,7 @@ Finding finding_of(const Variation& variation, const std::vector<Base>& bases,
   return finding;
 }
 
-/// The cases of which the law fails as of the shrunk one, which is the first.
+/// Returns the shrunk case, then the other cases for which the law fails, too.
 std::vector<Base> bases_of(const Experiment& experiment, const records::Counterexample& shrunk,
                            cases::Case found_at_first, const DrawnParts& put_right) {
   const cases::SamplePlace at =
@@ -201,8 +204,11 @@ std::optional<records::Explanation> explain(const Law& law, backends::Backend& b
   const cases::Found& found = *shrunk.source.found;
   const bool is_drawn = shrunk.violations.empty() || shrunk.violations.front().has_place();
   const Experiment experiment(law, backend, found.index, known, is_drawn);
-  if (experiment.outcome(shrunk.source, {}) != Outcome::fails) return std::nullopt;
   records::Explanation explanation;
+  const Outcome again = experiment.outcome(shrunk.source, {});
+  if (is_over() || again == Outcome::says_nothing) return std::nullopt;
+  explanation.fails_again = again == Outcome::fails;
+  if (!explanation.fails_again) return explanation;
   const DrawnParts parts = parts_to_put_right(experiment, shrunk.source);
   explanation.parts.assign(parts.begin(), parts.end());
   if (parts.empty()) {
@@ -214,11 +220,12 @@ std::optional<records::Explanation> explain(const Law& law, backends::Backend& b
       if (fails) explanation.also_violates.emplace_back(other.id);
     }
   }
-  // Another fault is not to be taken for this one; unless each of several hides it.
+  // Corrects the other parts, so that another fault is not mistaken for this one, unless that makes
+  // the law hold.
   DrawnParts others = parts.empty() ? DrawnParts{} : parts_besides(parts);
   if (experiment.outcome(shrunk.source, others) != Outcome::fails) others = {};
   const std::vector<Base> bases = bases_of(experiment, shrunk, found_at_first, others);
-  // What the law is about may be made of fragments, and be wrong where they are.
+  // The law may judge something computed from fragments, which is wrong whenever they are wrong.
   Coincidence coincidence(experiment,
                           parts.empty() ? experiment.wrong_parts(shrunk.source) : DrawnParts{});
   for (const Variation& variation : variations()) {
@@ -234,6 +241,12 @@ std::optional<records::Explanation> explain(const Law& law, backends::Backend& b
   }
   const DrawnParts wrong = coincidence.parts();
   explanation.wrong.assign(wrong.begin(), wrong.end());
+  // Hints are about these parts only, because other parts may be wrong for other reasons.
+  const DrawnParts& in_question = parts.empty() ? wrong : parts;
+  if (!in_question.empty()) {
+    explanation.hints = hints_of(found_at_first, backend, in_question, is_over);
+  }
+  if (is_over()) return std::nullopt;
   return explanation;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-// Why a counterexample fails, found out by trying: what of its drawings has to be put right for the
-// law to hold, and what may not be taken away from the case, or the law holds.
+// Explains why a counterexample fails, by experiment: which parts of its drawings must be corrected
+// for the law to hold, and which features of the case the failure needs.
 //
-// A shrunk case is so small that almost any change of it makes the law hold by chance. So what is
-// taken away is taken from several cases: the shrunk one, the same with more of its triangle in the
-// target, and the one that was found at first. It is needed if the law holds of all that it says
-// something of; if it fails of one, it is not.
+// A shrunk case is so small that almost any change makes the law hold by chance. So each feature is
+// removed from several cases: the shrunk case, the same case with more of its triangle in the
+// framebuffer, and the original case. A feature is needed if the law then holds for every case to
+// which it applies.
 
 #include <optional>
 
@@ -19,9 +19,9 @@
 
 namespace rastercheck::properties {
 
-/// Explains the counterexample that a case was shrunk to, which says how it was found. What is
-/// known is left aside. Nothing where the law does not fail again, the backend is lost, or
-/// `is_to_end` says so before all is tried: half an explanation would be a wrong one.
+/// Explains a shrunk counterexample, whose `found` must be set; ignores known defects. Empty if the
+/// backend fails in another way or is lost. Also empty if `is_to_end` returns true before the end,
+/// as an incomplete explanation would be wrong.
 std::optional<records::Explanation> explain(const Law& law, backends::Backend& backend,
                                             const records::Counterexample& shrunk,
                                             const cases::Case& found_at_first,

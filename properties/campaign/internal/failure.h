@@ -1,6 +1,6 @@
 #pragma once
 
-// In which way a case fails. One counterexample of each way is kept, so that none hides another.
+// The way in which a case fails. One counterexample per way is kept, so that none hides another.
 
 #include <string>
 #include <string_view>
@@ -10,21 +10,21 @@
 
 namespace rastercheck::properties {
 
-/// Sets `verdict`, `kind` and `condition` to what a violation of a case is: its class, what is
-/// wrong, and what is special of the fragment, the first that holds of
+/// Describes a violation of a case in `found`. Sets `verdict` to its class, `kind` to what is
+/// wrong, and `condition` to what is special about the fragment, the first of these that holds:
 ///
 ///   tie              the sample lies exactly on the boundary that decided
-///   clamped          it is depth, and the triangle reaches beyond the range that depth is clamped
-///                    to
+///   clamped          depth is wrong, and the triangle reaches beyond the range to which depth is
+///                    clamped
 ///   clipped          a vertex lies beyond a clip plane or clip distance, or has w <= 0
-///   several samples
+///   several samples  pixels have several samples
 ///   ordinary         none of these, or the case has no clip positions
 ///
-/// The last two are empty where there is no drawing.
+/// `kind` and `condition` are empty if nothing was drawn.
 void set_failure(cases::Found& found, const cases::Case& c, const records::Violation& violation);
 
-/// Leaves out the words of a plugin's message that have numbers, which may be others in each case:
-/// reasons are counted.
+/// Replaces each word with a digit in a plugin's message by "#": numbers may differ in each case,
+/// and reasons are counted by text.
 std::string without_numbers(std::string_view why);
 
 }  // namespace rastercheck::properties

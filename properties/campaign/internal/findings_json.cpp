@@ -20,7 +20,7 @@ void members_of_line(Archive& archive, T& findings) {
   archive.optional("fault", findings.fault);
 }
 
-/// The findings, or the error that the worker tells instead.
+/// Returns the findings, or the error that the worker sent instead.
 Result<Findings> read_findings(const JsonNode& root) {
   if (root.has("error")) return tl::unexpected(cases::error_from_json(root));
   Findings findings;
@@ -58,7 +58,7 @@ std::string task_to_line(const Task& task) { return cases::json_line(cases::json
 std::optional<Task> task_from_line(const std::string& line) {
   Result<Task> task = cases::read_json(line, kWorker, &cases::read_as<Task>);
   if (!task) return std::nullopt;
-  // Such a task is about a case of its own, and that one says where it is from.
+  // Only tasks of these kinds have a case of their own, which must say where it was found.
   const bool has_subject = task->subject && task->subject->source.found;
   if ((task->kind == TaskKind::saved || task->kind == TaskKind::shrink) != has_subject) {
     return std::nullopt;

@@ -1,12 +1,12 @@
 #pragma once
 
-// Findings as one line of JSON, from a worker process to the one that asked for them:
+// Findings as one line of JSON, from a worker process to its parent:
 //
 //   {"records": […], "counterexamples": […], "fault": "…"}
 //
-// or, of a task that could not be run, {"error": {"file": "…", "place": "…", "reason": "…"}}.
-// "fault" is absent where there is none, as are "unexpected", of known defects that do not show,
-// and "cases" (records/case_record_json.h), where what each case gave is not kept.
+// or, for a task that could not be run, {"error": {"file": "…", "place": "…", "reason": "…"}}.
+// "fault" and "unexpected" (known defects that no longer show) are absent if there are none, and
+// "cases" (records/case_record_json.h) if case results are not kept.
 
 #include <string>
 
@@ -15,13 +15,13 @@
 
 namespace rastercheck::properties {
 
-/// One line, without its end.
+/// One line, without a newline.
 std::string findings_to_line(const Result<Findings>& findings);
 
-/// The error is the task's own, or, with the file "worker", that of a line that is no such answer.
+/// Fails with the task's own error, or with file "worker" if the line is malformed.
 Result<Findings> findings_from_line(const std::string& line);
 
-/// A task as one line, without its end, and back; nothing of a line that is no task.
+/// Converts a task to one line, without a newline, and back; empty for a malformed line.
 std::string task_to_line(const Task& task);
 std::optional<Task> task_from_line(const std::string& line);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Findings among the members of files, but for a fault.
+// Findings as members of files, except the fault.
 
 #include "cases/json_members.h"
 #include "properties/campaign/findings.h"
@@ -20,7 +20,7 @@ void members(Archive& archive, T& findings) {
   archive.check([&](const cases::JsonNode& node) {
     const auto& all = findings.counterexamples;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (all[i].source.found) continue;  // by which they are ordered
+      if (all[i].source.found) continue;  // `found` orders the counterexamples
       node["counterexamples"].elements()[i].refuse("its case has no 'found'");
     }
   });

@@ -18,7 +18,7 @@ using cases::ClipVertex;
 using records::KnownFact;
 using records::KnownLimit;
 
-/// A violation and a triangle that it may be of.
+/// A violation and a triangle to which it may belong.
 struct ConditionQuestion {
   const Case* clip;
   const records::Violation* violation;
@@ -36,7 +36,7 @@ struct ConditionQuestion {
   }
 };
 
-/// The clip z of the near plane where a vertex has this w.
+/// Returns the clip z of the near plane at the w of this vertex.
 float least_depth(const Case& c, const ClipVertex& v) {
   return c.rules == cases::Rules::opengl ? -v.w : 0;
 }
@@ -86,7 +86,7 @@ bool is_so(KnownFact fact, const ConditionQuestion& of) {
       return distance && distance->lo == 0 && distance->hi == 0;
     }
     case KnownFact::degenerate:
-      // Without an inside there is no distance to it.
+      // A degenerate triangle has no inside, so its violations have no distance.
       return of.violation->kind == records::AttributeKind::coverage && !of.violation->distance &&
              of.violation->has_place() && of.violation->place.triangle < c.triangles.size() &&
              is_sample_of(c, of.violation->place);
@@ -114,7 +114,7 @@ bool is_so(KnownFact fact, const ConditionQuestion& of) {
   return is_fractional(c.viewport);
 }
 
-/// In window pixels, of a vertex with w != 0.
+/// A window position in pixels, of a vertex with w != 0.
 struct RoundedWindowPoint {
   double x;
   double y;
@@ -150,7 +150,8 @@ std::optional<double> w_ratio(const ConditionQuestion& of) {
   return most / least;
 }
 
-/// Twice the area by the longest edge; which way y points does not matter.
+/// Returns twice the area divided by the length of the longest edge. The direction of y does not
+/// matter.
 std::optional<double> height(const ConditionQuestion& of) {
   std::array<RoundedWindowPoint, 3> p{};
   const auto all = of.vertices();
@@ -169,7 +170,7 @@ std::optional<double> height(const ConditionQuestion& of) {
   return std::abs(doubled_area) / longest;
 }
 
-/// Magnitudes of the violation's attribute at the three vertices.
+/// Returns the magnitudes of the violation's attribute at the three vertices.
 std::vector<double> magnitudes(const ConditionQuestion& of) {
   std::vector<double> all;
   const auto attribute = of.violation->attribute;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a violation meets the conditions of a known defect.
+// Decides whether a violation meets the conditions of a known defect.
 
 #include "cases/case.h"
 #include "records/counterexample.h"
@@ -8,9 +8,10 @@
 
 namespace rastercheck::properties {
 
-/// `clip` is a case without a camera. Measures are of doubles: they are thresholds of a list, not
-/// verdicts. Of a violation without a place, or of a triangle that the case does not have, some
-/// triangle of the case has to meet all that is asked of triangles.
+/// Returns true if a violation of `clip`, a case without a camera, meets all conditions. Measures
+/// use doubles, as they are only compared with a list's thresholds and decide no verdict. If the
+/// violation has no place, or names a triangle that the case lacks, one triangle of the case must
+/// meet all conditions on triangles.
 bool meets(const records::KnownConditions& when, const cases::Case& clip,
            const records::Violation& violation);
 

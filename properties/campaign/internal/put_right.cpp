@@ -22,18 +22,19 @@ using cases::SamplePlace;
 using records::DrawnPart;
 using records::FragmentClass;
 
-/// A permitted number; 0 where the rules say nothing of it.
+/// Returns a permitted number, or 0 if the rules do not define the value.
 float permitted(const std::optional<oracle::ValueRange>& range) {
   if (!range) return 0;
   const float lo = range->lo.nearest_float();
   return range->is_open ? lo + (range->hi.nearest_float() - lo) / 2 : lo;
 }
 
-/// Lists what has to become of fragments.
+/// The corrections that a drawing needs.
 struct Repairs {
-  std::map<SamplePlace, std::size_t> too_many;  ///< how often a place is drawn and must not be
+  std::map<SamplePlace, std::size_t> too_many;  ///< number of fragments to remove from a place
   std::map<SamplePlace, std::vector<float>> missing;  ///< depth, then attributes
-  std::map<SamplePlace, std::map<std::optional<std::uint32_t>, float>> wrong;  ///< nothing: depth
+  /// By attribute; nothing: depth.
+  std::map<SamplePlace, std::map<std::optional<std::uint32_t>, float>> wrong;
 
   bool is_none() const { return too_many.empty() && missing.empty() && wrong.empty(); }
 };
@@ -117,7 +118,7 @@ void append_fragment(Fragments& to, const SamplePlace& place,
   to.attributes.insert(to.attributes.end(), values + 1, values + 1 + count);
 }
 
-/// Sorts fragments by place, as whoever draws them should have.
+/// Sorts fragments by place, the order in which backends should return them.
 void sort_by_place(Fragments& drawn) {
   std::vector<std::size_t> order(drawn.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -141,7 +142,8 @@ void sort_by_place(Fragments& drawn) {
 }
 
 void repair(Repairs repairs, Fragments& drawn) {
-  // Fragments are ordered by place, and stay so. Of one that is drawn twice any may go.
+  // Fragments are ordered by place, and stay so. If a place is drawn twice, any of its fragments
+  // may be removed.
   Fragments right;
   right.attribute_count = drawn.attribute_count;
   const std::size_t derivatives = drawn.derivatives.empty() ? 0 : 2 * drawn.attribute_count;
@@ -177,7 +179,8 @@ void repair(Repairs repairs, Fragments& drawn) {
   drawn = std::move(right);
 }
 
-/// A place without its triangle.
+/// Returns the place with triangle 0, so that the same sample of different triangles compares
+/// equal.
 SamplePlace sample_of(SamplePlace place) {
   place.triangle = 0;
   return place;
@@ -194,7 +197,7 @@ void put_right(const cases::Case& c, const cases::Contract& contract, const IsMe
   repair(repairs, sorted);
   drawn = std::move(sorted);
   if (c.depth_test == cases::DepthTest::none || freed.empty()) return;
-  // A fragment that is taken away may have hidden one that has to be there.
+  // A removed fragment may have hidden another that must be drawn.
   const auto is_hidden = [&freed](const records::Violation& violation) {
     return violation.fragment_class == FragmentClass::missing &&
            freed.contains(sample_of(violation.place));

@@ -1,7 +1,7 @@
 #pragma once
 
-// A drawing with part of what is wrong with it put right, so that it can be tried whether that part
-// is why a law is violated: if it is, the law holds of what is left.
+// Corrects part of a wrong drawing, to find out whether that part causes a law's violation: if so,
+// the law holds for the corrected drawing.
 
 #include <functional>
 #include <set>
@@ -15,20 +15,19 @@ namespace rastercheck::properties {
 
 using DrawnParts = std::set<records::DrawnPart>;
 
-/// The part that a violation of the contract is of.
+/// Returns the drawn part to which this kind of attribute belongs.
 records::DrawnPart part_of(records::AttributeKind kind);
 
-/// Asked of a violation of the contract whether it is to be put right. It has class, kind, place
-/// and attribute, and error or distance; no words.
+/// Returns true if a violation of the contract is to be corrected. The violation has class, kind,
+/// place and attribute, and error or distance, but no texts.
 using IsMeant = std::function<bool(const records::Violation&)>;
 
-/// Puts right what the contract does not allow of a drawing of a case without a camera, as far as
-/// it is meant: samples that must not be drawn are taken out, those that have to be are put in, and
-/// wrong numbers become the float32 nearest to the exact ones, or to the middle of what is
-/// permitted. Fragments that are put in have derivatives 0.
+/// Corrects the selected violations in the drawing of a case without a camera: removes forbidden
+/// samples, adds required ones, and replaces wrong numbers by the float32 nearest to the exact
+/// value or to the middle of the permitted range. Added fragments have derivatives 0.
 void put_right(const cases::Case& c, const cases::Contract& contract, const IsMeant& is_meant,
                cases::Fragments& drawn);
-/// Puts right all that is wrong with these parts.
+/// Corrects everything wrong with these parts.
 void put_right(const cases::Case& c, const cases::Contract& contract, const DrawnParts& parts,
                cases::Fragments& drawn);
 

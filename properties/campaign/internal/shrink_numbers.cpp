@@ -13,7 +13,7 @@ namespace {
 using cases::Case;
 using cases::ClipVertex;
 
-/// The nearest number of so many significant bits.
+/// Returns the nearest number of `bits` significant bits.
 float with_bits(float value, int bits) {
   int exponent = 0;
   const double significand = std::frexp(static_cast<double>(value), &exponent);
@@ -22,16 +22,16 @@ float with_bits(float value, int bits) {
   return std::isfinite(result) ? result : value;
 }
 
-/// How many bits are tried, fewest first.
+/// Numbers of significant bits to try, fewest first.
 constexpr std::array kBits{1, 2, 3, 4, 6, 8, 12, 16, 20};
 
-/// Numbers of a case, by what of it they belong to.
+/// A range of a case's numbers, as indices into numbers_of().
 struct Group {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-/// All of them, then positions, attributes and clip distances, the camera's.
+/// Returns four ranges: all numbers; positions; attributes and clip distances; the camera.
 std::array<Group, 4> groups_of(const Case& c) {
   const std::size_t positions = c.positions.size() * 4;
   const std::size_t values = positions + c.attribute_values.size() + c.clip_distances.size();
@@ -39,7 +39,7 @@ std::array<Group, 4> groups_of(const Case& c) {
   return {{{0, all}, {0, positions}, {positions, values}, {values, all}}};
 }
 
-/// Offers the current case with each of a group's numbers changed alike.
+/// Offers the current case with `change` applied to every number of a group.
 bool offer_group(ShrinkSearch& search, const Group& group,
                  const std::function<float(float)>& change) {
   return search.offer_changed([&](Case& c) {
@@ -48,7 +48,7 @@ bool offer_group(ShrinkSearch& search, const Group& group,
   });
 }
 
-/// Moves a vertex to the next point of the grid of 2^-bits pixels. Only of w > 0.
+/// Moves a vertex with w > 0 to the nearest point of the grid of 2^-bits pixels.
 void snap(const cases::Viewport& viewport, ClipVertex& vertex, int bits, bool is_x, bool is_y) {
   const WindowPoint point = window_point(viewport, vertex);
   const auto to_clip = [&](double window, double start, double size) {
@@ -63,26 +63,27 @@ void snap(const cases::Viewport& viewport, ClipVertex& vertex, int bits, bool is
 
 bool has_grid(const ClipVertex& vertex) { return vertex.w > 0; }
 
-/// A vertex seen in the same place, with w = 1.
+/// Returns the vertex with w = 1 at the same place in the window.
 ClipVertex divided(const ClipVertex& vertex) {
   const ClipVertex other{vertex.x / vertex.w, vertex.y / vertex.w, vertex.z / vertex.w, 1};
   const bool is_finite = std::isfinite(other.x) && std::isfinite(other.y) && std::isfinite(other.z);
   return is_finite ? other : vertex;
 }
 
-/// Numbers by 2^-k, where all stay finite.
+/// Multiplies the numbers by 2^-k; all must stay finite.
 void scale(const std::vector<float*>& numbers, int k) {
   for (float* number : numbers) *number = std::ldexp(*number, -k);
 }
 
-/// The exponent of the greatest of them; 0 where all are 0.
+/// Returns the exponent of the greatest magnitude, or 0 if all numbers are 0.
 int greatest_exponent(const std::vector<float*>& numbers) {
   float greatest = 0;
   for (const float* number : numbers) greatest = std::max(greatest, std::abs(*number));
   return greatest == 0 ? 0 : std::ilogb(greatest);
 }
 
-/// All vertices alike: what three numbers together decide is often lost when one of them changes.
+/// Changes all vertices alike: a failure that depends on three numbers together often vanishes if
+/// one changes.
 void level_columns(ShrinkSearch& search) {
   const auto set_z = [&search](const std::function<float(float)>& z_of_w) {
     return search.offer_changed([&](Case& c) {
@@ -108,7 +109,7 @@ void level_columns(ShrinkSearch& search) {
   }
 }
 
-/// Fewer columns or rows of the framebuffer at its end: at best those up to what has failed.
+/// Removes columns or rows at the end of the framebuffer, at best all that lie beyond the failure.
 void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
               std::uint32_t cases::SamplePlace::*at) {
   if (search.check().violations.empty()) return;
@@ -118,7 +119,7 @@ void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
            search.offer_changed([=](Case& c) { c.framebuffer.*side = size; });
   };
   if (offer(least)) return;
-  // Where it fails in another pixel then, too, fewer will do.
+  // Otherwise removes fewer, or more if the law also fails in another pixel.
   for (int step = search.current().framebuffer.*side / 2; step > 0; step /= 2) {
     while (search.current().framebuffer.*side - step >= 1 &&
            offer(search.current().framebuffer.*side - step)) {
@@ -126,7 +127,8 @@ void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
   }
 }
 
-/// Where what has failed lies this far from the start, what lies before it can go.
+/// If the failure lies at least this far from the start, rows or columns before it are removed in
+/// multiples of this number.
 constexpr std::uint32_t kFar = 8;
 
 void crop_start(ShrinkSearch& search, int cases::FramebufferSize::*side,
@@ -211,7 +213,7 @@ void drop_bits(ShrinkSearch& search) {
 }
 
 void lessen_exponents(ShrinkSearch& search) {
-  // All positions, one vertex, one attribute or clip distance: what it is a matter of units.
+  // Scales all positions, one vertex, or one attribute or clip distance: a mere change of units.
   search.offer_changed([](Case& c) {
     std::vector<float*> numbers = numbers_of(c);
     numbers.resize(c.positions.size() * 4);

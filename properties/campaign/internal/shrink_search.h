@@ -1,6 +1,6 @@
 #pragma once
 
-// The state of a search for a smaller case, and the passes that it is handed to.
+// The state of a search for a smaller case, and the passes that work on it.
 
 #include <cstdint>
 #include <string>
@@ -16,15 +16,15 @@ class ShrinkSearch {
   ShrinkSearch(cases::Case failing, Check check, const FailsAlike& fails_alike,
                const ShrinkLimits& limits);
 
-  /// The least case so far.
+  /// The smallest case so far.
   const cases::Case& current() const { return shrunk_.source; }
   const Check& check() const { return shrunk_.check; }
 
-  /// Takes the candidate as the current case if it is smaller and fails alike. What was offered
-  /// before is not checked again.
+  /// Makes the candidate the current case if it is smaller and fails alike. Does not check a
+  /// candidate twice.
   bool offer(cases::Case candidate);
 
-  /// The same of the current case, changed.
+  /// Tries a changed copy of the current case.
   template <typename Change>
   bool offer_changed(const Change& change) {
     cases::Case candidate = current();
@@ -32,7 +32,7 @@ class ShrinkSearch {
     return offer(std::move(candidate));
   }
 
-  /// Whether the limits allow no more.
+  /// True if the limits are reached.
   bool is_over() const;
   Shrunk take() { return std::move(shrunk_); }
 
@@ -41,10 +41,10 @@ class ShrinkSearch {
   CaseSize size_;
   const FailsAlike* fails_alike_;
   const ShrinkLimits* limits_;
-  std::unordered_set<std::string> refused_;  ///< case files
+  std::unordered_set<std::string> refused_;  ///< as case files
 };
 
-// The passes, each a way of making a case smaller (shrink.h).
+// The passes, each a way to make a case smaller (shrink.h).
 void drop_triangles(ShrinkSearch& search);
 void simplify_state(ShrinkSearch& search);
 void drop_camera(ShrinkSearch& search);

@@ -1,7 +1,7 @@
 // Passes that take parts of a case away: triangles, state, the camera.
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 
 using cases::Case;
 
-/// `size` numbers of each vertex without one of them.
+/// Removes number `column` from each vertex's `size` numbers.
 void erase_column(std::vector<float>& values, std::size_t size, std::size_t column) {
   std::vector<float> rest;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -33,7 +33,7 @@ void erase_clip_distance(Case& c, std::size_t distance) {
   --c.clip_distance_count;
 }
 
-/// Vulkan's conventions, and what follows from them.
+/// Sets Vulkan's rules and the defaults that follow from them.
 void use_vulkan(Case& c) {
   c.rules = cases::Rules::vulkan;
   c.basis = cases::default_basis(c.rules);
@@ -53,31 +53,22 @@ void simplify_attributes(ShrinkSearch& search) {
   }
 }
 
-/// Offers one triangle alone. Laws choose what to do with a case by a hash of it, and so may do
-/// something else with the triangle than they did with all: the same triangle in other words, with
-/// another vertex first and all coordinates times a power of two, gets other choices.
+/// Offers one triangle alone, if necessary with other choices: the same `choices` may lead a law to
+/// choose differently for one triangle than for all.
 bool offer_alone(ShrinkSearch& search, std::size_t triangle) {
-  const Case alone = with_triangles(search.current(), {{triangle}});
-  for (const int exponent : {0, 1, -1, 2, -2}) {
-    for (const cases::Triangle& order : {cases::Triangle{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
-      Case other = alone;
-      // Fewer than three vertices where the triangle names one twice.
-      for (std::uint32_t& vertex : other.triangles[0]) {
-        const auto place = std::find(alone.triangles[0].begin(), alone.triangles[0].end(), vertex);
-        vertex =
-            alone.triangles[0][order[static_cast<std::size_t>(place - alone.triangles[0].begin())]];
-      }
-      for (cases::ClipVertex& p : other.positions) {
-        for (float* number : {&p.x, &p.y, &p.z, &p.w}) *number = std::ldexp(*number, exponent);
-      }
-      if (search.offer(std::move(other))) return true;
-    }
+  constexpr std::uint64_t kMostOther = 15;
+  Case alone = with_triangles(search.current(), {{triangle}});
+  if (search.offer(alone)) return true;
+  for (std::uint64_t other = 0; other < kMostOther; ++other) {
+    // The product spreads over all bits, as laws take one choice after the other from the bits.
+    alone.choices = other * 0x9e3779b97f4a7c15U;
+    if (search.offer(alone)) return true;
   }
   return false;
 }
 
-/// Puts one end of an edge in the place of the other: of triangles that fill an outline, fewer that
-/// fill one, where each that is taken away leaves a hole.
+/// Collapses an edge to one end. This removes triangles without leaving a hole; removing a triangle
+/// alone would leave one.
 void collapse_edges(ShrinkSearch& search) {
   for (std::size_t i = 0; i < search.current().triangles.size() * 3; ++i) {
     const cases::Triangle& triangle = search.current().triangles[i / 3];
@@ -106,7 +97,7 @@ void drop_triangles(ShrinkSearch& search) {
     std::iota(indices.begin(), indices.end(), std::size_t{0});
     return indices;
   };
-  // Triangles are drawn as if alone, so that mostly the one that fails suffices.
+  // Each triangle is drawn as if alone, so the failing triangle mostly suffices.
   if (!search.check().violations.empty()) {
     const std::size_t guilty = search.check().violations.front().place.triangle;
     const std::size_t count = search.current().triangles.size();
@@ -122,7 +113,7 @@ void drop_triangles(ShrinkSearch& search) {
     }
   }
   if (search.current().triangles.size() > 1) collapse_edges(search);
-  offer(all());  // without vertices that nothing uses
+  offer(all());  // drops unused vertices
 }
 
 void simplify_state(ShrinkSearch& search) {

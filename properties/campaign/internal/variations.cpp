@@ -22,7 +22,7 @@ using cases::ClipVertex;
 using cases::Feature;
 using cases::SamplePlace;
 
-/// Whether vertices have places in the window that may be changed.
+/// True if all vertices have window positions, and these may be changed.
 bool has_window_points(const Case& c) {
   const bool has_area = c.viewport.width != 0 && c.viewport.height != 0;
   return !c.camera && has_area && !c.positions.empty() &&
@@ -30,7 +30,8 @@ bool has_window_points(const Case& c) {
                      [](const ClipVertex& p) { return p.w > 0; });
 }
 
-/// Where a vertex with w > 0 appears, as at_window() has it: D3D's y runs the other way.
+/// Returns the window position of a vertex with w > 0. As in at_window(), D3D's y runs the other
+/// way.
 WindowPoint window_place(cases::Rules rules, const cases::Viewport& viewport,
                          const ClipVertex& vertex) {
   WindowPoint p = window_point(viewport, vertex);
@@ -38,7 +39,7 @@ WindowPoint window_place(cases::Rules rules, const cases::Viewport& viewport,
   return p;
 }
 
-/// Moves each vertex to where `moved` says of its place in the window.
+/// Moves each vertex to the window position that `moved` returns for its present position.
 template <typename Moved>
 void move_vertices(Case& c, const cases::Viewport& viewport, const Moved& moved) {
   for (ClipVertex& p : c.positions) {
@@ -46,7 +47,7 @@ void move_vertices(Case& c, const cases::Viewport& viewport, const Moved& moved)
   }
 }
 
-/// Gives the case another viewport, in which all appears where it did.
+/// Gives the case another viewport and keeps all window positions.
 bool change_viewport(Case& c, const cases::Viewport& viewport) {
   if (!has_window_points(c) || viewport == c.viewport) return false;
   const cases::Viewport before = std::exchange(c.viewport, viewport);
@@ -61,7 +62,7 @@ struct Box {
   double size() const { return std::max(high.u - low.u, high.v - low.v); }
 };
 
-/// Of a case with window points.
+/// Returns the bounding box of all vertices; requires has_window_points().
 Box box_of(const Case& c) {
   const WindowPoint first = window_place(c.rules, c.viewport, c.positions.front());
   Box box{first, first};
@@ -73,7 +74,7 @@ Box box_of(const Case& c) {
   return box;
 }
 
-/// Makes all larger, or smaller, about the pixel where the case fails.
+/// Scales everything about the pixel where the case fails.
 bool scale_about(Case& c, const SamplePlace& at, double factor) {
   const WindowPoint middle{at.x + 0.5, at.y + 0.5};
   move_vertices(c, c.viewport, [&](const WindowPoint& p) {
@@ -144,7 +145,7 @@ bool take_far_plane(Case& c, const SamplePlace& /*at*/) {
   return take_beyond(c, [](const ClipVertex& p) { return p.z > p.w; });
 }
 
-/// A power of two, at least `size`.
+/// Returns the least power of two that is at least `size`.
 float power_above(double size) {
   return static_cast<float>(std::exp2(std::ceil(std::log2(std::max(size, 1.0)))));
 }
@@ -152,7 +153,7 @@ float power_above(double size) {
 bool take_sides(Case& c, const SamplePlace& /*at*/) {
   if (!has_window_points(c) || !cases::needs(c, Feature::side_clipping)) return false;
   const Box box = box_of(c);
-  constexpr double kFar = 4096;  // where viewports of all drivers still reach
+  constexpr double kFar = 4096;  // every driver's viewports reach this far
   const bool is_near =
       std::abs(box.low.u) < kFar && std::abs(box.low.v) < kFar && box.size() < kFar;
   if (!is_near) return false;
@@ -191,8 +192,8 @@ bool take_negative_height(Case& c, const SamplePlace& /*at*/) {
   return change_viewport(c, upright);
 }
 
-/// By less than the samples of a pixel are apart, and in no direction that edges of small slopes
-/// have.
+/// Moves all vertices by less than the distance between samples of a pixel, in a direction that no
+/// edge of simple slope has.
 bool take_tie(Case& c, const SamplePlace& /*at*/) {
   if (!has_window_points(c)) return false;
   constexpr double kRight = 3.0 / 128;
@@ -216,7 +217,7 @@ bool take_largeness(Case& c, const SamplePlace& at) {
   return scale_about(c, at, kLarge / 4 / box_of(c).size());
 }
 
-/// Of a thin triangle the vertex before its longest edge is moved away from it.
+/// Moves the vertex opposite a thin triangle's longest edge away from that edge.
 bool take_thinness(Case& c, const SamplePlace& at) {
   if (!has_window_points(c) || at.triangle >= c.triangles.size()) return false;
   const cases::Triangle& t = c.triangles[at.triangle];
@@ -251,7 +252,7 @@ bool take_far_pixels(Case& c, const SamplePlace& at) {
   const std::uint32_t left = at.x / kBlock * kBlock;
   const std::uint32_t up = at.y / kBlock * kBlock;
   if ((left == 0 && up == 0) || c.scissor) return false;
-  // A fragment may be drawn beyond the target.
+  // A fragment may lie outside the framebuffer.
   if (std::cmp_greater_equal(left, c.framebuffer.width) ||
       std::cmp_greater_equal(up, c.framebuffer.height)) {
     return false;
@@ -313,7 +314,7 @@ bool take_interpolation(Case& c, const SamplePlace& /*at*/) {
   return is_some;
 }
 
-/// Gives all attributes values that differ and have few bits.
+/// Gives all attributes different values of few bits.
 void set_plain_values(Case& c) {
   const std::size_t count = c.attributes.size();
   for (std::size_t i = 0; i < c.attribute_values.size(); ++i) {

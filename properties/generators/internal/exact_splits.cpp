@@ -6,7 +6,7 @@
 namespace rastercheck::properties {
 namespace {
 
-/// The least power of two that is not below |value|; 1 for 0.
+/// The least power of two that is at least |value|; 1 for 0.
 double power_above(double value) {
   const double magnitude = std::abs(value);
   if (magnitude == 0) return 1;
@@ -22,7 +22,7 @@ double on_grain(double value, double grain) {
   return (value + far) - far;
 }
 
-/// total − part, if that is a float and exact.
+/// Returns total − part if a float holds the difference exactly.
 std::optional<float> rest_of(double total, double part) {
   const double rest = total - part;
   const auto rounded = static_cast<float>(rest);
@@ -30,16 +30,17 @@ std::optional<float> rest_of(double total, double part) {
   return rounded;
 }
 
-/// The larger of two parts, or one of about the same size.
+/// Returns one of two parts of `total`: almost all of it, a mostly far larger number of either
+/// sign, or a number between about −1 and 2 times the size of `total`.
 float random_part(Draw& draw, double total) {
   const double size = power_above(total);
   switch (draw.between(0, 3)) {
     case 0:
-    case 1: {  // as much as a float holds, and a few floats more or less: a tiny rest
+    case 1: {  // `total` to within a few floats, so the rest is tiny
       const int steps = draw.between(-3, 3);
       return stepped(to_float(total), steps);
     }
-    case 2: {  // far beyond: the rest is about the opposite
+    case 2: {  // far larger than `total`, so the rest is about its opposite
       const int exponent = draw.between(1, 12);
       const double share = double{draw.uniform(-1, 1)} * power_of_two(exponent);
       return to_float(on_grain(share * size, size * 0x1p-10));

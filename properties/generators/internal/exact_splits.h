@@ -1,9 +1,10 @@
 #pragma once
 
-// Vertices whose coordinates add up exactly: what is decided by the last bit of a float, or by far
-// less. If three clip positions sum to the homogeneous position of a sample, then the sample's
-// weights in their triangle are 1 : 1 : 1, without any rounding; if two of them do, it lies on
-// their edge. All arithmetic is +, −, ×, / of doubles that hold the results.
+// Vertices whose coordinates add up exactly, so that the last bit of a float, or a far smaller
+// number, decides the coverage. If three clip positions sum to the homogeneous position of a
+// sample, the sample's weights in their triangle are exactly 1 : 1 : 1; if two clip positions do,
+// the sample lies on the edge between them. All arithmetic is +, −, ×, / of doubles that hold the
+// results exactly.
 
 #include <array>
 #include <optional>
@@ -21,22 +22,24 @@ struct Ray {
   double w = 0;
 };
 
-/// What appears at `p`, a multiple of 1/16 pixel, in the case's viewport: exact where the numbers
-/// of that are multiples of 2^-12 and below 2^14. w is in [1, 2).
+/// The ray of `p`, a multiple of 1/16 pixel, in the case's viewport, with w in [1, 2). Exact if the
+/// viewport's numbers are multiples of 2^-12 and below 2^14.
 Ray ray_through(const cases::Case& c, const WindowPoint& p);
 
-/// Two floats whose exact sum is `total`: of the same size, one of them tiny, or both much larger
-/// than it and opposite. Nothing where the choices lead to none.
+/// Returns two floats whose exact sum is `total`. They are of similar size, or one is tiny, or they
+/// have opposite signs and are much larger than `total`. Returns nothing if the random choices give
+/// no exact sum.
 std::optional<std::array<float, 2>> split_in_two(Draw& draw, double total);
 
-/// The same of three floats.
+/// Like split_in_two(), but returns three floats.
 std::optional<std::array<float, 3>> split_in_three(Draw& draw, double total);
-/// The total and two numbers that are opposite, 2^-24 to 2^-56 of its size: no double holds the sum
-/// of one of these and a number as large as the total. Nothing where the total is no float.
+/// Returns `total` and two opposite numbers, smaller than `total` by a factor of 2^-24 to 2^-56. No
+/// double holds the sum of such a number and one as large as `total`. Returns nothing if `total` is
+/// not a float.
 std::optional<std::array<float, 3>> split_off_opposites(Draw& draw, double total);
 
-/// The smallest number that is not 0 moved by one float, as often up as down: of the `numbers` it
-/// is the one whose floats are closest.
+/// Moves the nonzero number with the smallest magnitude by one float, up or down with equal chance.
+/// Its float spacing is the smallest of all `numbers`.
 void nudge_smallest(Draw& draw, std::span<float* const> numbers);
 
 }  // namespace rastercheck::properties

@@ -5,8 +5,9 @@
 #include <set>
 #include <vector>
 
+#include "cases/some_fragments.h"
+#include "properties/choices.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 
 namespace rastercheck::properties {
@@ -15,7 +16,8 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// Judging values takes far longer than comparing them.
+/// The number of fragments to judge is limited: judging values takes far longer than comparing
+/// them.
 constexpr std::size_t kMostJudged = 16;
 
 bool has_same_values(const cases::Fragments& a, std::size_t i, const cases::Fragments& b,
@@ -26,26 +28,10 @@ bool has_same_values(const cases::Fragments& a, std::size_t i, const cases::Frag
          std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), &is_same);
 }
 
-/// The fragments of these indices, without derivatives.
-cases::Fragments part_of(const cases::Fragments& drawn, const std::vector<std::size_t>& some) {
-  cases::Fragments part;
-  part.attribute_count = drawn.attribute_count;
-  for (const std::size_t i : some) {
-    part.triangle.push_back(drawn.triangle[i]);
-    part.x.push_back(drawn.x[i]);
-    part.y.push_back(drawn.y[i]);
-    part.sample.push_back(drawn.sample[i]);
-    part.depth.push_back(drawn.depth[i]);
-    const auto values = drawn.attributes_of(i);
-    part.attributes.insert(part.attributes.end(), values.begin(), values.end());
-  }
-  return part;
-}
-
 /// How one drawing differs from the other.
 struct Difference {
   bool is_in_places = false;
-  std::vector<std::size_t> others;  ///< fragments without one of the same place and values
+  std::vector<std::size_t> others;  ///< fragments without a match in place and values
   std::set<std::uint32_t> triangles;
 };
 
@@ -69,7 +55,7 @@ Difference difference_of(const cases::Case& c, const cases::Fragments& before,
   return difference;
 }
 
-/// Adds what was found of values alone.
+/// Merges the findings on values only.
 void merge_values(Check& into, Check&& values) {
   values.judgement.counts = {};
   values.judgement.errors.erase(AttributeKind::coverage);
@@ -97,7 +83,8 @@ Check judge_changed(const cases::Case& c, const cases::Contract& contract,
   add_state_labels(c, difference.triangles, labels);
   check.labels.assign(labels.begin(), labels.end());
   if (!difference.others.empty()) {
-    const cases::Fragments part = part_of(drawn, some_of(difference.others, kMostJudged));
+    const cases::Fragments part =
+        cases::some_fragments(drawn, some_of(difference.others, kMostJudged));
     merge_values(check, judge_drawn(c, contract, part, {.counts_coverage = false}, index));
   }
   return check;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What laws have in common that draw a case changed so that its truth stays, and hold what is drawn
-// against what is drawn of the case as it was.
+// For laws that change a case without changing its exact truth, draw it, and compare the drawing
+// with one of the unchanged case.
 
 #include "cases/case.h"
 #include "cases/fragments.h"
@@ -9,12 +9,13 @@
 
 namespace rastercheck::properties {
 
-/// Holds `drawn`, of a changed case, against `before`, which is drawn of `c`: in the same places,
-/// and with the same values, to the bit, or else right for `c` under the contract. What is alike is
-/// as right as it was, which other laws ask; so the oracle is asked only where the two differ. Of
-/// values that differ, as the last bit may where values are rounded, some are judged, evenly spread
-/// over them. Derivatives are not looked at. Labels: those of the state, "snapped", and "tie",
-/// "permitted" and other reasons of samples where places differ.
+/// Compares `drawn`, a drawing of a changed case, with `before`, a drawing of `c`. Fragments must
+/// be in the same places with bitwise the same values, or else be right for `c` under the contract.
+///
+/// Equal fragments are as right as in `before`, which other laws check, so the oracle judges only
+/// differences. Values may differ by rounding; an evenly spread selection of the fragments that
+/// differ is judged. Derivatives are ignored. The labels are those of the state, "snapped" and, if
+/// places differ, "tie", "permitted" and the other reasons of samples.
 Check judge_changed(const cases::Case& c, const cases::Contract& contract,
                     const cases::Fragments& before, const cases::Fragments& drawn,
                     std::uint64_t index);

@@ -18,9 +18,9 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// The difference of two floats, rounded to a double, is off by 2^-53 of itself at most, and an
-/// allowance, a product and a sum of doubles, by three times that: beyond this factor it is
-/// certainly exceeded.
+/// The difference of two floats, rounded to a double, has a relative error of at most 2^-53; an
+/// allowance, which is a product and a sum of doubles, at most three times as much. A difference
+/// beyond this factor certainly exceeds the allowance.
 constexpr double kRounded = 1 + 0x1p-50;
 
 class CloseCheck {
@@ -46,7 +46,7 @@ class CloseCheck {
   }
 
  private:
-  /// A sample that not both have once.
+  /// Handles a sample that is not drawn exactly once in each of the two drawings.
   void see_difference(const cases::SamplePlace& place, FragmentClass fragment_class,
                       const char* exact) {
     if (is_of_case(*case_, place) && closeness_->is_open(place)) {
@@ -82,7 +82,7 @@ class CloseCheck {
     if (!both) return;
     const double most = greatest_difference(*both, number_of(before), number_of(now));
     const double difference = std::abs(number_of(before) - number_of(now));
-    if (difference <= most * kRounded) return;  // of NaN it is not
+    if (difference <= most * kRounded) return;  // always false for NaN
     if (closeness_->is_undefined(place, attribute)) return;
     tally_.report(violation_at(place, class_of_wrong(now, FragmentClass::beyond_bound),
                                fmt::format("at most {:.3g} from {}", most, value_text(before)),

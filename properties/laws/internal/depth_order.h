@@ -1,7 +1,6 @@
 #pragma once
 
-// Says what is known of the order in which a backend's depth tests see depths that it hands over
-// as float32.
+// Tells how a backend's depth test may order two depths that the backend reports as float32.
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +10,9 @@
 
 namespace rastercheck::properties {
 
-/// A test compares what is stored, k(d), of a depth d before it was rounded to float32. d < e makes
-/// k(d) <= k(e), and equal only where they are a step apart at most; a float32 tells d to half a
-/// spacing.
+/// The depth test compares stored depths k(d), computed from a depth d before d is rounded to
+/// float32. If d < e, then k(d) <= k(e), and k(d) = k(e) only if d and e are at most one step
+/// apart. The reported float32 is within half a float spacing of d.
 class DepthOrder {
  public:
   explicit DepthOrder(cases::DepthFormat format)
@@ -27,7 +26,7 @@ class DepthOrder {
 
  private:
   double step_;
-  bool is_float32_;  ///< else equal floats may be of depths that differ
+  bool is_float32_;  ///< if false, equal floats may stand for different depths
 };
 
 }  // namespace rastercheck::properties

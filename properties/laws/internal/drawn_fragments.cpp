@@ -17,21 +17,6 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Violation;
 
-class Hash {
- public:
-  void add(std::uint64_t number) {
-    for (int shift = 0; shift < 64; shift += 8) {
-      bytes_.push_back(static_cast<char>(number >> shift & 0xffU));
-    }
-  }
-  /// Both zeros are alike.
-  void add(float number) { add(std::uint64_t{std::bit_cast<std::uint32_t>(number + 0.0F)}); }
-  std::uint64_t value() const { return fnv1a(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
 }  // namespace
 
 cases::SamplePlace place_at(const cases::Picture& picture, std::size_t at) {
@@ -135,20 +120,6 @@ std::optional<Violation> find_difference(const cases::Case& c, const cases::Frag
     }
   }
   return std::nullopt;
-}
-
-std::uint64_t fingerprint(const cases::Case& c) {
-  Hash hash;
-  hash.add(static_cast<std::uint64_t>(c.framebuffer.width));
-  hash.add(static_cast<std::uint64_t>(c.framebuffer.height));
-  for (const cases::ClipVertex& p : c.positions) {
-    for (const float part : {p.x, p.y, p.z, p.w}) hash.add(part);
-  }
-  for (const float value : c.attribute_values) hash.add(value);
-  for (const cases::Triangle& triangle : c.triangles) {
-    for (const std::uint32_t vertex : triangle) hash.add(std::uint64_t{vertex});
-  }
-  return hash.value();
 }
 
 }  // namespace rastercheck::properties

@@ -1,6 +1,6 @@
 #pragma once
 
-// What was drawn of a case value by value, and what is known of the values without an oracle.
+// Reads a drawing's values one by one, and tells what is known about them without an oracle.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace rastercheck::properties {
 
-/// An attribute's index; nothing means the depth.
+/// An attribute's index; empty means the depth.
 using MaybeAttribute = std::optional<std::uint32_t>;
 
 bool all_in_front(const cases::Case& c, const cases::Triangle& triangle);
 
-/// Whether an attribute is evaluated at samples: declared so, or at the centre, where the only
-/// sample is.
+/// True if an attribute is evaluated at samples: if it is located at the sample, or at the centre
+/// if the pixel has a single sample.
 bool is_at_sample(const cases::Case& c, std::uint32_t attribute);
 
-/// Fragments of a drawing, by their indices; of the case's own triangles.
+/// Reads a drawing by fragment index. Every fragment must belong to one of the case's triangles.
 class DrawnValues {
  public:
-  /// Both must outlive it.
+  /// The case and the drawing must outlive this object.
   DrawnValues(const cases::Case& c, const cases::Fragments& drawn) : case_(&c), drawn_(&drawn) {}
 
   cases::SamplePlace place(std::size_t fragment) const { return drawn_->place_of(fragment); }
@@ -35,8 +35,8 @@ class DrawnValues {
   float value(std::size_t fragment, const MaybeAttribute& attribute) const {
     return attribute ? drawn_->attributes_of(fragment)[*attribute] : drawn_->depth[fragment];
   }
-  /// The ulp of the greatest value that an attribute has at the triangle's vertices, or a depth in
-  /// the viewport.
+  /// The ulp of the attribute's greatest magnitude at the triangle's vertices or, for the depth, of
+  /// the viewport's greatest depth.
   double vertex_ulp(std::size_t fragment, const MaybeAttribute& attribute) const;
 
  private:

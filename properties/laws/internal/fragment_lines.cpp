@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "properties/laws/internal/choices.h"
+#include "properties/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 
 namespace rastercheck::properties {
@@ -38,7 +38,7 @@ int line_of(int x, int y, LineDirection direction) {
 }  // namespace
 
 LineDirection some_direction(const cases::Case& c) {
-  return Choices(fingerprint(c))
+  return Choices(choices_of(c))
       .pick(std::array{LineDirection::row, LineDirection::column, LineDirection::falling_diagonal,
                        LineDirection::rising_diagonal});
 }

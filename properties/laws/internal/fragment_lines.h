@@ -1,7 +1,7 @@
 #pragma once
 
-// Lines of samples of one triangle: what is affine on the screen, or the ratio of what is, shows
-// along them.
+// Lines of samples of one triangle: along them, values must be affine, or ratios of affine
+// functions.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,20 +18,20 @@ enum class LineDirection { row, column, falling_diagonal, rising_diagonal };
 
 std::string_view to_string(LineDirection direction);
 
-/// A fragment on a line, and how many pixels along it.
+/// A fragment on a line, and its pixel coordinate along the line.
 struct LinePoint {
   std::size_t fragment = 0;
   int at = 0;
 };
 
-/// One of the four, by the case's numbers.
+/// Chooses one of the four directions from the case's numbers.
 LineDirection some_direction(const cases::Case& c);
 
-/// Takes the fragments of one triangle on one line, of one sample of their pixels, in ascending
-/// order of `at`; two or more.
+/// Receives the fragments of one triangle on one line, all at the same sample of their pixels, in
+/// ascending order of `at`; at least two.
 using LineSink = std::function<void(std::span<const LinePoint>)>;
 
-/// Hands over all lines of a direction, of the case's own fragments.
+/// Calls `see` with every line of the direction, for fragments of the case's own triangles.
 void for_each_line(const cases::Case& c, const cases::Fragments& drawn, LineDirection direction,
                    const LineSink& see);
 

@@ -14,14 +14,14 @@ namespace {
 
 using records::Verdict;
 
-/// Rounds a number of each of three vertices, `stride` apart.
+/// Rounds the same number of three vertices as with_short_vertices() does.
 void shorten(float& first, float& second, float& third) {
   const std::array<float*, 3> numbers{&first, &second, &third};
   float greatest = 0;
   for (const float* number : numbers) greatest = std::max(greatest, std::abs(*number));
   if (greatest == 0) return;
   const double grain = std::ldexp(1.0, std::max(std::ilogb(greatest) - 12, -147));
-  // At most 2^127: the next power of two would be no float.
+  // The greatest multiple of the grain that is a float; rounding alone could reach 2^128.
   const double most = std::floor(0x1.fffffep127 / grain) * grain;
   for (float* number : numbers) {
     const double rounded = std::floor(double{*number} / grain + 0.5) * grain;
@@ -35,8 +35,8 @@ void shorten(std::span<float> numbers, std::size_t count) {
   }
 }
 
-/// A quarter of a sum of four times at most a float32: no overflow, and exact
-/// (with_short_vertices).
+/// Returns Σ quarters_i numbers_i / 4, which cannot overflow and is exact for numbers from
+/// with_short_vertices().
 float mixed(const std::array<float, 3>& numbers, const std::array<int, 3>& quarters) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += quarters[i] * double{numbers[i]};
@@ -53,7 +53,7 @@ void append_mixed(std::vector<float>& numbers, std::size_t count,
   }
 }
 
-/// Which samples the contract leaves open (check_parted).
+/// Tells which samples the contract leaves open (check_parted).
 class OpenSamples {
  public:
   OpenSamples(const Parted& parted, const cases::Contract& of_whole,
@@ -164,7 +164,7 @@ Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
   if (!whole) return tl::unexpected(whole.error());
   Result<backends::Drawn> parts = draw_promised(parted.parts, backend);
   if (!parts) return tl::unexpected(parts.error());
-  // A triangle that the parts do not have becomes one that the whole does not have either.
+  // Replaces the parts' triangle numbers by the whole's. An invalid number stays invalid.
   const auto nowhere = static_cast<std::uint32_t>(parted.whole.triangles.size());
   for (std::uint32_t& triangle : parts->fragments.triangle) {
     triangle = triangle < parted.triangle_of.size() ? parted.triangle_of[triangle] : nowhere;

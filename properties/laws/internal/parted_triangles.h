@@ -1,7 +1,7 @@
 #pragma once
 
-// Triangles in parts: vertices that are exact mixes of others, and what a drawing of the parts has
-// in common with a drawing of the whole.
+// Cuts triangles into parts at vertices that are exact mixes of the triangle's own vertices, and
+// checks that a drawing of the parts matches a drawing of the whole.
 
 #include <array>
 #include <cstdint>
@@ -15,48 +15,50 @@
 
 namespace rastercheck::properties {
 
-/// The case, each triangle with vertices of its own, whose numbers are so short that mixes of them
-/// in quarters are float32: of each coordinate, attribute and clip distance, multiples of 2^-12 of
-/// the power of two at or below the greatest of the triangle's three, and of 2^-147. Attributes are
-/// smooth, located at the sample, because those alone mix with the clip positions; there is no
-/// depth test.
+/// Returns the case with three vertices of its own for each triangle, and numbers so short that
+/// mixes in quarters are float32. Each coordinate, attribute and clip distance becomes a multiple
+/// of 2^-147 and of 2^-12 p, where p is the power of two at or below its greatest magnitude at the
+/// triangle's vertices. Attributes become smooth and located at the sample, because only such
+/// attributes mix with the clip positions. The depth test is off.
 cases::Case with_short_vertices(const cases::Case& c);
 
-/// Rounds three positions alike.
+/// Rounds three positions as with_short_vertices() does.
 void shorten_positions(std::span<cases::ClipVertex, 3> positions);
 
-/// Appends Σ quarters_i / 4 of the vertices, quarters that are not negative and sum to 4; its
-/// position, attributes and clip distances are exact.
+/// Appends the vertex Σ quarters_i vertices_i / 4 and returns its index. The quarters must be >= 0
+/// and sum to 4. Position, attributes and clip distances are exact.
 std::uint32_t add_mixed(cases::Case& c, const std::array<std::uint32_t, 3>& vertices,
                         const std::array<int, 3>& quarters);
 
-/// A case and the same with its triangles in parts; vertices of the former are the first of the
-/// latter.
+/// A case, and the same case with its triangles cut into parts. The vertices of `whole` come first
+/// in `parts`.
 struct Parted {
   cases::Case whole;
   cases::Case parts;
-  std::vector<std::uint32_t> triangle_of;  ///< [part]
-  std::string note;                        ///< for violations: how the parts came about
-  /// Samples whose being drawn by the parts or by the whole need not say the same, besides those
-  /// that the contract leaves open. May be empty.
+  std::vector<std::uint32_t> triangle_of;  ///< [part]: its triangle in `whole`
+  std::string note;                        ///< for violations: how the parts were made
+  /// True for samples on which parts and whole need not agree, besides those that the contract
+  /// leaves open. May be empty.
   std::function<bool(const cases::SamplePlace& place)> is_exempt;
 };
 
-/// Draws both. What the parts draw together is what the whole draws, each sample once, and of the
-/// same values: within the sum of the bounds (close_drawings.h), where the contract takes them from
-/// the exact positions. A part's vertices are no farther from 0 than the whole's, nor their w
-/// farther apart, so that what is promised of the whole is promised of a part.
+/// Draws both cases, and checks that the parts together draw what the whole draws: each sample
+/// once, with values within the sum of both bounds (close_drawings.h) if the contract takes values
+/// from the exact positions. A part's vertices are no farther from 0 than the whole's, and their w
+/// are no farther apart, so a promise for the whole also holds for a part.
 ///
-/// Where vertices are snapped, those that parts add are too. Moving each vertex by at most `reach`
-/// along both axes moves each point of an outline by at most √2 reach. Of parts that all turn as
-/// they should, with no others between, the number that covers a point is how often their outline
-/// runs around it (each edge inside is there twice, in opposite directions), and that is the same
-/// for the whole at a point that neither outline passes. So samples are open that are
+/// If vertices are snapped, so are the vertices that the parts add. Moving each vertex by at most
+/// `reach` along both axes moves each point of an outline by at most √2 reach. If every part keeps
+/// its orientation, the number of parts that cover a point is the winding number of their outline
+/// around the point (each inner edge occurs twice, in opposite directions). Around a point that
+/// neither outline passes while it moves, the whole's outline has the same winding number. So a
+/// sample is open if it is
 ///
-/// - within 3 reach, or clip tolerances, of the whole's boundary; >= 2√2, the oracle's is snapped
-/// - of a triangle some part of which may turn the other way, or is clipped
-/// - permitted of the whole
-/// - permitted of a part, under a contract that names no tie rule or keeps no grid
+/// - within 3 reach (or 3 clip tolerances, if more) of the whole's boundary. At least 2√2 are
+///   needed, since the boundary in the oracle is snapped, too
+/// - in a triangle with a part that is clipped, or whose orientation may flip
+/// - permitted for the whole
+/// - permitted for a part, under a contract that names no tie rule or keeps no grid
 Result<Check> check_parted(const Parted& parted, backends::Backend& backend);
 
 }  // namespace rastercheck::properties

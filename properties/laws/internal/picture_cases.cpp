@@ -12,7 +12,7 @@ namespace {
 using cases::Interpolation;
 using cases::Location;
 
-/// z/w in eighths, the depths that pipelines are cleared to among them.
+/// z/w in eighths, like some pipelines' clear depths.
 float eighth(Draw& draw) {
   const int eighths = draw.between(1, 7);
   return static_cast<float>(eighths) / 8;
@@ -24,7 +24,8 @@ void add_vertex_about(Draw& draw, cases::Case& c, float depth, bool is_flat) {
   add_vertex(c, at_window(c, p, depth, w));
 }
 
-/// Triangles parallel to the screen: whole planes are equal, or far apart.
+/// Adds triangles parallel to the screen. Any two have the same depth everywhere or clearly
+/// different depths.
 void add_sheets(Draw& draw, cases::Case& c, int count) {
   for (int i = 0; i < count; ++i) {
     const float depth = eighth(draw);
@@ -32,7 +33,7 @@ void add_sheets(Draw& draw, cases::Case& c, int count) {
   }
 }
 
-/// Triangles tilted any way, which pass through each other.
+/// Adds triangles tilted in any direction, which pass through each other.
 void add_tilted(Draw& draw, cases::Case& c, int count) {
   for (int i = 0; i < 3 * count; ++i) {
     const float depth = random_depth(draw, c);
@@ -40,7 +41,8 @@ void add_tilted(Draw& draw, cases::Case& c, int count) {
   }
 }
 
-/// The same triangle again and again, with other values: equal depths at every sample.
+/// Adds the same triangle several times, with different attribute values, so that depths are equal
+/// at every sample.
 void add_repeated(Draw& draw, cases::Case& c, int count) {
   add_tilted(draw, c, 1);
   for (int i = 1; i < count; ++i) {
@@ -48,8 +50,8 @@ void add_repeated(Draw& draw, cases::Case& c, int count) {
   }
 }
 
-/// Triangles around a common first vertex, each sharing an edge with the one before: strips that
-/// fold over themselves.
+/// Adds triangles around a common first vertex. Each triangle shares an edge with the previous one,
+/// and the fan folds over itself.
 void add_fan(Draw& draw, cases::Case& c, int count) {
   add_tilted(draw, c, 1);
   for (int i = 1; i < count; ++i) {
@@ -62,7 +64,7 @@ void add_fan(Draw& draw, cases::Case& c, int count) {
   }
 }
 
-/// Triangles of vertices of which some lie behind the eye.
+/// Adds triangles with some vertices behind the eye.
 void add_through_eye(Draw& draw, cases::Case& c, int count) {
   add_tilted(draw, c, count);
   for (cases::ClipVertex& p : c.positions) {
@@ -82,7 +84,8 @@ float color(Draw& draw, std::size_t channel) {
 void set_colors(Draw& draw, cases::Case& c) {
   c.attributes.clear();
   c.attribute_values.clear();
-  // As most are: they have kernels of their own.
+  // Most users' attributes are smooth and located at the sample; rasterizers may have kernels for
+  // them alone.
   const bool are_ordinary = draw.one_in(2);
   for (const char* name : {"red", "green", "blue", "alpha"}) {
     const auto interpolation =

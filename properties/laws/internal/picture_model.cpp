@@ -17,7 +17,7 @@ std::size_t channels_of(const cases::Case& c, const cases::Pipeline& pipeline) {
   return has_colors ? kAlpha + 1 : c.attributes.size();
 }
 
-/// Whole numbers nearest to x >= 0, ties to even; far below 2^52.
+/// The integer nearest to x >= 0, ties to even; x must be far below 2^52.
 double nearest_whole(double x) {
   const double below = std::floor(x);
   const double beyond = x - below;  // exact
@@ -25,7 +25,7 @@ double nearest_whole(double x) {
   return beyond > 0.5 || (beyond == 0.5 && is_odd) ? below + 1 : below;
 }
 
-/// NaN is 0.
+/// Clamps to [0, 1]; NaN becomes 0.
 double clamped(double value) { return value > 0 ? std::min(value, 1.0) : 0.0; }
 
 class Model {
@@ -78,13 +78,13 @@ class Model {
  private:
   bool is_rgba8() const { return pipeline_->format == cases::ColorFormat::rgba8; }
 
-  /// A colour's channel as it is blended, and the same in what the picture holds.
+  /// A colour's channel, as a factor in blending (incoming) or in the picture's units (in_units).
   double incoming(float color) const { return is_rgba8() ? clamped(color) : double{color}; }
   double in_units(float color) const {
     return is_rgba8() ? kMostByte * incoming(color) : incoming(color);
   }
 
-  /// Three colours have alpha 1.
+  /// Blends a fragment's colour into the sample `at`. Colours of three channels have alpha 1.
   void blend(std::span<const float> attributes, std::size_t at) {
     const auto color = [attributes](std::size_t channel) {
       return channel < attributes.size() ? attributes[channel] : 1.0F;
@@ -104,13 +104,13 @@ class Model {
     return drawn + left;
   }
 
-  /// What the picture holds of a colour: a float, or a byte as the whole number it is.
+  /// A colour rounded to the picture's format: to a float, or to a byte as an integer.
   double stored(double color) const {
     if (is_rgba8()) return nearest_whole(std::min(color, kMostByte));
     return static_cast<double>(static_cast<float>(color));
   }
 
-  /// Of `count` samples, in what the picture holds; of one, that one.
+  /// The mean of `count` samples, rounded to the picture's format; a single sample is unchanged.
   double mean(std::size_t first, std::size_t count, std::size_t channel) const {
     if (count == 1) return held_[first * channels_ + channel];
     double sum = held_[first * channels_ + channel];

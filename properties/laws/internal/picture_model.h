@@ -1,31 +1,33 @@
 #pragma once
 
-// What fragments leave in a picture, step by step as the rules of a pipeline say it: the model that
-// laws hold a backend's pictures against. It has no tiles, no threads and no order of its own.
+// A model of how fragments make a picture, step by step as the pipeline's rules state it. Laws
+// compare a backend's pictures with this model, which has no tiles, no threads and no order of its
+// own.
 //
-// Every sample of the framebuffer begins with colour 0 and the depth that is cleared to. Then each
-// fragment, in submission order, that passes the depth test, its depth against the sample's, leaves
-// its depth, if depths are written, and its colour: s is drawn where d is,
+// Every sample of the framebuffer starts with colour 0 and the clear depth. Fragments follow in
+// submission order. If a fragment's depth passes the depth test against the sample's depth, the
+// sample takes the fragment's depth, if depths are written, and its colour, after blending.
+// Blending colour s onto d gives
 //
 //   off        s
 //   over       s_a s + (1 − s_a) d in channels 0 to 2, s_a + (1 − s_a) d_a in channel 3 (four
-//              channels; s_a is the last one of s)
+//              channels; s_a is the last channel of s)
 //   additive   s + d
 //
-// in double, every operation rounded to nearest, products first; the result is then rounded to what
-// the picture holds:
+// in double, products first, with every operation rounded to nearest. The result is then rounded to
+// the picture's format:
 //
 //   float32    the nearest float. Nothing is clamped
-//   rgba8      a byte k for k/255. s is held to [0, 1] first, NaN as 0; what is blended are 255 s
-//              and the byte that is there (s_a is not multiplied), and what comes out becomes the
-//              nearest whole number, ties to even, at most 255
+//   rgba8      a byte k for k/255. s is first clamped to [0, 1], NaN to 0. Blending takes 255 s and
+//              the byte present (s_a is not scaled); the result becomes the nearest integer, ties
+//              to even, at most 255
 //
-// Resolving takes the mean of a pixel's samples: they are added in double, from the first on in the
-// order of their indices, and divided by their number; floats are rounded to a float, bytes are
-// added as whole numbers and the mean rounded to one, ties to even. The depth is that of sample 0.
+// Resolving takes the mean of a pixel's samples. The samples are added in double, in index order,
+// and the sum is divided by their number. The mean of floats is rounded to a float; bytes are added
+// as integers and their mean is rounded to an integer, ties to even. The depth is that of sample 0.
 //
-// Colours are the attributes, or, as vertex colours, the first four of them; of three the fourth is
-// 1. Textures and differences are not modelled.
+// Colours are the attributes. Vertex colours are the first four attributes; if a case has three
+// attributes, the fourth channel is 1. Textures and differences are not modelled.
 
 #include "cases/case.h"
 #include "cases/fragments.h"
@@ -33,13 +35,13 @@
 
 namespace rastercheck::properties {
 
-/// Whether the depth test keeps a fragment of depth `depth` where `present` is.
+/// True if a fragment of depth `depth` passes the depth test against the depth `present`.
 bool passes(cases::DepthFunction function, float depth, float present);
 
-/// The picture that a case's fragments leave: each triangle's as if drawn alone, in any order of
-/// their own, as submission order is that of triangles. The pipeline has no texture and shows
-/// no differences; the case has three attributes at least if these are vertex colours, else four if
-/// it blends `over`. Fragments of no pixel or sample are left out.
+/// The picture that a case's fragments leave. Triangles are drawn in submission order; the
+/// fragments of one triangle may come in any order. The pipeline must have no texture and show no
+/// differences. The case must have at least three attributes for vertex colours; for other colours,
+/// exactly four if the pipeline blends `over`. Fragments outside the framebuffer are ignored.
 cases::Picture picture_of(const cases::Case& c, const cases::Fragments& fragments,
                           const cases::Pipeline& pipeline);
 

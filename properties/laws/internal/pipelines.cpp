@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "properties/laws/internal/choices.h"
+#include "properties/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 
 namespace rastercheck::properties {
@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 8> kFunctionWords{"always",    "never",  
                                                          "not equal", "greater or equal"};
 constexpr std::array<std::string_view, 3> kBlendWords{"off", "over", "additive"};
 
-/// The window depth of a vertex, about: of a plane of equal depth often just the one that is drawn.
+/// The approximate window depth of a vertex. If its triangle has the same depth everywhere, often
+/// exactly the depth drawn.
 float depth_of(const cases::Case& c, const cases::ClipVertex& p) {
   if (!(p.w > 0)) return 0.5F;
   const double depth = double{p.z} / double{p.w};
@@ -29,7 +30,7 @@ float depth_of(const cases::Case& c, const cases::ClipVertex& p) {
   return static_cast<float>(std::clamp(n + (f - n) * share, 0.0, 1.0));
 }
 
-/// What depths are cleared to: most often something that lets what is drawn pass.
+/// Chooses the clear depth: usually one that lets fragments pass.
 float clear_depth(const cases::Case& c, DepthFunction function, Choices& choices) {
   switch (function) {
     case DepthFunction::less:
@@ -56,7 +57,7 @@ std::string_view word_of(DepthFunction function) {
 std::string_view word_of(Blend blend) { return kBlendWords[static_cast<std::size_t>(blend)]; }
 
 cases::Pipeline pipeline_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
+  Choices choices(choices_of(c));
   cases::Pipeline pipeline;
   pipeline.depth_function = static_cast<DepthFunction>(choices.below(kFunctionWords.size()));
   pipeline.writes_depth = choices.below(4) != 0;

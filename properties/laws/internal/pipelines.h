@@ -1,6 +1,6 @@
 #pragma once
 
-// Pipelines that laws about pictures draw cases with.
+// Chooses pipelines for laws about pictures.
 
 #include <string>
 #include <string_view>
@@ -10,9 +10,9 @@
 
 namespace rastercheck::properties {
 
-/// A pipeline without a texture, chosen by the case's numbers alone: depth function and write mask,
-/// what depths are cleared to, blend, format, resolve, and whether attributes are channels or
-/// vertex colours.
+/// Chooses a pipeline without a texture, from the case's numbers alone: depth function and write
+/// mask, clear depth, blend, format, resolve, and whether attributes are channels or vertex
+/// colours.
 cases::Pipeline pipeline_of(const cases::Case& c);
 
 /// The pipeline in words, for notes.

@@ -25,8 +25,8 @@ std::optional<QuarterTurn> quarter_turn_of(const cases::Case& c) {
   }
   const std::optional<double> x = exact_sum(static_cast<double>(c.framebuffer.height), -down->end);
   if (!x || !is_float(*x) || !is_float(across->begin)) return std::nullopt;
-  // u' = H − v, v' = u: a clip x that grows with −v, and a clip y that grows with u where window y
-  // grows with it.
+  // u' = H − v and v' = u. So the turned clip x grows with −v, and the turned clip y grows with u
+  // if window y grows with clip y.
   const bool is_d3d = c.rules == cases::Rules::d3d;
   QuarterTurn turn;
   turn.viewport = c.viewport;
@@ -67,7 +67,7 @@ cases::Fragments turned_back(const cases::Case& c, const cases::Fragments& drawn
   cases::Fragments result = drawn;
   result.derivatives.clear();
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    // x = H − 1 − j, y = i.
+    // In the turned drawing, x = H − 1 − j and y = i.
     const bool is_inside = std::cmp_less(drawn.x[i], c.framebuffer.height);
     result.x[i] = drawn.y[i];
     result.y[i] =

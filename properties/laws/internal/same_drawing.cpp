@@ -18,8 +18,8 @@ bool are_same(const std::vector<float>& a, const std::vector<float>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), &is_same);
 }
 
-/// Whether the two are fragment by fragment the same, and each is in a place after the one before:
-/// what most drawings are, told without looking anything up.
+/// True if the two drawings have the same fragments in the same, strictly ascending order. Most
+/// drawings do, and the check is cheap.
 bool are_alike(const Fragments& a, const Fragments& b) {
   if (a.triangle != b.triangle || a.x != b.x || a.y != b.y || a.sample != b.sample) return false;
   if (!are_same(a.depth, b.depth) || !are_same(a.attributes, b.attributes)) return false;
@@ -31,7 +31,7 @@ bool are_alike(const Fragments& a, const Fragments& b) {
   return true;
 }
 
-/// What compare_drawings() says of two that are alike.
+/// The result of compare_drawings() for two drawings that are_alike().
 Check alike(const cases::Case& c, const Fragments& drawn) {
   Tally tally(c);
   tally.pass(AttributeKind::coverage, drawn.size());

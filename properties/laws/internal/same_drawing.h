@@ -1,6 +1,6 @@
 #pragma once
 
-// What laws have in common that hold one drawing to be another one, bit for bit.
+// For laws that expect one drawing to equal another bit for bit.
 
 #include <string>
 
@@ -10,9 +10,9 @@
 
 namespace rastercheck::properties {
 
-/// Holds `drawn` to have the fragments of `expected`, each once, with the same depths, attributes
-/// and derivatives to the bit, in any order; NaNs are alike. Both are of case `c`, whose state
-/// gives the labels. Violations end with `note`, which says how `drawn` came about.
+/// Checks that `drawn` has the fragments of `expected`, each once, in any order, with the same
+/// depths, attributes and derivatives to the bit; any two NaNs are the same. Both are drawings of
+/// `c`, whose state gives the labels. Violations end with `note`, which says how `drawn` was made.
 Check compare_drawings(const cases::Case& c, const cases::Fragments& expected,
                        const cases::Fragments& drawn, const std::string& note);
 

@@ -12,7 +12,8 @@ using records::AttributeKind;
 
 namespace {
 
-/// Colours of a texture, and alpha that is added, are none.
+/// True if a channel is one of the case's attributes; false for colours of a texture and added
+/// alpha.
 bool is_attribute(const cases::Case& c, std::optional<std::uint32_t> channel) {
   return channel && *channel < c.attributes.size();
 }

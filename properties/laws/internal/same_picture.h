@@ -1,6 +1,6 @@
 #pragma once
 
-// What laws have in common that hold one picture to be another one, bit for bit.
+// For laws that expect one picture to equal another bit for bit.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace rastercheck::properties {
 
-/// Holds `drawn` to have the depths and colours of `expected`, which has its size and channels, to
-/// the bit; NaNs are alike. Both are of case `c`. Violations end with `note`, which says how
-/// `drawn` came about. There are no labels.
+/// Checks that `drawn` has the depths and colours of `expected`, to the bit; any two NaNs are the
+/// same. Both pictures are of case `c` and have the same size and channels. Violations end with
+/// `note`, which says how `drawn` was made. Adds no labels.
 Check compare_pictures(const cases::Case& c, const cases::Picture& expected,
                        const cases::Picture& drawn, const std::string& note);
 
-/// What a channel is, or, of none, the depth: that of the attribute, or of a copy where it has
-/// none.
+/// The kind of a channel's attribute; `flat` if the channel is not an attribute. If `channel` is
+/// empty, the kind of the depth.
 records::AttributeKind kind_of_channel(const cases::Case& c, std::optional<std::uint32_t> channel);
 
-/// What a number of a picture is that should be another, as a violation at the sample of index
-/// `at`; `channel` is nothing where it is the depth.
+/// A violation at the sample of index `at`, where a number of the picture should be `expected`.
+/// `channel` is empty for the depth.
 records::Violation picture_violation(const cases::Case& c, const cases::Picture& picture,
                                      std::size_t at, std::optional<std::uint32_t> channel,
                                      float expected, const std::string& note);

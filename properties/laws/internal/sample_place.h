@@ -1,6 +1,6 @@
 #pragma once
 
-// Samples of a framebuffer, whatever triangle is drawn there.
+// Samples of a framebuffer, regardless of the triangle drawn there.
 
 #include <cstddef>
 #include <map>
@@ -10,13 +10,13 @@
 
 namespace rastercheck::properties {
 
-/// The same sample, of triangle 0.
+/// The same sample with triangle 0.
 inline cases::SamplePlace sample_of(cases::SamplePlace place) {
   place.triangle = 0;
   return place;
 }
 
-/// The fragment that is left at each sample (sample_of); of several, the first.
+/// The index of the fragment at each sample (sample_of); the first one if a sample has several.
 inline std::map<cases::SamplePlace, std::size_t> fragments_by_sample(
     const cases::Fragments& drawn) {
   std::map<cases::SamplePlace, std::size_t> left;

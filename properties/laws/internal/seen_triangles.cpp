@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "properties/laws/internal/choices.h"
+#include "properties/choices.h"
 
 namespace rastercheck::properties {
 namespace {
 
 using records::Verdict;
 
-/// The exact value of an attribute of a fragment, where the rules leave no other.
+/// The exact value of a fragment's attribute; empty if the rules allow several.
 std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
                                             std::size_t attribute,
                                             const cases::SamplePlace& place) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is exactly true of a picture: which triangle is seen at a sample, and the values there that
-// textures are sampled at.
+// The exact truth about a picture: which triangle is visible at a sample, and at which coordinates
+// its texture is sampled there.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,13 +15,14 @@
 
 namespace rastercheck::properties {
 
-/// What is drawn last, and so seen, at a sample: the case's triangles drawn without any depth test.
+/// Finds the visible triangle at each sample of a case without a depth test: the triangle drawn
+/// last.
 class SeenTriangles {
  public:
   SeenTriangles(const cases::Case& c, const cases::Contract& contract);
 
-  /// What is seen at a sample of the picture, by its index; nothing where no triangle is required,
-  /// or one after it is permitted.
+  /// The place of the visible fragment at the sample of index `at`. Empty if no triangle is
+  /// required there, or if a later triangle is permitted.
   std::optional<cases::SamplePlace> find(const cases::Picture& picture, std::size_t at);
   const oracle::TriangleTruth& truth(std::uint32_t triangle);
   const oracle::SceneTruth& scene() const { return scene_; }
@@ -31,18 +32,18 @@ class SeenTriangles {
   std::vector<std::unique_ptr<oracle::TriangleTruth>> truths_;
 };
 
-/// Where a fragment is in a texture: its attributes 0 and 1.
+/// A fragment's position in a texture: its attributes 0 and 1.
 struct Coordinates {
   oracle::Rational s;
   oracle::Rational t;
 };
 
-/// The exact ones of a fragment, where the rules leave no others.
+/// The exact coordinates of a fragment; empty if the rules allow several.
 std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
                                              const cases::SamplePlace& place);
 
-/// At most `most` of the samples of a picture that have been drawn, evenly spread: all channels of
-/// those that have not are 0. Indices count as cases::Picture does.
+/// At most `most` evenly spread samples of the picture that have been drawn. A sample with all
+/// channels 0 counts as not drawn. Indices are those of cases::Picture.
 std::vector<std::size_t> some_drawn_samples(const cases::Picture& picture, std::size_t most);
 
 }  // namespace rastercheck::properties

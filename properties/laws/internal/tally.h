@@ -1,6 +1,6 @@
 #pragma once
 
-// What laws have in common that find what they find themselves, without a judge.
+// For laws that judge drawings themselves, without the oracle's judge.
 
 #include <cstdint>
 #include <functional>
@@ -13,35 +13,36 @@
 
 namespace rastercheck::properties {
 
-/// Adds to the note of each violation, the same or what there is to say of it.
+/// Adds a text to the note of each violation: the same text for all, or one made for each
+/// violation.
 void add_to_notes(Check& check, const std::string& text);
 void add_to_notes(Check& check,
                   const std::function<std::string(const records::Violation&)>& text_of);
 
-/// What a law finds of a case, sample by sample and value by value.
+/// Collects what a law finds in a case, sample by sample and value by value.
 class Tally {
  public:
-  /// The case must outlive it.
+  /// The case must outlive this object.
   explicit Tally(const cases::Case& c);
 
   records::Counts& counts() { return check_.judgement.counts; }
   void label(std::string_view text) { labels_.emplace(text); }
-  /// A triangle that drew something: the labels of the case's state are those of these.
+  /// Notes a triangle that drew something; only such triangles give state labels.
   void see(std::uint32_t triangle) { triangles_.insert(triangle); }
-  /// The label of a case of which something was drawn, where something was.
+  /// Adds the label "drawn" if any triangle has drawn something.
   void label_drawn();
-  /// Samples, or values, that are as they should be.
+  /// Counts correct samples or values.
   void pass(records::AttributeKind kind, std::uint64_t count = 1);
-  /// A required sample that the triangle drew.
+  /// Counts a required sample that the triangle drew.
   void pass_required(std::uint32_t triangle);
   void report(const records::Violation& violation);
-  /// Reports a value that was counted as right before.
+  /// Reports a value that was already counted as correct.
   void report_passed(const records::Violation& violation);
-  /// A part of an error, in the unit of its kind.
+  /// Adds one stage's part of an error, in the unit of the error's kind.
   void add_part(records::AttributeKind kind, records::Stratum stratum,
                 const records::StagePart& part);
 
-  /// With the labels, those of the state too.
+  /// Returns the check with all labels, including those of the state.
   Check finish();
 
  private:

@@ -34,7 +34,7 @@ void add_attributes(Draw& draw, cases::Case& c) {
   }
 }
 
-/// Window x or y of a vertex, 0 of one with w = 0.
+/// Window x or y of a vertex; 0 if w = 0.
 double window_coordinate(const cases::Case& c, std::size_t vertex, std::size_t axis) {
   const cases::ClipVertex& p = c.positions[vertex];
   if (p.w == 0) return 0;
@@ -44,7 +44,7 @@ double window_coordinate(const cases::Case& c, std::size_t vertex, std::size_t a
   return begin + (ndc + 1) / 2 * size;
 }
 
-/// How far from 0 to 1 a coordinate begins: often not at all, or by periods of the wraps.
+/// An offset for a coordinate: often 0, or a multiple of the wrap's period.
 double random_offset(Draw& draw) {
   const int periods = draw.between(-4, 4);
   switch (draw.between(0, 5)) {
@@ -61,7 +61,8 @@ double random_offset(Draw& draw) {
   }
 }
 
-/// Affine in the window: where corners are on a grid, the borders of texels meet samples.
+/// Sets an attribute that is affine in the window. If corners are on a grid, texel borders meet
+/// samples.
 void set_window_coordinate(Draw& draw, cases::Case& c, std::size_t attribute) {
   const std::size_t axis = draw.one_in(4) ? 1 - attribute : attribute;
   const int exponent = draw.between(-8, 0);
@@ -93,7 +94,8 @@ float random_coordinate(Draw& draw, CoordinateSort kind, int parts) {
   return draw.spread(24, 127);
 }
 
-/// Numbers of one kind; fractions are whole numbers of texels of many sizes.
+/// Sets values of one kind; fractions are multiples of 1/parts, the size of a texel in many
+/// textures.
 void set_free_coordinate(Draw& draw, cases::Case& c, std::size_t attribute) {
   const auto kind = draw.pick(std::array{
       CoordinateSort::fractions, CoordinateSort::fractions, CoordinateSort::near_fractions,
@@ -167,7 +169,7 @@ std::uint8_t noise_byte(int i, int j, std::size_t channel) {
   bits ^= bits >> 15;
   bits *= 0x2c1b3c6dU;
   bits ^= bits >> 12;
-  // Black and white, as hard an edge as there is, as often as anything between.
+  // Half of the bytes are black or white, which makes the hardest edges.
   if ((bits & 1U) != 0) return (bits & 2U) != 0 ? 255 : 0;
   return static_cast<std::uint8_t>(bits >> 8);
 }

@@ -23,7 +23,7 @@ float random_weight(Draw& draw, MeshWeights weights) {
   return draw.pick(std::array{0.25F, 0.5F, 1.0F, 2.0F, 4.0F});
 }
 
-/// A mesh in pixels.
+/// A mesh with points in pixels.
 struct PixelMesh {
   std::vector<WindowPoint> points;
   std::vector<Triangle> triangles;
@@ -34,13 +34,13 @@ struct PixelMesh {
   }
 };
 
-/// From `low` to `high`, low < high.
+/// A box from `low` to `high`, low < high.
 struct PixelBounds {
   WindowPoint low;
   WindowPoint high;
 };
 
-/// The viewport and 3 to 12 pixels more on every side.
+/// The viewport, grown by 3 to 12 pixels on every side.
 PixelBounds box_about_viewport(Draw& draw, const cases::Case& c) {
   const cases::Viewport& v = c.viewport;
   const double more = double{draw.uniform(3, 12)};
@@ -50,7 +50,7 @@ PixelBounds box_about_viewport(Draw& draw, const cases::Case& c) {
           {std::max(double{v.x}, x1) + more, std::max(double{v.y}, y1) + more}};
 }
 
-/// Cuts the cells of a grid of points along a diagonal each.
+/// Cuts each cell of a grid of points along a diagonal.
 void add_cells(Draw& draw, PixelMesh& mesh, int columns, int rows) {
   const auto stride = static_cast<std::uint32_t>(columns + 1);
   for (int j = 0; j < rows; ++j) {
@@ -64,8 +64,8 @@ void add_cells(Draw& draw, PixelMesh& mesh, int columns, int rows) {
   }
 }
 
-/// Points moved by a fifth of a cell at most leave cells convex; those of the outline move
-/// outwards.
+/// A grid with points moved by at most a fifth of a cell, so that cells stay convex; points of the
+/// outline move outwards.
 PixelMesh jittered_grid(Draw& draw, const cases::Case& c) {
   PixelMesh mesh;
   const PixelBounds box = box_about_viewport(draw, c);
@@ -89,7 +89,7 @@ PixelMesh jittered_grid(Draw& draw, const cases::Case& c) {
   return mesh;
 }
 
-/// Cells of whole pixels, from a sample on.
+/// A grid with cells of whole pixels and its points on samples.
 PixelMesh grid_on_samples(Draw& draw, const cases::Case& c) {
   PixelMesh mesh;
   const PixelBounds box = box_about_viewport(draw, c);
@@ -137,7 +137,7 @@ void insert_point(Draw& draw, PixelMesh& mesh, std::size_t at) {
   mesh.triangles.push_back({of[2], of[0], p});
 }
 
-/// Cuts an edge, and the triangles on both sides of it in two.
+/// Cuts an edge in two, and also each triangle beside the edge.
 void split_edge(Draw& draw, PixelMesh& mesh, std::size_t at) {
   const int corner = draw.between(0, 2);
   const auto i = static_cast<std::size_t>(corner);
@@ -180,13 +180,14 @@ PixelMesh inserted_points(Draw& draw, const cases::Case& c) {
   return mesh;
 }
 
-/// x or y of either sign, of all vertices.
+/// x, y, −x or −y of a vertex, depending on `which`.
 float coordinate(const cases::ClipVertex& p, int which) {
   const float n = which % 2 == 0 ? p.x : p.y;
   return which < 2 ? n : -n;
 }
 
-/// A clip distance that keeps all, or one half of the screen; a depth that does.
+/// Sometimes sets clip distances that keep everything or half of the screen, or depths that keep
+/// half of it.
 void add_planes(Draw& draw, cases::Case& c) {
   const int kind = draw.between(0, 7);
   const int which = draw.between(0, 3);

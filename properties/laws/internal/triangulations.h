@@ -1,15 +1,16 @@
 #pragma once
 
-// Cases whose triangles fill an outline that holds the whole viewport.
+// Cases whose triangles fill an outline around the whole viewport.
 
 #include "properties/law.h"
 
 namespace rastercheck::properties {
 
-/// A jittered grid with a diagonal of each cell, the same with all vertices on samples, or points
-/// inserted one after the other into triangles and edges; no culling and no depth test. Vertices
-/// are shared, their w positive. Of some all are cut by one plane: z, or a clip distance, is ±x or
-/// ±y at every vertex. Rounding may turn thin triangles round: not every case is what it should be.
+/// A jittered grid with one diagonal per cell, a grid with all vertices on samples, or points
+/// inserted one by one into triangles and edges. No culling and no depth test. Triangles share
+/// vertices; every w is positive. In some cases one plane cuts all triangles: z, or a clip
+/// distance, is ±x or ±y at every vertex. Rounding may flip thin triangles, so not every case is a
+/// proper triangulation.
 Generated triangulated_screen(Draw& draw);
 
 }  // namespace rastercheck::properties

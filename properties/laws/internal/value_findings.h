@@ -1,9 +1,8 @@
 #pragma once
 
-// What laws have in common that say something of values without knowing the exact ones: how far a
-// contract lets floats be off, and, of values that seem to be farther, what the oracle says. Asking
-// it is a thousand times as slow as comparing floats, so a law compares first and asks of offenders
-// alone.
+// For laws that check values without knowing the exact values. Tells how far the contract lets
+// floats be off, and asks the oracle about values that seem farther off. The oracle is a thousand
+// times slower than a comparison of floats, so a law compares first and asks only about offenders.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,19 +17,20 @@
 
 namespace rastercheck::properties {
 
-/// The part of a bound, in ULP, that is not the rounding to float32 at the end. A bound below 1 is
-/// that of a closer result rounded once, which takes half an ulp: with two roundings in float32 it
-/// could not be kept. Of a greater one nobody knows when what was rounded.
+/// The part of a bound, in ULP, without the final rounding to float32. A bound below 1 can only be
+/// met by rounding a more precise result once, and this rounding takes half an ulp; two roundings
+/// in float32 would break the bound. For a greater bound nothing is known about the roundings.
 constexpr double before_rounding(double bound) { return bound < 1 ? bound - 0.5 : bound; }
 
-/// The ends of what a float may be that is within `bound` units of numbers from lo to hi: rounding
-/// is monotone, so that it is no farther than the ends, moved by what is not rounding, rounded. The
-/// sums may be off by a double, and are taken one farther out.
+/// The least and the greatest float within `bound` units of numbers from lo to hi. Rounding is
+/// monotone, so the ends are moved by before_rounding(bound) and rounded. The sums may be off by
+/// one double, so each is moved outwards by one double before it is rounded.
 float least_float(double lo, double bound, double unit);
 float greatest_float(double hi, double bound, double unit);
 
-/// What the oracle says of a value that was drawn where something is required: the numbers that the
-/// contract leaves open, and how far beyond them a float may be. In doubles, none too narrow.
+/// The contract's promise, found by the oracle, for a value at a required sample. The exact value
+/// may be any number from `lo` to `hi`, and a float may be off by `bound`. The doubles are rounded
+/// outwards.
 struct ValuePromise {
   double lo = 0;
   double hi = 0;
@@ -38,7 +38,7 @@ struct ValuePromise {
   double unit = 0;   ///< the scale's ulp
 };
 
-/// Of a drawing: counts what a law has looked at, and asks the oracle.
+/// Counts the values of a drawing that a law has checked, and asks the oracle about values.
 class ValueFindings {
  public:
   ValueFindings(const cases::Case& c, const cases::Contract& contract);
@@ -46,26 +46,27 @@ class ValueFindings {
   const cases::Case& source() const { return *case_; }
   const cases::Contract& contract() const { return *contract_; }
 
-  /// The bound without its share for the horizon: of an attribute, or of the depth.
+  /// The bound for an attribute or the depth, without its share for the horizon.
   const cases::ValueBound& bound_of(std::optional<std::uint32_t> attribute) const;
 
-  /// Whether all of a triangle is one plane wherever the contract lets its vertices be: snapped
-  /// ones that are clipped as well are several.
+  /// True if a triangle is one plane for all vertex positions that the contract allows. A snapped
+  /// triangle that is also clipped consists of several planes.
   bool is_one_plane(std::uint32_t triangle);
-  /// Whether a sample has to be drawn: what is not is a matter of coverage.
+  /// True if a sample must be drawn; other samples are left to laws about coverage.
   bool is_required(const cases::SamplePlace& place);
-  /// Nothing where the sample is not required, or the value undefined or not bounded.
+  /// Returns the promise for a value; nothing if the sample is not required, or if the value is
+  /// undefined or unbounded.
   std::optional<ValuePromise> promise_of(const cases::SamplePlace& place,
                                          std::optional<std::uint32_t> attribute);
 
   void label(const std::string& text) { tally_.label(text); }
-  /// Values that the law has looked at, right or wrong.
+  /// Counts a value that the law has checked, right or wrong.
   void see(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute);
-  /// A wrong one among them. `exact` is what the law expects.
+  /// Reports a wrong value among those counted by see(). `exact` is what the law expects.
   void report(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute, float actual,
               const std::string& exact, const std::string& note);
 
-  /// Says nothing of the case where nothing was seen.
+  /// Returns the check; not applicable if no value was seen.
   Check finish();
 
  private:

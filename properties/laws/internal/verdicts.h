@@ -1,6 +1,6 @@
 #pragma once
 
-// The oracle's answers for laws that ask few of them.
+// The oracle's answers, for laws that ask few questions.
 
 #include <cstdint>
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace rastercheck::properties {
 
-/// Of one case under a contract. Nothing is set up before it is asked for, and of triangles the one
-/// asked about last is kept.
+/// Answers questions about one case under a contract. Sets up nothing before the first question,
+/// and keeps only the last triangle in memory.
 class Verdicts {
  public:
   Verdicts(const cases::Case& c, const cases::Contract& contract)
@@ -27,14 +27,15 @@ class Verdicts {
     return *truth_;
   }
 
-  /// Of a place of the case, asked of this triangle.
+  /// Judges the pixel and sample of `place` for `triangle`, which may differ from place.triangle.
   records::SampleVerdict judge(std::uint32_t triangle, const cases::SamplePlace& place) {
     return truth(triangle).judge(static_cast<int>(place.x), static_cast<int>(place.y),
                                  static_cast<int>(place.sample));
   }
 
-  /// Whether it has no value there: depth, or an attribute's. So it is where values come from the
-  /// exact positions and a snapped triangle covers what has 1/w <= 0, or has no area but for that.
+  /// True if the depth or the attribute has no value at the place. This is possible if values come
+  /// from exact positions and a snapped triangle covers a sample with 1/w <= 0, or has area only
+  /// because of snapping.
   bool is_undefined(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute) {
     const auto x = static_cast<int>(place.x);
     const auto y = static_cast<int>(place.y);
@@ -51,7 +52,7 @@ class Verdicts {
   std::uint32_t triangle_ = 0;
 };
 
-/// How far a contract may move a vertex along an axis, in pixels.
+/// How far a contract may move a vertex along each axis, in pixels.
 inline double placement_reach(const cases::Snapping& grid) {
   const double rounding = grid.rounding == cases::Rounding::unspecified ? 1 : 0.5;
   const double unit = 1 / static_cast<double>(1 << grid.subpixel_bits);

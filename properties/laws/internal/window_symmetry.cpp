@@ -16,7 +16,7 @@ PixelSpan clamped_span(std::int64_t begin, std::int64_t extent, int size) {
 }
 
 float without_last_bits(float value) {
-  // Added to 1.5 · 2^13, float32 are multiples of 2^-10.
+  // Sums with 1.5 · 2^13 are rounded to multiples of 2^-10.
   constexpr float kBeyond = 0x1.8p13F;
   const float sum = value + kBeyond;
   return sum - kBeyond;

@@ -3,14 +3,14 @@
 //
 //   p = (d_a b − d_b a) / (d_a − d_b),
 //
-// for the position and every parameter alike. The formula names the inside end first, whichever way
-// the polygon runs, so that two triangles that share the edge get the same p, bit for bit. It is
-// preferred to a + t (b − a) because it rounds once, at the division, where the products and their
-// difference happen to be exact, as they are on coarse grids.
+// which serves for the position and for every parameter. The formula always takes the inside end
+// first, whichever way the polygon runs, so that two triangles that share the edge get the same p,
+// bit for bit. It is preferred to a + t (b − a) because on coarse grids, where the products and
+// their difference are exact, it rounds only once, at the division.
 //
-// Afterwards one coordinate of p is settled from the plane's own equation, which has no
-// cancellation: z on a depth plane, w on the guard band (where w may be G times smaller than at the
-// ends, and its error from the formula above as many times larger).
+// Afterwards one coordinate of p is recomputed from the plane's own equation, which has no
+// cancellation: z for a depth plane, w for the guard band. On the guard band w may be G times
+// smaller than at the ends, so the formula above would give w a relative error G times larger.
 
 #include "rasterizer/methods/internal/clip_polygon.h"
 
@@ -19,7 +19,8 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// The functional's zero between a and b; exactly their value where they are equal.
+/// Interpolates between a and b to the place where the functional is 0. If a and b are equal,
+/// returns exactly that value.
 double between(double a, double b, double d_a, double d_b) {
   if (a == b) return a;
   return (d_a * b - d_b * a) / (d_a - d_b);
@@ -41,8 +42,8 @@ ClipVertex cut(const ClipVolume& volume, const ClipVertex& a, const ClipVertex& 
   return p;
 }
 
-/// Clips by one plane. distance(vertex) is its functional; settle(p, a) makes a vertex p that was
-/// cut from an edge at a lie on it.
+/// Clips by one plane. distance(vertex) is its functional; settle(p, same_w) moves a vertex p, cut
+/// from an edge, exactly onto the plane; same_w is true if both ends of the edge have the same w.
 template <class Distance, class Settle>
 class ClipPlane {
  public:
@@ -68,7 +69,8 @@ class ClipPlane {
     return true;
   }
 
-  /// Appends what is left of the edge, without its last vertex unless that was cut.
+  /// Appends the vertices that the edge contributes: `a` if it is inside, and the point where the
+  /// plane cuts the edge, if any.
   void clip_edge(const ClipVertex& a, const ClipVertex& b, ClipPolygon& result) const {
     const double d_a = distance_(a);
     const double d_b = distance_(b);
@@ -103,7 +105,7 @@ class ClipPlane {
   Settle settle_;
 };
 
-/// −w or 0 <= z <= w. Their boundary is inside.
+/// Clips to −w <= z <= w (OpenGL) or 0 <= z <= w, boundary included.
 void clip_depth(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& spare) {
   // In units of w: the least depth in the clip volume.
   const double least = volume.convention == Convention::opengl ? -1.0 : 0.0;
@@ -117,8 +119,8 @@ void clip_depth(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& s
       .clip(polygon, spare);
 }
 
-/// Distance >= 0. A zero belongs to the inside in D3D; elsewhere the fill rule decides, so that a
-/// distance and its negative never draw a sample twice.
+/// Clips to distances >= 0. In D3D samples at distance 0 are inside. In the other APIs the fill
+/// rule decides, so that a sample is never drawn both with a distance and with its negative.
 void clip_distances(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& spare) {
   for (std::size_t i = 0; i < volume.distance_count; ++i) {
     ClipPlane(
@@ -129,7 +131,7 @@ void clip_distances(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon
   }
 }
 
-/// ±axis <= G w, on either side of the viewport.
+/// Clips to −axis <= G w and axis <= G w: the guard band on both sides of the viewport.
 void clip_guard_band(const ClipVolume& volume, double ClipVertex::*axis, ClipPolygon*& polygon,
                      ClipPolygon*& spare) {
   for (const double side : {-1.0, 1.0}) {
@@ -159,7 +161,7 @@ bool clip(const ClipVolume& volume, ClipPolygon& polygon, ClipPolygon& spare) {
   if (current != &polygon) polygon = *current;
   if (polygon.size < 2) return false;
   for (std::size_t i = 0; i < polygon.size; ++i) {
-    // Only where x, y and w all but vanish together, and rounding has taken the rest of w.
+    // Happens only if x, y and w almost vanish together and rounding has removed the rest of w.
     if (!(polygon.vertices[i].w > 0)) return false;
   }
   return true;

@@ -38,8 +38,8 @@ void ConvexScan::add_edge(const WindowVertex& from, const WindowVertex& to) {
   least_v_ = std::min(least_v_, from.v);
   greatest_v_ = std::max(greatest_v_, from.v);
   if (from.v == to.v) {
-    // Inward normals are (from.v − to.v, to.u − from.u) where the polygon is positive, so the row
-    // is the least iff its edge runs along u.
+    // If the polygon is positive, inward normals are (from.v − to.v, to.u − from.u), so the edge of
+    // least v is the one that runs towards greater u.
     const bool is_least = (to.u > from.u) == polygon_.positive;
     if (from.closed && is_least != least_v_included_) closed_row_ = from.v;
     return;
@@ -61,8 +61,8 @@ bool ConvexScan::meets(const ScanSpan::Edge& edge, double v) const {
 ScanSpan ConvexScan::span(double v) const {
   ScanSpan span;
   span.v = v;
-  // A row meets one edge of either side. Where rounding has left the sides not quite monotone it
-  // may meet more: then what is inside of all of them.
+  // A row meets one left and one right edge. If rounding has left a side not quite monotone, the
+  // row may meet more edges; the span is then inside all of them.
   for (std::size_t i = 0; i < left_count_; ++i) {
     if (!meets(left_[i], v)) continue;
     const double u = crossing(left_[i], v);

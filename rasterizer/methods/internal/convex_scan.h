@@ -3,29 +3,29 @@
 // Scan conversion of a convex polygon in window space with linear interpolation: along the edges to
 // a row, then along the row's span.
 //
-// Conventions. u to the right and v along window y, in pixels; which way v is displayed is not
-// known here. An edge is left where the inside is to its right (its inward normal has a positive
-// u). A row v meets an edge iff low v <= v < high v, or low v < v <= high v where the fill rule
-// gives the row to the edges of greatest v. A span includes its left end and excludes its right
-// end, unless the edge there is closed. So of two polygons on either side of an edge exactly one
-// owns a sample on it.
+// Conventions. u points right and v along window y, in pixels; whether v is displayed upwards or
+// downwards does not matter here. An edge is a left edge if the inside is to its right (its inward
+// normal has a positive u). Row v meets an edge if v_low <= v < v_high or, if the fill rule
+// includes horizontal edges of greatest v instead of least v, if v_low < v <= v_high. A span
+// includes its left end and excludes its right end, unless the edge there is closed. So a sample on
+// an edge between two polygons belongs to exactly one of them.
 //
-// Crossings are computed from the ends in order of v, so both polygons of an edge get the same
-// bits:
+// Crossings are computed from the ends in order of v, so two polygons that share an edge get
+// identical bits:
 //
-//   u_c = u_low + (v − v_low) (u_high − u_low) / (v_high − v_low), in this order of operations:
+//   u_c = u_low + (v − v_low) (u_high − u_low) / (v_high − v_low), in this order of operations.
 //
-// where the coordinates lie on a grid so coarse that the product is exact (ends within 2^14 pixels
-// on a grid of 2^-10 are), a crossing that lies on the grid comes out exactly, and ties are true
-// ties. Error, u = 2^-53: each difference and the product, quotient and sum round once, so that,
-// first order,
+// If the coordinates lie on a grid so coarse that the product is exact (as with ends within 2^14
+// pixels on a grid of 2^-10), a crossing that lies on the grid is computed exactly, and ties are
+// true ties. Error, u = 2^-53: each difference and the product, quotient and sum round once, so to
+// first order
 //
 //   |δu_c| <= u (5 |u_high − u_low| + |u_c|)  <=  11 u max(|u_low|, |u_high|),
 //
-// as u_c and the difference are within the ends' size and twice that.
+// because |u_c| is at most max(|u_low|, |u_high|), and |u_high − u_low| is at most twice that.
 //
-// A rejected alternative: edges stepped by additions, the fashion of the time. Its error grows with
-// the number of rows.
+// Rejected: stepping along edges by additions, as was usual around 1991, because the error grows
+// with the number of rows.
 
 #include <array>
 #include <cstddef>
@@ -34,11 +34,11 @@
 
 namespace rastercheck::rasterizer {
 
-/// What is interpolated, of doubles or of numbers that count (counted.h).
+/// The interpolated parameters, as doubles or as counting numbers (counted.h).
 template <class T>
 using Parameters = std::array<T, kMaxAttributes + 1>;
 
-/// A place x between two others.
+/// A place x between the places x_a and x_b.
 template <class T>
 struct Place {
   T x{};
@@ -46,16 +46,16 @@ struct Place {
   T x_b{};
 };
 
-/// The line through (x_a, a) and (x_b, b), at x. The weights are differences from the nearer end as
-/// well as from the farther one, so between the ends each has a small relative error and a value of
-/// one sign loses no digits, however different the ends.
+/// Evaluates the line through (x_a, a) and (x_b, b) at x. Each weight is the distance of x from one
+/// of the ends. So between the ends both weights have small relative errors, and if a and b have
+/// one sign the mean loses no digits, however much a and b differ.
 template <class T>
 class Weights {
  public:
   explicit Weights(const Place<T>& place)
       : of_a_(place.x_b - place.x), of_b_(place.x - place.x_a), sum_(place.x_b - place.x_a) {}
 
-  /// Equal ends give exactly their value.
+  /// Returns the value at x. If a and b are equal, returns exactly that value.
   T mean(T a, T b) const {
     if (a == b || sum_ == T(0)) return a;
     return (of_a_ * a + of_b_ * b) / sum_;
@@ -70,9 +70,9 @@ class Weights {
 struct WindowVertex {
   double u = 0;
   double v = 0;
-  Parameters<double> s{};       ///< what is linear in window space
-  Parameters<double> smooth{};  ///< what a method makes of smooth attributes (polygon_drawing.h)
-  bool closed = false;  ///< of the edge to the next vertex: samples exactly on it are inside
+  Parameters<double> s{};       ///< parameters that are linear in window space
+  Parameters<double> smooth{};  ///< a method's parameters for smooth attributes (polygon_drawing.h)
+  bool closed = false;  ///< true if samples exactly on the edge to the next vertex are inside
 };
 
 struct WindowPolygon {
@@ -80,12 +80,12 @@ struct WindowPolygon {
   std::array<WindowVertex, kCapacity> vertices;
   std::size_t size = 0;
   std::size_t parameter_count = 0;
-  /// Whether the vertices turn from the u axis to the v axis.
+  /// True if the vertices turn in the direction from the u axis to the v axis.
   bool positive = true;
 };
 
-/// Where a row is inside: left_u <= u < right_u, or u <= right_u where closed. `left` and `right`
-/// are the edges met; null where none is.
+/// The part of a row inside the polygon: left_u <= u < right_u, or u <= right_u if closed. `left`
+/// and `right` are the edges that the row meets, or nullptr.
 struct ScanSpan {
   struct Edge;
   const Edge* left = nullptr;
@@ -95,7 +95,7 @@ struct ScanSpan {
   double right_u = 0;
 };
 
-/// An edge that is not horizontal, its ends in order of v.
+/// An edge that is not horizontal, with its ends in order of v.
 struct ScanSpan::Edge {
   const WindowVertex* low = nullptr;
   const WindowVertex* high = nullptr;
@@ -109,7 +109,7 @@ struct SpanEnds {
   T right_u{};
   Parameters<T> left{};
   Parameters<T> right{};
-  std::array<Parameters<T>, 2> more{};  ///< for what a method makes of a span (polygon_drawing.h)
+  std::array<Parameters<T>, 2> more{};  ///< a method's own data for a span (polygon_drawing.h)
 };
 
 class ConvexScan {
@@ -122,10 +122,10 @@ class ConvexScan {
 
   ScanSpan span(double v) const;
 
-  /// `span` met two edges.
+  /// Computes the parameters at the ends of `span`, which must have met two edges.
   void set_ends(const ScanSpan& span, SpanEnds<double>& ends) const;
 
-  /// Linear between the ends of a span.
+  /// Interpolates linearly between the ends of a span.
   void interpolate(const SpanEnds<double>& ends, double u, Parameters<double>& s) const;
 
  private:
@@ -138,7 +138,7 @@ class ConvexScan {
   bool least_v_included_;
   double least_v_;
   double greatest_v_;
-  /// The row of a closed horizontal edge that the fill rule alone would leave out.
+  /// The v of a closed horizontal edge that the fill rule alone would exclude; NaN if none.
   double closed_row_;
   Edges left_;
   Edges right_;

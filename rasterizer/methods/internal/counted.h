@@ -1,6 +1,6 @@
 #pragma once
 
-// A double whose arithmetic is counted: what a method costs is read off its own code.
+// A double that counts its arithmetic operations, so that a method's cost is measured on its code.
 
 #include <cstddef>
 
@@ -37,7 +37,7 @@ class Counted {
   friend bool operator>(Counted a, Counted b) { return a.value_ > b.value_; }
   friend bool operator==(Counted a, Counted b) { return a.value_ == b.value_; }
 
-  /// What this thread has counted.
+  /// The operations counted so far on this thread.
   static Operations& tally() {
     static thread_local Operations operations;
     return operations;
@@ -47,7 +47,7 @@ class Counted {
   double value_ = 0;
 };
 
-/// The operations that `work` takes.
+/// Counts the operations of `work`.
 template <class Work>
 Operations count_operations(const Work& work) {
   Operations& tally = Counted::tally();

@@ -1,8 +1,8 @@
 #pragma once
 
-// Parameters as linear functions of homogeneous window coordinates (methods/
-// clipless_homogeneous.cpp), and what is left of them where the three w are equal (methods/
-// equal_w.cpp): formulas for internal/point_drawing.h.
+// Formulas for internal/point_drawing.h: parameters as linear functions of homogeneous window
+// coordinates (methods/clipless_homogeneous.cpp), and their simpler form for triangles whose three
+// w are equal (methods/equal_w.cpp).
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// The vertices' coordinates and values, and sums of the latter times the rows of the adjugate.
+/// Holds the vertices' coordinates and values. Computes the adjugate's rows, and planes from them.
 template <class T>
 class HomogeneousTriangle {
  public:
@@ -28,7 +28,7 @@ class HomogeneousTriangle {
 
   Rows rows() const { return adjugate(columns_); }
 
-  /// Σ r_i (A_i, B_i, C_i) of an attribute.
+  /// Returns Σ r_i (A_i, B_i, C_i) for an attribute.
   Triple<T> plane_of(std::size_t attribute, const Rows& rows) const {
     Triple<T> plane;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -66,7 +66,7 @@ class HomogeneousPlanes : public HomogeneousTriangle<T> {
   Triple<T> one_;
 };
 
-/// r = a u + b v + c, of a triangle whose three w are equal.
+/// r = a u + b v + c, for a triangle whose three w are equal.
 template <class T>
 class UndividedPlanes : public HomogeneousTriangle<T> {
  public:

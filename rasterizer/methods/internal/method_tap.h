@@ -1,7 +1,7 @@
 #pragma once
 
-// What a textbook method shows of itself while it draws, as far as all methods of a kind have it in
-// common (point_drawing.h, polygon_drawing.h): recorded for one sample.
+// Records how a textbook method draws one sample: the stages that all methods of a kind share
+// (point_drawing.h, polygon_drawing.h).
 
 #include <cstddef>
 #include <cstdint>
@@ -23,9 +23,9 @@ class MethodTap {
            sample == static_cast<std::size_t>(address_.sample);
   }
 
-  /// Nothing as long as the triangle is not set up.
+  /// Empty until the triangle is set up.
   std::optional<Trace> trace;
-  /// Of the pixel at hand, until it is known which samples of it are drawn.
+  /// Values of the current pixel, kept until it is known which of its samples are drawn.
   std::vector<TracedValue> attributes;
 
  private:

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/fragment_drawing.h"
 #include "rasterizer/internal/standard_pattern.h"
 #include "rasterizer/methods/internal/method_tap.h"
 #include "rasterizer/methods/internal/window_map.h"
@@ -13,7 +13,8 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// The state for draw_mesh, which draws all but the smooth attributes: these it may copy.
+/// Returns the state for draw_mesh, which draws all attributes except smooth ones. Smooth
+/// attributes are declared flat, and their values are overwritten later.
 State without_smooth(const State& state) {
   State others = state;
   others.snapping.reset();
@@ -59,7 +60,8 @@ class PointDrawing {
   struct Smooth {
     std::size_t attribute = 0;
     Location location = Location::sample;
-    /// Whether all three values are the same zero, whose sign sums may lose.
+    /// True if all three values are the same zero, which is copied because sums may change its
+    /// sign.
     bool is_zero = false;
   };
 
@@ -117,7 +119,7 @@ class PointDrawing {
     }
   }
 
-  /// The fragments of one triangle in one pixel.
+  /// Fills in the fragments of one triangle in one pixel.
   void fill_pixel(std::size_t begin, std::size_t end) {
     const double x = fragments_.x[begin];
     const double y = fragments_.y[begin];

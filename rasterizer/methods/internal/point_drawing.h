@@ -1,10 +1,11 @@
 #pragma once
 
-// What methods share that evaluate smooth attributes at one place of the window at a time, whatever
-// the order: coverage, depth and all other attributes come from draw_fragments; locations are found
-// here; the method has a formula.
+// Shared part of the methods that evaluate smooth attributes at one place of the window at a time,
+// in any order. draw_fragments computes coverage, depth and all other attributes. The code here
+// finds the places at which attributes are evaluated (sample, centre or centroid). The method
+// supplies a formula.
 //
-// A formula is a class template of the number type, so that it runs in double, in float, and with
+// A formula is a class template over the number type, so that it runs in double, in float, and with
 // numbers that count operations (counted.h):
 //
 //   template <class T>
@@ -15,28 +16,30 @@
 //     void at(T u, T v, std::span<T> values) const;                    // once for each place
 //   };
 //
-// Errors, u = 2^-53 (2^-24 of float). The window numerators (RULES §1)
+// Errors, ε = 2^-53 (2^-24 for float). The window numerators (RULES §1)
 //
-//   X_i = x_i W/2 + w_i (x0 + W/2),     Y_i alike,
+//   X_i = x_i W/2 + w_i (x0 + W/2),     Y_i likewise,
 //
-// have two products, the sum x0 + W/2 and one more, so that |δX_i| <= 3 u |X|_i with the sum of
-// magnitudes |X|_i = |x_i W/2| + |w_i| (|x0| + |W/2|); w_i has none. Of the weight's coefficients
+// have two products, the sum x0 + W/2 and one more sum, so that |δX_i| <= 3 ε |X|_i with the sum of
+// magnitudes |X|_i = |x_i W/2| + |w_i| (|x0| + |W/2|); w_i has no error. Each coefficient of the
+// weight E_i,
 //
 //   A_i = Y_j w_k − Y_k w_j,   B_i = w_j X_k − w_k X_j,   C_i = X_j Y_k − X_k Y_j
 //
-// each is off by at most 8 u of the sum of its terms' magnitudes, and E_i = A_i u + B_i v + C_i by
-// 11 u |E|_i, with |E|_i(u, v) the same formula of magnitudes with all signs positive. Let
+// has an error of at most 8 ε times the sum of its terms' magnitudes, and E_i = A_i u + B_i v + C_i
+// has an error of at most 11 ε |E|_i, where |E|_i(u, v) is the same formula with magnitudes in
+// place of numbers and all signs positive. Let
 //
-//   K = Σ |E|_i / Σ E_i        (of what is linear in the window  Σ |w_i| |E|_i / Σ w_i E_i).
+//   K = Σ |E|_i / Σ E_i        (for values linear in the window  Σ |w_i| |E|_i / Σ w_i E_i).
 //
-// A quotient N/D of sums with |δN| <= n u M Σ|E|_i and |δD| <= d u Σ|E|_i, M = max(|r|, max|r_i|),
-// is off by
+// A quotient N/D of sums with |δN| <= n ε M Σ|E|_i and |δD| <= d ε Σ|E|_i, M = max(|r|, max|r_i|),
+// has an error of
 //
-//   |δN − r δD| / (D + δD) + u |r|  <=  2 (n + d) u K M + u M      where d u K <= 1/2,
+//   |δN − r δD| / (D + δD) + ε |r|  <=  2 (n + d) ε K M + ε M      if d ε K <= 1/2,
 //
-// in scale ULP, ulp(M) >= 2^-24 M: 2 (n + d) 2^24 u K + 2^24 u, on top of the rounding to float32.
-// Where d u K is greater the bound is more than 2^24, and nothing is promised. point_bound() is
-// this formula.
+// that is, 2 (n + d) 2^24 ε K + 2^24 ε scale ULP, because ulp(M) >= 2^-24 M. The rounding to
+// float32 comes on top. If d ε K is greater, the bound exceeds 2^24 and nothing is promised.
+// point_bound() is this formula.
 
 #include <array>
 #include <cstddef>
@@ -55,30 +58,30 @@ struct PointVertex {
   double y = 0;
   double w = 0;
   std::array<double, kMaxAttributes> values{};
-  std::uint32_t index = 0;  ///< of the mesh
+  std::uint32_t index = 0;  ///< in the mesh
 };
 
 /// Unit roundoffs.
 inline constexpr double kDoubleRoundoff = 0x1p-53;
 inline constexpr double kFloatRoundoff = 0x1p-24;
 
-/// The bound of a quotient N/D as above, computed with this unit roundoff.
+/// The bound of a quotient N/D as above, computed with the given unit roundoff.
 constexpr MethodBound point_bound(int n, int d, double roundoff) {
   return {.constant = 0.5 + 0x1p24 * roundoff, .per_condition = 2 * (n + d) * 0x1p24 * roundoff};
 }
 
-/// A formula, of any number type.
+/// The interface of a formula, whatever its number type.
 class PointFormula {
  public:
   virtual ~PointFormula() = default;
-  /// `count` values of each vertex are set. The triangle's determinant is not 0.
+  /// Sets `count` values of each vertex. The triangle's determinant must not be 0.
   virtual void set(const std::array<PointVertex, 3>& vertices, std::size_t count) = 0;
   virtual void at(double u, double v, std::span<double> values) const = 0;
 };
 
-/// Appends the fragments of every triangle. A value that comes out as NaN is given as that of the
-/// first vertex: it is one of which nothing is promised. `tap`, unless nullptr, is shown
-/// draw_fragments' own trace, the vertices, and smooth values before they are rounded.
+/// Appends the fragments of every triangle. If a formula computes NaN, the first vertex's value is
+/// stored instead; nothing is promised for such a value. `tap`, unless nullptr, records
+/// draw_fragments' own trace, the vertices, and smooth values before rounding.
 DrawCounts draw_points(const State& state, const Mesh& mesh, const TargetSize& size,
                        PointFormula& formula, Fragments& fragments, MethodTap* tap);
 
@@ -99,7 +102,7 @@ class PointFormulaOf : public PointFormula {
   Formula<T> formula_;
 };
 
-/// DrawFragments of a formula.
+/// Implements DrawFragments for a formula.
 template <template <class> class Formula, class T>
 DrawCounts draw_by_formula(const State& state, const Mesh& mesh, const TargetSize& size,
                            Fragments& fragments, MethodTap* tap) {
@@ -107,10 +110,10 @@ DrawCounts draw_by_formula(const State& state, const Mesh& mesh, const TargetSiz
   return draw_points(state, mesh, size, formula, fragments, tap);
 }
 
-/// A triangle in perspective, w = 1, 2 and 4, with two attributes.
+/// Returns a triangle in perspective, w = 1, 2 and 4, with two attributes.
 std::array<PointVertex, 3> counted_triangle();
 
-/// What a formula takes on a triangle with two attributes.
+/// Counts a formula's operations on a triangle with two attributes.
 template <template <class> class Formula>
 OperationCounts count_formula_on(const std::array<PointVertex, 3>& vertices) {
   constexpr std::size_t kCount = 2;
@@ -125,7 +128,7 @@ OperationCounts count_formula_on(const std::array<PointVertex, 3>& vertices) {
   return counts;
 }
 
-/// Method::operations of a formula.
+/// Implements Method::operations for a formula.
 template <template <class> class Formula>
 OperationCounts count_formula() {
   return count_formula_on<Formula>(counted_triangle());

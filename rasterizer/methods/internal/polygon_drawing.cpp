@@ -22,13 +22,14 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-// Of what is linear in window space at a vertex: z/w, then one for each noperspective attribute.
+// Indices of a vertex's parameters that are linear in window space: z/w, then one for each
+// noperspective attribute.
 constexpr std::size_t kDepth = 0;
 constexpr std::size_t kFirstNoperspective = 1;
 
 using Values = std::array<float, kMaxAttributes>;
 
-/// The nearest float32; beyond them infinity.
+/// Rounds to the nearest float32; infinite if out of range.
 float rounded(double value) {
   static_assert(std::numeric_limits<float>::is_iec559);
   return static_cast<float>(value);
@@ -36,20 +37,20 @@ float rounded(double value) {
 
 int sign(float value) { return (value > 0) - (value < 0); }
 
-/// How the window positions turn for clip positions that turn from x to y.
+/// The orientation, 1 or −1, of window positions whose clip positions turn from x to y.
 int viewport_sign(const State& state) {
   const int turned = state.convention == Convention::d3d ? -1 : 1;
   return turned * sign(state.viewport.size.x) * sign(state.viewport.size.y);
 }
 
-/// Whether the rows belong to the edges of least v: so it is where those are displayed as the rule
-/// says.
+/// True if samples on horizontal edges of least v are inside: the window displays these edges on
+/// the side, top or bottom, that the fill rule includes.
 bool least_v_included(const State& state) {
   const bool v_points_down = state.convention != Convention::opengl;
   return (state.fill_rule == FillRule::top_left) == v_points_down;
 }
 
-/// Window depth from z/w.
+/// Maps z/w to window depth.
 class DepthMap {
  public:
   explicit DepthMap(const State& state)
@@ -57,7 +58,7 @@ class DepthMap {
         far_(state.viewport.max_depth),
         from_minus_one_(state.convention == Convention::opengl) {}
 
-  /// To be rounded.
+  /// The depth before rounding to float32.
   double operator()(double z) const {
     const double fraction = from_minus_one_ ? (z + 1) / 2 : z;
     const double depth = near_ + (far_ - near_) * fraction;
@@ -73,7 +74,7 @@ class DepthMap {
 /// X_a Y_b − X_b Y_a.
 double cross(const Numerators& a, const Numerators& b) { return a.x * b.y - b.x * a.y; }
 
-/// Step 4, of positions.
+/// Step 4, the division by w, for positions.
 void divide(const WindowMap& map, const ClipVertex& from, WindowVertex& to) {
   const Numerators at = map(from.x, from.y, from.w);
   to.u = at.x / from.w;
@@ -82,7 +83,7 @@ void divide(const WindowMap& map, const ClipVertex& from, WindowVertex& to) {
   to.closed = from.closed;
 }
 
-/// The columns of all samples.
+/// Returns the union of the columns of all samples.
 PixelRange columns_of(const DrawBounds& bounds, std::size_t samples) {
   PixelRange columns = bounds.sample_columns[0];
   for (std::size_t i = 1; i < samples; ++i) {
@@ -92,23 +93,23 @@ PixelRange columns_of(const DrawBounds& bounds, std::size_t samples) {
   return columns;
 }
 
-/// What an attribute is made of.
+/// How an attribute is computed.
 struct Source {
   Interpolation interpolation = Interpolation::flat;
   Location location = Location::sample;
-  std::size_t index = 0;  ///< among the smooth or among the noperspective ones
+  std::size_t index = 0;  ///< among the smooth or the noperspective attributes
 };
 
-/// What is found at a place, before it is rounded.
+/// The values at a place, before rounding.
 struct PlaceValues {
   double u = 0;
   double v = 0;
-  bool is_from_plane = false;  ///< of the triangle, and not from a span
+  bool is_from_plane = false;  ///< from the triangle's plane, not from a span
   double depth = 0;
   std::array<double, kMaxAttributes> attributes{};
 };
 
-/// One draw: what stays the same for its polygons, and working memory.
+/// One draw: data shared by its polygons, and working memory.
 class Drawing {
  public:
   Drawing(const State& state, const Mesh& mesh, const TargetSize& size,
@@ -155,20 +156,20 @@ class Drawing {
  private:
   static constexpr std::size_t kMaxSamples = DrawBounds::kMaxSamples;
 
-  /// The samples at `v` and `offset` from the left of their pixels.
+  /// The place of a row of samples: at `v`, and `offset` from the left sides of their pixels.
   struct RowPlace {
     double v = 0;
     double offset = 0;
-    PixelRange columns;  ///< that may be drawn
-    PixelRange window;   ///< that might be without a scissor
+    PixelRange columns;  ///< columns that may be drawn
+    PixelRange window;   ///< columns that might be drawn without a scissor
   };
 
-  /// One row of samples: those with the same index, of one row of pixels.
+  /// One row of samples: all samples with the same index in one row of pixels.
   struct SampleRow {
     double v = 0;
     PixelRange columns;         ///< covered
-    SpanEnds<double> ends;      ///< defined where there are columns
-    SpanEnds<double> smooth{};  ///< the formula's
+    SpanEnds<double> ends;      ///< defined if `columns` is not empty
+    SpanEnds<double> smooth{};  ///< the ends with the formula's parameters
   };
 
   bool has(Location location) const;
@@ -208,23 +209,23 @@ class Drawing {
   std::array<Source, kMaxAttributes> sources_;  ///< [attribute]
   std::size_t smooth_count_ = 0;
   std::size_t noperspective_count_ = 0;
-  std::array<bool, 3> has_location_;  ///< [location]: whether an attribute is evaluated there
+  std::array<bool, 3> has_location_;  ///< [location]: true if an attribute is evaluated there
   int viewport_sign_;
   bool least_v_included_;
   DrawCounts counts_;
 
-  // Of the polygon at hand.
+  // The current polygon.
   std::uint32_t triangle_ = 0;
-  /// The parameters of its vertices are the smooth attributes, then the noperspective ones times w.
+  /// Its vertices' parameters are the smooth attributes, then the noperspective attributes times w.
   ClipPolygon clipped_;
   std::array<ClipVertex, 3> corners_;  ///< before clipping
   ClipPolygon spare_;
   WindowPolygon window_;
   Values flat_{};  ///< [attribute]: the provoking vertex's value
-  /// [attribute]: whether all values are the same zero. Sums and products of zeros may come out as
-  /// the other one.
+  /// [attribute]: true if all values are the same zero, which is copied because sums and products
+  /// may change its sign.
   std::array<bool, kMaxAttributes> is_zero_{};
-  // Of the row of pixels at hand.
+  // The current row of pixels.
   std::array<SampleRow, kMaxSamples> rows_;
   SampleRow center_row_;
 };
@@ -246,7 +247,8 @@ void Drawing::draw_triangle(std::size_t index) {
                viewport_sign_ * determinant_sign(p[0], p[1], p[2]));
 }
 
-/// Of a convex polygon, whose triangles all turn the same way.
+/// Returns the orientation of a convex polygon: that of any of its triangles with area, because all
+/// turn the same way.
 int Drawing::polygon_orientation() const {
   const std::span<const glm::vec4> p = mesh_.positions;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -371,7 +373,7 @@ void Drawing::set_row(const ConvexScan& scan, const RowPlace& place, SampleRow& 
   row.columns = covered(place.columns, place.offset, span.left_u, span.right_u);
   if (row.columns.empty()) return;
   scan.set_ends(span, row.ends);
-  // Where the scissor begins is no business of what a formula does along a span.
+  // A formula's steps along a span must not depend on where the scissor begins.
   const PixelRange whole = covered(place.window, place.offset, span.left_u, span.right_u);
   set_smooth_ends(span, whole.begin + place.offset, row);
 }
@@ -420,7 +422,7 @@ void Drawing::draw_pixel(const ConvexScan& scan, int x, int y) {
   }
 }
 
-/// What is on the span of a row.
+/// Computes the values at u on the span of a row.
 void Drawing::interpolate(const ConvexScan& scan, SampleRow& row, double u, PlaceValues& at) const {
   at.u = u;
   at.v = row.v;
@@ -449,7 +451,7 @@ void Drawing::center_values(const ConvexScan& scan, int x, int y, PlaceValues& a
   }
 }
 
-/// The attributes at a point of the window by the triangle's plane.
+/// Computes the attributes at a point of the window from the triangle's plane.
 void Drawing::extrapolate(double u, double v, PlaceValues& at) const {
   at.u = u;
   at.v = v;
@@ -501,8 +503,9 @@ void Drawing::append(int x, int y, std::size_t sample, const PlaceValues& at,
   if (tap_ != nullptr && tap_->is_at(triangle_, x, y, sample)) show_fragment(at, depth);
 }
 
-/// What the samples of the triangle have in common; window positions only of one that is not
-/// clipped, as a corner that clipping makes has lost where it comes from.
+/// Records in the trace the data that the triangle's samples share. Window positions are recorded
+/// only if the triangle is not clipped, because a corner made by clipping does not store which
+/// vertices it came from.
 void Drawing::show_vertices() const {
   Trace& trace = tap_->trace.emplace();
   const SamplePlace& address = tap_->address();
@@ -542,7 +545,7 @@ void Drawing::show_fragment(const PlaceValues& at, double depth) const {
   trace.attributes = tap_->attributes;
 }
 
-/// Whether clipping changes a triangle and leaves something to draw.
+/// True if clipping changes the triangle and leaves something to draw.
 bool is_clipped(const ClipVolume& volume, const InputTriangle& triangle) {
   const auto& positions = triangle.positions;
   if (determinant_sign(positions[0], positions[1], positions[2]) == 0) return false;

@@ -1,64 +1,69 @@
 #pragma once
 
-// What methods share that clip polygons in clip space and scan-convert what is left of them, steps
-// 1 to 5 of the algorithm of seed 002 §3.5: what is covered, depth, all attributes but smooth ones,
-// and where each is evaluated. A method is a formula: what it puts at a window vertex (step 4), how
-// that runs along edges and along spans, and how the value of an attribute comes out of it (step
-// 5). A formula is a class template of the number type, so that its operations can be counted
-// (counted.h).
+// Shared part of the methods that clip polygons in clip space and scan-convert the result: steps 1
+// to 5 of the algorithm of Heckbert & Moreton 1991, §3.5. The code here computes coverage, depth,
+// locations, and all attributes except smooth ones. The method supplies a formula, which computes
+// its parameters at a window vertex (step 4), interpolates them along edges and along spans, and
+// computes attributes from them (step 5). A formula is a class template over the number type, so
+// that its operations can be counted (counted.h).
 //
-// Depth z / w is affine in window space as it is (seed 002 §3.2, α x + β y + γ). An attribute
-// declared `noperspective` is affine in window space by definition; r_i w is then what is linear in
-// clip space, and s_i = (r_i w) / w, so that clipping does not change it.
+// Depth z / w is affine in window space (Heckbert & Moreton 1991, §3.2, α x + β y + γ). An
+// attribute declared `noperspective` is affine in window space by definition; then r_i w is linear
+// in clip space, and s_i = (r_i w) / w, so that clipping does not change s_i.
 //
 // Window positions. With the viewport (x0, y0, W, H):
 //   u = (x W/2 + w (x0 + W/2)) / w     v = (±y H/2 + w (y0 + H/2)) / w     (− for D3D)
-// Row v of the target is displayed below the others where v points down (Vulkan, D3D), above where
-// it points up (OpenGL). Depth is n + (f − n) z/w; OpenGL: n + (f − n)(z/w + 1)/2; held to the
-// range between n and f, which without depth clamp takes away rounding only.
+// Row v of the target is displayed below the rows of smaller v if v points down (Vulkan, D3D),
+// above them if v points up (OpenGL). Depth is n + (f − n) z/w; OpenGL: n + (f − n)(z/w + 1)/2. It
+// is clamped to the range between n and f, which without depth clamp removes only rounding errors.
 //
-// Facing is the sign of det (X, Y, w), X = u w and Y = v w, which is W H times that of (x, y, w)
-// and found exactly (determinant.h); it needs no w > 0. Zero covers nothing and is counted.
+// Facing is the sign of det(X, Y, w), with X = u w and Y = v w. This determinant is ±W H/4 (− for
+// D3D) times det(x, y, w), whose sign is computed exactly (determinant.h); w > 0 is not needed. A
+// triangle with determinant zero covers nothing and is counted as degenerate.
 //
-// Locations. `sample`: where the fragment's sample lies. `center`: on the span of the centre's row
-// where that covers the centre, otherwise by the plane of s_i, undefined where s_{n+1} <= 0 there.
-// The plane is the whole triangle's, as what clipping left of it may be too thin to carry one. With
-// the centre as origin of window space and e_0 = X_1 Y_2 - X_2 Y_1 and so on,
+// Locations. `sample`: the fragment's sample. `center`: the centre, interpolated on the span of the
+// centre's row if that span covers the centre, otherwise computed from the plane of s_i; undefined
+// if s_{n+1} <= 0 there. The plane is that of the whole triangle, because the clipped part may be
+// too thin to define one. With the centre as origin of window space and e_0 = X_1 Y_2 - X_2 Y_1 and
+// so on,
 //
-//   s_k = (sum of p_ik e_i) / (sum of w_i e_i),   p_ik what is linear in clip space (r, r w, or 1).
+//   s_k = (sum of p_ik e_i) / (sum of w_i e_i),   p_ik linear in clip space (r, r w, or 1).
 //
-// No w_i is divided by, so vertices with w <= 0 are no different. `centroid`: the centre where
-// every sample of the pixel is drawn (viewport included), otherwise the first sample that is.
+// The formula does not divide by w_i, so vertices with w <= 0 need no special case. `centroid`: the
+// centre if every sample of the pixel is drawn (viewport included), otherwise the first drawn
+// sample.
 //
 // Error, first order, u = 2^-53 (rounding to float32, once, comes on top).
 //
-// Vertices. X and Y have at most two roundings of products and sums and one of the division, so
-// they are off by δ <= 2 u (|x W/2w| + |x0 + W/2|) + u |position| pixels; what is divided by w has
-// one rounding, relative u.
+// Vertices. Window positions have at most two roundings of products and sums and one of the
+// division, so their error is δ <= 2 u (|x W/2w| + |x0 + W/2|) + u |position| pixels; quotients by
+// w have one rounding, relative u.
 //
-// Crossings. Off by δ_c <= 11 u max|u_end| (convex_scan.h), besides what the errors of the vertices
-// move the edge. Coordinates reach 2^10 half widths (clip_polygon.h), so a far end costs up to
-// 2^-39 half widths; ends within the target cost some 2^-49 widths.
+// Crossings. The error is δ_c <= 11 u max|u_end| (convex_scan.h), besides the edge's displacement
+// by the errors of the vertices. Coordinates reach 2^10 half widths (clip_polygon.h), so a far end
+// costs up to 2^-39 half widths; ends within the target cost some 2^-49 widths.
 //
-// Means. Along an edge and along a span what is linear is a mean of two ends, five roundings each
-// time, so with the rounding at the vertices |δs_i| <= 11 u max|s_i|. To this comes what the places
-// contribute: an edge that is off by δ carries the values of a row or column δ away, (|∂s_i/∂u| +
-// |∂s_i/∂v|) δ. That has no bound in terms of the triangle's values alone: a sliver d pixels wide
-// has derivatives of about the range of its values over d, so they are off by δ/d of that range.
+// Means. Along an edge and along a span a linear value is a mean of two ends, with five roundings
+// each time. With the rounding at the vertices, |δs_i| <= 11 u max|s_i|. Errors of positions come
+// on top: an edge displaced by δ has values that belong to places δ away, which adds (|∂s_i/∂u| +
+// |∂s_i/∂v|) δ. The triangle's values alone do not bound this error: a sliver d pixels wide has
+// derivatives of about (range of its values)/d, so the error is δ/d of that range.
 //
-// By the plane. δe_0 <= 8 u (|X_1| + |w_1| m) (|Y_2| + |w_2| m) and its mirror, m the distance of
-// the centre from the viewport's middle; then |δr_i| <= 2 max|r_i| (sum of |δe_i|) / |sum of e_i|.
+// By the plane. δe_0 <= 8 u (|X_1| + |w_1| m) (|Y_2| + |w_2| m) plus the same product with 1 and 2
+// exchanged, where m is the distance of the centre from the viewport's middle. Then |δr_i| <= 2
+// max|r_i| (sum of |δe_i|) / |sum of e_i|.
 //
-// Coverage. Wrong only for samples within δ_c, and what the vertices' errors move the edge, of it.
+// Coverage. Wrong only for samples closer to an edge than δ_c plus the edge's displacement by the
+// errors of the vertices.
 //
-// What it does not do: snap positions to a subpixel grid; decide coverage exactly (ties come out
-// right where positions lie on a coarse grid, see convex_scan.h, but not always on an edge that
-// clipping has cut, whose new end is rounded); draw a triangle that touches a clip plane in one
-// point only; keep one whose plane passes through the eye but for roundings, which clipping may
-// lose whole; bound its errors.
+// Not done here: snapping positions to a subpixel grid; deciding coverage exactly (ties are right
+// if positions lie on a coarse grid, see convex_scan.h, but not always on an edge cut by clipping,
+// whose new end is rounded); drawing a triangle that touches the clip volume only in one point;
+// keeping a triangle whose plane passes through the eye up to rounding (clipping may drop it
+// entirely), or bounding its errors.
 //
-// Triangles with a clip distance that is not finite are counted with those that have such a
-// position.
+// Triangles with a clip distance that is not finite are counted as discarded_not_finite, like
+// those with a position that is not finite.
 
 #include <array>
 #include <cstddef>
@@ -71,41 +76,42 @@
 
 namespace rastercheck::rasterizer {
 
-/// A corner of a polygon after clipping: w > 0, and its smooth attributes.
+/// A corner of a polygon after clipping: w, which is > 0, and its smooth attributes.
 template <class T>
 struct ScanVertex {
   T w{};
   std::span<const T> r = {};
 };
 
-/// A formula for smooth attributes, of doubles or of numbers that count.
+/// A formula for smooth attributes, in doubles or in counting numbers.
 template <class T>
 class ScanFormula {
  public:
   virtual ~ScanFormula() = default;
 
-  /// Once for each polygon, before anything else: its vertices, of `count` attributes.
+  /// Called once for each polygon, before anything else, with its vertices, each with `count`
+  /// attributes.
   virtual void set_polygon(std::span<const ScanVertex<T>> /*vertices*/, std::size_t count) {
     count_ = count;
   }
-  /// Step 4: what is interpolated, at a vertex.
+  /// Step 4: computes the interpolated parameters at a vertex.
   virtual void set_vertex(const ScanVertex<T>& vertex, Parameters<T>& s) const = 0;
-  /// Between the ends of an edge.
+  /// Interpolates between the ends of an edge.
   virtual void along_edge(const Place<T>& place, const Parameters<T>& a, const Parameters<T>& b,
                           Parameters<T>& s) const = 0;
-  /// Once for each span, whose first sample in target and viewport is at `first`, whatever the
-  /// scissor: `ends` may become whatever along_span takes.
+  /// Called once for each span; `first` is its first sample inside target and viewport, regardless
+  /// of the scissor. May turn `ends` into any data that along_span uses.
   virtual void set_span(SpanEnds<T>& /*ends*/, T /*first*/) const {}
-  /// At a sample; they come from left to right, a sample possibly more than once.
+  /// Computes the parameters at a sample. Samples come from left to right, possibly repeated.
   virtual void along_span(SpanEnds<T>& ends, T u, Parameters<T>& s) const = 0;
-  /// Step 5: `count` attributes.
+  /// Step 5: computes `count` attributes.
   virtual void values(const Parameters<T>& s, std::span<T> r) const = 0;
 
  protected:
   std::size_t count_ = 0;
 };
 
-/// A formula whose parameters, `parameter_count()` of them, are interpolated linearly.
+/// A formula with `parameter_count()` parameters that are interpolated linearly.
 template <class T>
 class LinearFormula : public ScanFormula<T> {
  public:
@@ -125,18 +131,18 @@ class LinearFormula : public ScanFormula<T> {
   virtual std::size_t parameter_count() const = 0;
 };
 
-/// Of what is linear in the window, whatever the formula: 11 u max|s_i|, and 4 u for each of the
-/// 14 planes that may have cut an edge (clip_polygon.h: two products, a difference, a quotient).
-/// These 67 u are less than 2^-22 scale ULP, as ulp(m) >= 2^-24 m.
+/// Bound of values that are linear in the window, for any formula: 11 u max|s_i|, and 4 u for each
+/// of the 14 planes that may have cut an edge (clip_polygon.h: two products, a difference, a
+/// quotient). These 67 u are less than 2^-22 scale ULP, as ulp(m) >= 2^-24 m.
 inline constexpr MethodBound kScannedLinearBound{.constant = 0.5 + 0x1p-22};
 
-/// Of quotients r_i = s_i / s_{n+1} of two such, |δr_i| <= (|δs_i| + |r_i| |δs_{n+1}|) / s_{n+1} +
-/// u |r_i| <= 135 u max|r_i| g, which is less than 2^-21 g; so centres that are not covered have it
-/// where Claim::perspective is claimed.
+/// Bound of quotients r_i = s_i / s_{n+1} of values with the bound above: |δr_i| <= (|δs_i| + |r_i|
+/// |δs_{n+1}|) / s_{n+1} + u |r_i| <= 135 u max|r_i| g, which is less than 2^-21 g. With
+/// Claim::perspective it also holds for centres that are not covered.
 inline constexpr MethodBound kScannedPerspectiveBound{.constant = 0.5 + 0x1p-22,
                                                       .per_horizon = 0x1p-21};
 
-/// The promise of a formula that claims this of smooth attributes.
+/// Makes the promise of a formula with this claim, and this bound for smooth attributes.
 constexpr Promise scanned_promise(Claim claims, const MethodBound& smooth) {
   return {.claims = claims,
           .scan = ScanKind::scanned,
@@ -144,14 +150,14 @@ constexpr Promise scanned_promise(Claim claims, const MethodBound& smooth) {
           .noperspective = kScannedLinearBound};
 }
 
-/// Appends the fragments of every triangle. Centres that are not covered have the values of what is
-/// claimed. `tap`, unless nullptr, is shown the window vertices of a triangle that is not clipped,
-/// and values before they are rounded.
+/// Appends the fragments of every triangle. Centres outside the polygon get the claimed values.
+/// `tap`, unless nullptr, records the window vertices of a triangle that is not clipped, and values
+/// before rounding.
 DrawCounts scan_triangles(const State& state, const Mesh& mesh, const TargetSize& size,
                           ScanFormula<double>& formula, Claim claims, Fragments& fragments,
                           MethodTap* tap);
 
-/// DrawFragments of a formula that claims Claim::perspective.
+/// Implements DrawFragments for a formula that claims Claim::perspective.
 template <template <class> class Formula>
 DrawCounts scan_triangles_by(const State& state, const Mesh& mesh, const TargetSize& size,
                              Fragments& fragments, MethodTap* tap) {
@@ -159,13 +165,13 @@ DrawCounts scan_triangles_by(const State& state, const Mesh& mesh, const TargetS
   return scan_triangles(state, mesh, size, formula, Claim::perspective, fragments, tap);
 }
 
-/// Appends the fragments of one polygon, as those of triangle 0: the mesh's vertices in their
-/// order, which is convex as seen from the eye and has no attributes but at samples
+/// Appends the fragments of one polygon, as those of triangle 0. The polygon consists of the mesh's
+/// vertices in order, must be convex as seen from the eye, and may have attributes only at samples
 /// (methods/polygon.h).
 DrawCounts scan_polygon(const State& state, const Mesh& mesh, const TargetSize& size,
                         ScanFormula<double>& formula, Fragments& fragments);
 
-/// Method::draw_polygon of a formula.
+/// Implements Method::draw_polygon for a formula.
 template <template <class> class Formula>
 DrawCounts scan_polygon_by(const State& state, const Mesh& mesh, const TargetSize& size,
                            Fragments& fragments, MethodTap* /*tap*/) {
@@ -173,11 +179,12 @@ DrawCounts scan_polygon_by(const State& state, const Mesh& mesh, const TargetSiz
   return scan_polygon(state, mesh, size, formula, fragments);
 }
 
-/// Whether clipping takes a part away from a triangle of the mesh: not all of it.
+/// True if clipping removes a part, but not all, of some triangle of the mesh.
 bool is_any_clipped(const State& state, const Mesh& mesh);
 
-/// Method::operations of a formula: a row between two edges of a triangle in perspective, w = 1, 2
-/// and 4, with two attributes, and on it the step from a pixel to the next.
+/// Implements Method::operations for a formula: counts a row between two edges of a triangle in
+/// perspective, w = 1, 2 and 4, with two attributes, and the step from one pixel of the row to the
+/// next.
 template <template <class> class Formula>
 OperationCounts count_scan() {
   constexpr std::size_t kCount = 2;

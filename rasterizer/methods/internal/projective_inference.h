@@ -1,7 +1,7 @@
 #pragma once
 
-// The steps of "the hard way" to texture coordinates (methods/projective_inference.cpp), of any
-// number type. Matrices multiply row vectors from the right, as seed 002 has it.
+// The steps of "the hard way" to texture coordinates (methods/projective_inference.cpp), for any
+// number type. Matrices multiply row vectors from the right, as in Heckbert & Moreton 1991.
 
 #include <array>
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace rastercheck::rasterizer {
 
-/// A matrix by its rows: texture space (s, t, 1) to object space (x, y, z, 1).
+/// The rows of a matrix that maps texture space (s, t, 1) to object space (x, y, z, 1).
 template <class T>
 using TextureToObject = std::array<std::array<T, 4>, 3>;
 
-/// A matrix by its rows: object space (x, y, z, 1) to homogeneous window coordinates.
+/// The rows of a matrix that maps object space (x, y, z, 1) to homogeneous window coordinates.
 template <class T>
 using ObjectToScreen = std::array<Triple<T>, 4>;
 
@@ -25,8 +25,8 @@ struct TextureTriangle {
   Triple<T> t;
 };
 
-/// The affine map that takes the vertices' texture coordinates to their positions: rows ∂/∂s, ∂/∂t
-/// and the position of (0, 0).
+/// Returns the affine map from the vertices' texture coordinates to their positions. Its rows are
+/// ∂/∂s, ∂/∂t and the position of (0, 0).
 template <class T>
 TextureToObject<T> infer_parameterization(const TextureTriangle<T>& texture,
                                           const std::array<Triple<T>, 3>& positions) {
@@ -49,7 +49,8 @@ TextureToObject<T> infer_parameterization(const TextureTriangle<T>& texture,
   return map;
 }
 
-/// The product of the two, by its rows: texture space to homogeneous window coordinates.
+/// Returns the rows of the product of both matrices, which maps texture space to homogeneous window
+/// coordinates.
 template <class T>
 std::array<Triple<T>, 3> concatenate(const TextureToObject<T>& first,
                                      const ObjectToScreen<T>& second) {
@@ -63,16 +64,16 @@ std::array<Triple<T>, 3> concatenate(const TextureToObject<T>& first,
   return product;
 }
 
-/// The inverse but for a factor, by its columns: they are planes, and (s q, t q, q) their values at
-/// (x, y).
+/// Returns the columns of the inverse, up to a factor: planes whose values at (x, y) are (s q, t q,
+/// q).
 template <class T>
 std::array<Triple<T>, 3> screen_to_texture(const std::array<Triple<T>, 3>& texture_to_screen) {
-  // The columns of the adjugate of a matrix given by its rows are the rows of that of its
-  // transpose.
+  // The matrix is given by its rows. The columns of its adjugate are the rows of its transpose's
+  // adjugate.
   return adjugate(texture_to_screen);
 }
 
-/// (x, y, 1) times that matrix.
+/// Returns (x, y, 1) times the matrix with these columns.
 template <class T>
 Triple<T> transform(const std::array<Triple<T>, 3>& columns, T x, T y) {
   return {plane_at(columns[0], x, y), plane_at(columns[1], x, y), plane_at(columns[2], x, y)};

@@ -1,12 +1,13 @@
 #pragma once
 
-// The arithmetic of float32, 24 bits of significand and rounding to nearest, without the limits of
-// its exponent: what a method makes of that precision where products of clip coordinates are beyond
-// 2^128 or below 2^-126.
+// The arithmetic of float32 (24 bits of significand, rounding to nearest) without the limits of
+// its exponent. For methods whose products of clip coordinates may exceed 2^128 or fall below
+// 2^-126.
 //
-// Results are computed in double and rounded once more. That second rounding is as good as one
-// alone for +, −, × and ÷, because 53 >= 2 · 24 + 2. Nothing over- or underflows as long as nothing
-// does in double; where nothing does in float32 either, the bits are those of float.
+// Results are computed in double and rounded once more. This double rounding equals a single one
+// for +, −, × and ÷, because 53 >= 2 · 24 + 2. A result overflows or underflows only if it does so
+// in double. If no float32 operation would overflow or underflow either, the bits are those of
+// float.
 
 #include <bit>
 #include <cstdint>
@@ -27,8 +28,8 @@ class WideFloat {
   friend bool operator<(WideFloat a, WideFloat b) { return a.value_ < b.value_; }
 
  private:
-  /// To 24 bits, ties to even. A carry runs into the exponent, as it should; infinities and the NaN
-  /// that arithmetic makes stay what they are.
+  /// Rounds to 24 bits, ties to even. A carry into the exponent is correct. Infinities, and the NaN
+  /// that arithmetic produces, are unchanged.
   static double rounded(double value) {
     constexpr int kDropped = 53 - 24;
     constexpr std::uint64_t kHalf = std::uint64_t{1} << (kDropped - 1);

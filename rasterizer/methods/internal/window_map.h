@@ -1,6 +1,6 @@
 #pragma once
 
-// From clip space to homogeneous window coordinates (RULES §1), in double.
+// Maps clip space to homogeneous window coordinates (RULES §1), in double.
 
 #include "rasterizer/rasterizer.h"
 
@@ -21,7 +21,7 @@ class WindowMap {
         center_u_(double{state.viewport.origin.x} + double{state.viewport.size.x} / 2),
         center_v_(double{state.viewport.origin.y} + double{state.viewport.size.y} / 2) {}
 
-  /// Of the clip position (x, y, w), with the window's origin at (u, v) pixels.
+  /// Maps the clip position (x, y, w), with the window's origin at (u, v) pixels.
   Numerators operator()(double x, double y, double w, double u = 0, double v = 0) const {
     return {x * half_width_ + w * (center_u_ - u), y * half_height_ + w * (center_v_ - v)};
   }

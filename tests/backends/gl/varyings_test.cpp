@@ -16,7 +16,8 @@ cases::Attribute attribute(Interpolation interpolation, Location location) {
   return {"a", interpolation, location};
 }
 
-/// The varying that an attribute is in, and the pass of it; fails where it is in none or in two.
+/// The varying that has an attribute, and its pass. Fails if no varying has the attribute, or two
+/// do.
 struct Found {
   const Varying* varying = nullptr;
   std::size_t pass = 0;
@@ -56,7 +57,8 @@ TEST(Varyings, HaveEveryAttributeOnceAsItIsDeclared) {
         EXPECT_EQ(varies.location, all[i].location);
       }
     }
-    // Ten flat ones take three vectors of four, and so three passes of one such vector each.
+    // Ten flat attributes take three vectors of four, and so three passes with one such vector
+    // each.
     const auto with_flat = std::count_if(passes.begin(), passes.end(), [](const Pass& pass) {
       return std::any_of(pass.begin(), pass.end(), [](const Varying& varying) {
         return varying.varies.interpolation == Interpolation::flat && varying.count > 0;
@@ -80,7 +82,7 @@ TEST(Varyings, KeepSamplesApartFromPixels) {
 
 TEST(Varyings, OfNoAttributesAreOnePass) {
   EXPECT_EQ(pack({}, 1, true).size(), 1U);
-  // smooth, noperspective and flat, whose programs are few.
+  // smooth, noperspective and flat, so that programs are few.
   EXPECT_EQ(pack({}, 1, true).front().size(), 3U);
   EXPECT_EQ(pack({}, 1, false).front().size(), 2U);
 }

@@ -44,14 +44,14 @@ layout(location = 0) out vec4 color;
 template <typename T>
 Object upload_buffer(std::span<const T> values) {
   Object buffer = make_buffer();
-  // GL has no empty storage.
+  // GL has no empty buffer storage.
   const T none{};
   const auto bytes = static_cast<GLsizeiptr>(values.empty() ? sizeof none : values.size_bytes());
   glNamedBufferStorage(buffer.name(), bytes, values.empty() ? &none : values.data(), 0);
   return buffer;
 }
 
-/// Makes a vertex's input `location` the `count` floats of the buffer's elements.
+/// Makes vertex input `location` read `count` floats from each element of the buffer.
 void bind_floats(const Object& vertex_array, GLuint location, const Object& buffer, GLint count) {
   const GLuint name = vertex_array.name();
   glVertexArrayVertexBuffer(name, location, buffer.name(), 0,
@@ -109,7 +109,7 @@ Result<Mesh> Mesh::upload(const Context& /*context*/, const MeshView& view) {
 struct Program::Impl {
   DrawState state;
   Object program;
-  Object sampler;  ///< of name 0 where there is no texture
+  Object sampler;  ///< its name is 0 if there is no texture
 };
 
 Program::Program(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -131,8 +131,8 @@ Result<void> Program::draw_frame(const Mesh& mesh, const Target& target) const {
   const DrawState& state = impl_->state;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.shape().width, target.shape().height);
-  // With the lower left as origin, window y and the rows of what is read back go the way of NDC y;
-  // the upper left would turn both over.
+  // With the origin at the lower left, window y and the rows that are read back point the same way
+  // as NDC y. With the origin at the upper left, both would be upside down.
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glDepthRangef(0, 1);
   glDisable(GL_CULL_FACE);
@@ -140,7 +140,7 @@ Result<void> Program::draw_frame(const Mesh& mesh, const Target& target) const {
   glDisable(GL_SCISSOR_TEST);
 
   constexpr std::array<GLfloat, 4> kClearColor = {0, 0, 0, 0};
-  // Clearing heeds the depth mask too.
+  // The depth mask also affects clearing.
   glDepthMask(GL_TRUE);
   glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, kClearColor.data());
   glClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &state.clear_depth);

@@ -14,10 +14,10 @@
 
 namespace rastercheck::backends::gl::bench {
 
-/// Attributes of a vertex that Program interpolates.
+/// The number of attributes of a vertex that Program interpolates.
 inline constexpr std::size_t kAttributes = 2;
 
-/// Indexed triangles in clip space, 0 <= z <= w, as the GPU is to have them.
+/// Indexed triangles in clip space, 0 <= z <= w, as they are handed to the GPU.
 struct MeshView {
   std::span<const cases::ClipVertex> positions;
   std::span<const float> attributes;  ///< [vertex][attribute]
@@ -27,7 +27,7 @@ struct MeshView {
 /// Triangles in the driver's memory.
 class Mesh {
  public:
-  /// Fails where an index is beyond the positions, a vertex has not kAttributes attributes, or
+  /// Fails if an index is beyond the positions, a vertex does not have kAttributes attributes, or
   /// memory runs out.
   static Result<Mesh> upload(const Context& context, const MeshView& view);
 
@@ -43,16 +43,17 @@ class Mesh {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What fragments are made of where they have a texture; their attributes are its coordinates.
+/// How a texture colours fragments, whose attributes are its coordinates.
 struct Texturing {
   const Texture* texture = nullptr;  ///< must outlive the program
   cases::Wrap wrap_s = cases::Wrap::repeat;
   cases::Wrap wrap_t = cases::Wrap::repeat;
   cases::Filter filter = cases::Filter::nearest;
-  std::optional<float> discard_below = {};  ///< fragments with less alpha are not drawn
+  std::optional<float> discard_below = {};  ///< if set, fragments with less alpha are not drawn
 };
 
-/// What becomes of a draw's fragments. `always` without writing is no depth test at all.
+/// How a draw's fragments are tested and blended. `always` without writing depth disables the depth
+/// test.
 struct DrawState {
   cases::DepthFunction depth_function = cases::DepthFunction::less;
   bool writes_depth = true;
@@ -62,8 +63,9 @@ struct DrawState {
   std::optional<Texturing> texturing;
 };
 
-/// Shaders that hand positions through and write both attributes, `smooth`, as red and green, with
-/// blue 0 and the state's alpha; or the texture's colour there. And the state itself.
+/// A draw's state, and shaders that pass positions through. The colour is either the texture's at
+/// the attributes, or the two `smooth` attributes as red and green, with blue 0 and the state's
+/// alpha.
 class Program {
  public:
   static Result<Program> build(const Context& context, const DrawState& state = {});
@@ -72,9 +74,9 @@ class Program {
   Program& operator=(Program&& other) noexcept;
   ~Program();
 
-  /// Clears the target, colour to 0 and depth to the state's, and draws the mesh: every triangle,
-  /// whatever its facing. NDC (−1, −1) is window (0, 0), depth 0…w becomes 0…1: as Vulkan has it.
-  /// Returns when all is drawn.
+  /// Clears the target, its colour to 0 and its depth to the state's, and draws all triangles of
+  /// the mesh, whatever their facing. NDC (−1, −1) is window (0, 0), and depth 0…w becomes 0…1, as
+  /// in Vulkan. Returns when drawing has finished.
   Result<void> draw_frame(const Mesh& mesh, const Target& target) const;
 
  private:

@@ -1,17 +1,17 @@
 #pragma once
 
-// A DrawState in GL's words.
+// Translates a DrawState into GL state.
 
 #include "backends/gl/internal/objects.h"
 #include "tests/bench/gl/draw.h"
 
 namespace rastercheck::backends::gl::bench {
 
-/// For the context that is current.
+/// Set the state in the current context.
 void set_depth_state(const DrawState& state);
 void set_blend_state(cases::Blend blend);
 
-/// A sampler object that reads a texture that way.
+/// A sampler object that reads a texture in this way.
 Object make_sampler(const Texturing& texturing);
 
 }  // namespace rastercheck::backends::gl::bench

@@ -1,6 +1,7 @@
-// rastercheck-bench-gl: draws the scenes of the benchmark through OpenGL for rastercheck-bench,
-// which starts it anew for every configuration of a driver that is read from the environment. It
-// takes a line and answers with one, "ok …" or "error …"; the first answer comes unasked.
+// rastercheck-bench-gl: draws the benchmark's scenes through OpenGL for rastercheck-bench. A new
+// process is started for every configuration of a driver, because drivers read it from the
+// environment. The process reads lines and answers each with one line, "ok …" or "error …". The
+// first answer comes unasked.
 //
 //   (started)     ok RENDERER
 //   scene NAME COLOR SAMPLES [KIND]
@@ -43,7 +44,7 @@ class GlPeer {
  public:
   explicit GlPeer(const gl::Context& context) : context_(&context) {}
 
-  /// What comes after "ok ".
+  /// Returns the text that follows "ok ".
   Result<std::string> answer(const std::string& line) {
     std::istringstream words(line);
     std::string verb;
@@ -97,7 +98,7 @@ class GlPeer {
         frames::Mesh::upload(*context_, {positions, scene->attributes, triangles});
     if (!mesh) return tl::unexpected(mesh.error());
     mesh_ = *std::move(mesh);
-    // The first frame compiles shaders, the second touches memory for the first time.
+    // The first frame compiles shaders, and the second touches memory for the first time.
     return draw(2).map([](const std::string& /*seconds*/) {});
   }
 

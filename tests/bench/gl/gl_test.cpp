@@ -1,5 +1,5 @@
-// The plumbing of backends/gl through Mesa's llvmpipe: that what is asked for is what is drawn and
-// read back. How precise the driver is, is not asked here.
+// Tests the plumbing of backends/gl with Mesa's llvmpipe: the draw is the one that was requested,
+// and the result is the one that was drawn. These tests do not check the driver's precision.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 #include "tests/bench/gl/target.h"
 #include "tests/bench/gl/texture.h"
 
-// Mesa's threads end while LeakSanitizer looks at them, at which its tracer crashes now and then.
+// Mesa's threads end while LeakSanitizer inspects them, and its tracer then crashes now and then.
 extern "C" int __lsan_is_turned_off() { return 1; }
 
 namespace rastercheck::backends::gl::bench::gl_test {
@@ -29,13 +29,13 @@ using cases::ColorFormat;
 
 constexpr int kSize = 16;
 
-/// llvmpipe evaluates planes in float32, as sums of a few terms that on a target of 16 × 16 with
-/// values up to 1 stay below 16: errors of some 2^-20. 2^-16 is generous to that, and far below
-/// what a swapped attribute, a row turned over or a pixel's shift of the viewport make.
+/// llvmpipe evaluates planes in float32, as sums of a few terms that stay below 16 for a target of
+/// 16 × 16 pixels and values up to 1. So errors are about 2^-20. A tolerance of 2^-16 is generous,
+/// and far below the effect of a swapped attribute, an inverted row or a viewport moved by a pixel.
 constexpr float kTolerance = 0x1p-16F;
 
-/// A right triangle, legs along window x and y from (2, 2) to 14, with depth and w the same at all
-/// vertices: attribute 0 is (u − 2)/12, attribute 1 is (v − 2)/12, depth 1/4.
+/// A right triangle with legs along window x and y, from (2, 2) to 14, with the same depth and w at
+/// all vertices. Attribute 0 is (u − 2)/12, attribute 1 is (v − 2)/12, depth is 1/4.
 struct OneTriangle {
   static constexpr float kLow = 2.0F * 2 / kSize - 1;
   static constexpr float kHigh = 2.0F * 14 / kSize - 1;
@@ -48,7 +48,7 @@ struct OneTriangle {
   MeshView view() const { return {positions, attributes, triangles}; }
 };
 
-/// One context for all tests, of llvmpipe without threads of its own.
+/// One llvmpipe context for all tests, without threads of its own.
 class Gl : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -71,7 +71,7 @@ class Gl : public testing::Test {
     }
   }
 
-  /// What a target of that kind holds after a frame of the mesh.
+  /// The content of a target of this shape after a frame of the mesh.
   static Picture draw(const MeshView& view, const TargetShape& shape, const DrawState& state = {}) {
     const Target target = Target::create(*context_, shape).value();
     const Program program = Program::build(*context_, state).value();
@@ -85,15 +85,15 @@ class Gl : public testing::Test {
 std::optional<Context> Gl::context_;
 std::string Gl::reason_;
 
-/// Every sample's colour and depth against the plane, for samples further than a pixel's diagonal
-/// from the triangle's edges; the others may be either.
+/// Compares every sample's colour and depth with the plane. Samples within a pixel's diagonal of
+/// the triangle's edges may be drawn or not.
 void expect_one_triangle(const Picture& picture, float color_tolerance) {
   const int samples = picture.shape.samples;
   std::size_t i = 0;
   int inside = 0;
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
-      // Of samples beside the centre the attributes are off by half a pixel, 1/24, at most.
+      // For samples away from the centre, the attributes differ by up to half a pixel, 1/24.
       const float reach = samples == 1 ? 0 : 1.0F / 24;
       const float u = (static_cast<float>(x) + 0.5F - 2) / 12;
       const float v = (static_cast<float>(y) + 0.5F - 2) / 12;
@@ -123,7 +123,7 @@ TEST_F(Gl, DrawsATriangle) {
 }
 
 TEST_F(Gl, DrawsATriangleInBytes) {
-  // A byte rounds to the nearest of 256 values; where it may not, to one beside it.
+  // A byte rounds to the nearest of 256 values, or to the one beside it.
   expect_one_triangle(draw(OneTriangle().view(), {kSize, kSize, 1, ColorFormat::rgba8}),
                       1.0F / 255);
 }
@@ -131,7 +131,7 @@ TEST_F(Gl, DrawsATriangleInBytes) {
 TEST_F(Gl, ReadsEverySample) {
   const Picture picture = draw(OneTriangle().view(), {kSize, kSize, 4, ColorFormat::float32});
   expect_one_triangle(picture, kTolerance);
-  // Along an edge some pixels have samples on both sides.
+  // Along an edge, some pixels have samples on both sides.
   int split = 0;
   for (std::size_t i = 0; i < picture.depth.size(); i += 4) {
     const auto covered = std::count_if(&picture.depth[i], &picture.depth[i] + 4,
@@ -181,8 +181,8 @@ TEST_F(Gl, ClearsTheTarget) {
   EXPECT_EQ(picture.depth, std::vector(6, 1.0F));
 }
 
-/// A square over the whole target for each of the depths, in that order; attributes are
-/// (s, t) · `texture_size` or, without one, (1/4, 1/2).
+/// A square over the whole target for each of the depths, in that order. Attributes are (s, t) ·
+/// `texture_size` or, without a texture, (1/4, 1/2).
 struct Layers {
   explicit Layers(std::initializer_list<float> depths, float texture_size = 0) {
     for (const float depth : depths) {
@@ -208,7 +208,7 @@ void expect_color(const Color& color, const Color& expected, float tolerance) {
 }
 
 TEST_F(Gl, BlendsInSubmissionOrder) {
-  // A byte rounds after each of two layers.
+  // A byte is rounded after each of the two layers.
   for (const auto& [format, tolerance] :
        {std::pair{ColorFormat::float32, kTolerance}, {ColorFormat::rgba8, 2.0F / 255}}) {
     DrawState state;
@@ -216,7 +216,7 @@ TEST_F(Gl, BlendsInSubmissionOrder) {
     state.writes_depth = false;
     state.alpha = 0.5F;
     Layers layers({0.25F, 0.75F});
-    // The second layer, which lies behind, is of another colour.
+    // The second layer, which lies behind the first, has another colour.
     for (std::size_t i = 8; i < 16; i += 2) layers.attributes[i] = 0.75F;
     state.blend = cases::Blend::over;
     const Picture over = draw(layers.view(), {4, 4, 1, format}, state);
@@ -231,7 +231,7 @@ TEST_F(Gl, BlendsInSubmissionOrder) {
 }
 
 TEST_F(Gl, ComparesDepthsAsAsked) {
-  // What is left of depths 0.5, 0.25, 0.75 and again 0.75, cleared to 0.5.
+  // The depth that remains of 0.5, 0.25, 0.75 and again 0.75, cleared to 0.5.
   using enum cases::DepthFunction;
   const Layers layers({0.5F, 0.25F, 0.75F, 0.75F});
   for (const auto& [function, depth] : {std::pair{always, 0.75F},
@@ -262,7 +262,8 @@ TEST_F(Gl, KeepsTheFirstOfEqualDepthsUnlessAsked) {
   EXPECT_NEAR(draw(layers.view(), {2, 2, 1}, state).color[0][0], 0.75F, kTolerance);
 }
 
-/// 4 × 2 texels, red k/8 and alpha (k mod 2) for texel k, then one of green.
+/// A texture of 4 × 2 texels, where texel k has red k/8 and alpha (k mod 2). Its smaller levels are
+/// green.
 class GlTexture : public Gl {
  protected:
   static constexpr std::uint32_t kGreen = 0xff00ff00;
@@ -291,7 +292,7 @@ class GlTexture : public Gl {
 };
 
 TEST_F(GlTexture, ReadsTheNearestTexelWrapped) {
-  // Two copies along both; a pixel for each texel.
+  // Two copies along both axes, with a pixel for each texel.
   const Layers layers({0.5F}, 2);
   for (const auto& [wrap, columns, rows] :
        {std::tuple{cases::Wrap::repeat, std::array{0, 1, 2, 3, 0, 1, 2, 3}, std::array{0, 4, 0, 4}},
@@ -307,11 +308,12 @@ TEST_F(GlTexture, ReadsTheNearestTexelWrapped) {
 }
 
 TEST_F(GlTexture, FiltersBetweenCentres) {
-  // A driver may keep eight bits of where between two texels it is.
+  // A driver may keep only eight bits of the position between two texels.
   constexpr float kWeight = 1.0F / 256;
   const Picture picture = draw(Layers({0.5F}, 1).view(), {8, 4, 1},
                                state({&*texture_, {}, {}, cases::Filter::bilinear, {}}));
-  // Pixel (3, 2) is at s = 3.5/8, texels 1 and 2 by 3 to 1; t = 2.5/4, rows 0 and 1 by 1 to 3.
+  // Pixel (3, 2) is at s = 3.5/8, which mixes texels 1 and 2 by 3 to 1, and at t = 2.5/4, which
+  // mixes rows 0 and 1 by 1 to 3.
   const float expected =
       0.25F * (0.75F * red(1) + 0.25F * red(2)) + 0.75F * (0.75F * red(5) + 0.25F * red(6));
   EXPECT_NEAR(picture.color[2 * 8 + 3][0], expected, 2 * kWeight);
@@ -319,7 +321,7 @@ TEST_F(GlTexture, FiltersBetweenCentres) {
 }
 
 TEST_F(GlTexture, ReadsLevelsAsTheyWereHandedOver) {
-  // A pixel is two texels wide and high; or four.
+  // A pixel is two texels wide and high, or four.
   const DrawState trilinear = state({&*texture_, {}, {}, cases::Filter::trilinear, {}});
   for (const Picture& picture : {draw(Layers({0.5F}, 1).view(), {2, 1, 1}, trilinear),
                                  draw(Layers({0.5F}, 2).view(), {2, 1, 1}, trilinear)}) {
@@ -362,7 +364,7 @@ TEST_F(Gl, RefusesWhatItCannotDraw) {
   triangle.triangles[0][1] = 3;
   EXPECT_FALSE(Mesh::upload(*context_, triangle.view()));
   EXPECT_FALSE(Mesh::upload(*context_, {triangle.positions, {}, triangle.triangles}));
-  // A refusal leaves nothing behind that the next call would take for its own.
+  // A refusal leaves no error behind that the next call would report as its own.
   expect_one_triangle(draw(OneTriangle().view(), {kSize, kSize, 1}), kTolerance);
 }
 

@@ -5,7 +5,7 @@
 namespace rastercheck::backends::gl::bench {
 namespace {
 
-/// One triangle over the whole target.
+/// Draws one triangle that covers the whole target.
 constexpr const char* kSampleVertexShader = R"(#version 450 core
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1);
@@ -35,7 +35,7 @@ Object make_image(const TargetShape& shape, GLenum format) {
 Result<Picture> read_samples(const TargetShape& shape, GLuint color, GLuint depth) {
   const Result<Object> program = make_program(kSampleVertexShader, kFragmentShader);
   if (!program) return tl::unexpected(program.error());
-  // Depth is copied as a colour, which no depth range or clamp touches.
+  // Depth is copied as a colour, which no depth range or clamp affects.
   const Object colors = make_image(shape, GL_RGBA32F);
   const Object depths = make_image(shape, GL_R32F);
   const Object framebuffer = make_framebuffer();

@@ -6,8 +6,8 @@
 
 namespace rastercheck::backends::gl::bench {
 
-/// The content of a multisampled target's textures, every sample by itself: GL's own copies average
-/// the samples of a pixel.
+/// Reads every sample of a multisampled target's textures. GL's own copies would average the
+/// samples of a pixel.
 Result<Picture> read_samples(const TargetShape& shape, GLuint color, GLuint depth);
 
 }  // namespace rastercheck::backends::gl::bench

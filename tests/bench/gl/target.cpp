@@ -26,7 +26,7 @@ Result<Object> make_target_image(const TargetShape& shape, GLenum format) {
   if (const Result<void> made = check("a target of " + shape_text(shape)); !made) {
     return tl::unexpected(made.error());
   }
-  // A driver may round the number of samples up.
+  // A driver may give more samples than requested.
   GLint samples = 0;
   glGetTextureLevelParameteriv(image.name(), 0, GL_TEXTURE_SAMPLES, &samples);
   if (samples != shape.samples) {

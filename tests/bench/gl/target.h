@@ -10,18 +10,18 @@
 
 namespace rastercheck::backends::gl::bench {
 
-/// What a target is. Its depth is float32 throughout.
+/// The shape of a target, whose depth is always float32.
 struct TargetShape {
   int width = 0;    ///< in pixels
   int height = 0;   ///< in pixels
-  int samples = 1;  ///< of a pixel
+  int samples = 1;  ///< per pixel
   cases::ColorFormat color = cases::ColorFormat::float32;
 };
 
-/// Red, green, blue and alpha; bytes as multiples of 1/255.
+/// Red, green, blue and alpha. Bytes become multiples of 1/255.
 using Color = std::array<float, 4>;
 
-/// A target's content. Row 0 is that of the least window y.
+/// The content of a target. Row 0 has the least window y.
 struct Picture {
   TargetShape shape;
   std::vector<Color> color;  ///< [y][x][sample]
@@ -31,7 +31,8 @@ struct Picture {
 /// Memory to draw into.
 class Target {
  public:
-  /// Fails where the driver has no such size or not exactly this number of samples.
+  /// Fails if the driver does not support the size, or does not give exactly this number of
+  /// samples.
   static Result<Target> create(const Context& context, const TargetShape& shape);
 
   Target(Target&& other) noexcept;
@@ -39,10 +40,10 @@ class Target {
   ~Target();
 
   const TargetShape& shape() const;
-  /// GL's name of its framebuffer object.
+  /// The GL name of the framebuffer object.
   unsigned framebuffer() const;
 
-  /// What was drawn, once that is finished.
+  /// Reads the content when all drawing has finished.
   Result<Picture> read() const;
 
  private:

@@ -68,7 +68,7 @@ struct Frame::Impl {
   SampleReader reader;
   Commands commands;
   PipelineLayout layout;
-  std::map<int, Pipeline> pipelines;  ///< by samples
+  std::map<int, Pipeline> pipelines;  ///< by number of samples
   HostBuffer vertices;
   HostBuffer indices;
   std::uint32_t index_count = 0;

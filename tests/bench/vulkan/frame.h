@@ -1,6 +1,6 @@
 #pragma once
 
-// Whole frames, as programs draw them, to be timed.
+// Whole frames for timing, drawn as programs draw them.
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace rastercheck::backends::vulkan::bench {
 
-/// Attributes of a vertex.
+/// The number of attributes of a vertex.
 inline constexpr std::size_t kFrameAttributes = 2;
 
 /// Indexed triangles in clip space, 0 <= z <= w.
@@ -24,7 +24,7 @@ struct FrameMesh {
   std::span<const cases::Triangle> triangles;
 };
 
-/// What was drawn: colours are the attributes, 0 and 1. Row 0 is that of the least window y.
+/// The picture that was drawn. Colours are the attributes, 0 and 1. Row 0 has the least window y.
 struct FramePicture {
   std::span<const float> color;  ///< [y][x][sample][4]
   std::span<const float> depth;  ///< [y][x][sample]
@@ -33,25 +33,25 @@ struct FramePicture {
 /// A mesh on a device, and a target of float32 colours and depths to draw it into.
 class Frame {
  public:
-  /// By a device as the backend's specification names it, without "vulkan:".
+  /// `device` names the device as in the backend's specification, without "vulkan:".
   static Result<Frame> create(const std::string& device);
 
   Frame(Frame&& other) noexcept;
   Frame& operator=(Frame&& other) noexcept;
   ~Frame();
 
-  /// Device, driver and version of the API, on one line.
+  /// The device, driver and API version, in one line.
   std::string description() const;
 
-  /// In place of the mesh and the target before. Fails where the device lacks the size or the
-  /// number of samples, or memory runs out.
+  /// Replaces the mesh and the target. Fails if the device lacks the size or the number of samples,
+  /// or if memory runs out.
   Result<void> take(const FrameMesh& mesh, const cases::FramebufferSize& size);
 
-  /// Clears and draws what was taken, all triangles whatever their facing, where depth is less.
-  /// NDC (−1, −1) is window (0, 0). Returns when all is drawn.
+  /// Clears the target and draws all triangles of the mesh, whatever their facing, where depth is
+  /// less. NDC (−1, −1) is window (0, 0). Returns when drawing has finished.
   Result<void> draw();
 
-  /// What draw() draws, which is drawn once more; valid until anything else is.
+  /// Draws once more, and returns the picture, which is valid until the next draw.
   Result<FramePicture> read();
 
  private:

@@ -1,7 +1,7 @@
-// rastercheck-bench-vulkan: draws the scenes of the benchmark through Vulkan for rastercheck-bench,
-// which starts it anew for every configuration. RASTERCHECK_BENCH_DEVICE is the device, as behind
-// the colon of the backend `vulkan`; RASTERCHECK_BENCH_CORES on how many cores it may run, on all
-// where it is not set. The first answer comes unasked.
+// rastercheck-bench-vulkan: draws the benchmark's scenes through Vulkan for rastercheck-bench,
+// which starts a new process for every configuration. RASTERCHECK_BENCH_DEVICE names the device, as
+// after the colon of the backend `vulkan`. RASTERCHECK_BENCH_CORES is the number of cores that it
+// may use; if not set, it may use all. The first answer comes unasked.
 //
 //   (started)     ok DESCRIPTION
 //   scene NAME COLOR SAMPLES
@@ -38,7 +38,7 @@ class VulkanPeer {
  public:
   explicit VulkanPeer(vulkan::Frame frame) : frame_(std::move(frame)) {}
 
-  /// What comes after "ok ".
+  /// Returns the text that follows "ok ".
   Result<std::string> answer(const std::string& line) {
     std::istringstream words(line);
     std::string verb;
@@ -72,7 +72,7 @@ class VulkanPeer {
     const Result<void> taken = frame_.take({positions, scene->attributes, triangles},
                                            {scene->size.x, scene->size.y, samples});
     if (!taken) return tl::unexpected(taken.error());
-    // The first frame compiles shaders, the second touches memory for the first time.
+    // The first frame compiles shaders, and the second touches memory for the first time.
     return draw(2).map([](const std::string& /*seconds*/) {});
   }
 
@@ -95,7 +95,8 @@ class VulkanPeer {
   vulkan::Frame frame_;
 };
 
-/// Drivers that count the cores make as many threads all the same, which take turns then.
+/// Limits this process to that many cores. A driver that counts the machine's cores makes as many
+/// threads all the same, which then take turns.
 void keep_to_cores(int count) {
   cpu_set_t all;
   CPU_ZERO(&all);

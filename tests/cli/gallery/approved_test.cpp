@@ -1,11 +1,12 @@
-// The gallery's pictures, and its maps of errors that are to be seen, against approved ones. They
-// are compared by how many pixels differ and by how much, not by bytes: another compiler may round
-// a camera's matrix otherwise, and a sample at an edge then falls to the other side. After a change
-// of a figure look at what is drawn now, then run this program with UPDATE_APPROVED=1.
+// Compares the gallery's pictures, and its maps of visible errors, with approved ones. The
+// comparison is by the number of pixels that differ and by how much, not by bytes: another compiler
+// may round a camera's matrix differently, and a sample at an edge then falls on the other side.
+// After a change of a figure, look at the new pictures, then run this program with
+// UPDATE_APPROVED=1.
 //
-// A sample of four that changes from ink (38) to cream (244) or paper (242) moves a pixel by at
-// most 89 levels, as a pixel is the root of the mean of squares: from 38 to √((3 · 38² + 244²)/4) =
-// 127.
+// If one of a pixel's four samples changes from ink (38) to cream (244) or paper (242), the pixel
+// changes by at most 89 levels, because a pixel is the root of the mean of squares:
+// from 38 to √((3 · 38² + 244²)/4) = 127.
 
 #include <gtest/gtest.h>
 
@@ -28,9 +29,9 @@ using reports::Image;
 
 const std::string kFolder = std::string(RASTERCHECK_SOURCE_DIR) + "/tests/cli/gallery/approved/";
 
-/// Levels that roundings of a colour or of a ramp make.
+/// Largest difference, in levels, that rounding of a colour or of a ramp causes.
 constexpr int kSameLevel = 8;
-/// What samples at edges may change of a picture.
+/// Largest differences of a picture that samples at edges may cause.
 constexpr double kMostShare = 0.005;
 constexpr double kMostMean = 0.25;
 constexpr int kOneSample = 89;
@@ -74,7 +75,7 @@ void expect_approved(const Image& image, const std::string& name, bool is_map) {
   EXPECT_TRUE(is_alike(found)) << file << ": " << found.share << " of all pixels differ, by "
                                << found.mean << " levels in the mean, " << found.worst
                                << " at worst";
-  // A sample more or less may change all of a map's pixel.
+  // One sample more or less may change a pixel of a map completely.
   if (!is_map) {
     EXPECT_LE(found.worst, kOneSample) << file;
   }
@@ -87,18 +88,18 @@ TEST(ApprovedGallery, IsWhatIsDrawn) {
       if (!picture.missing.empty()) continue;
       names.insert(picture.name + ".png");
       expect_approved(picture.picture, picture.name, false);
-      if (picture.scale == &reports::ulp_scale()) continue;  // noise of roundings
+      if (picture.scale == &reports::ulp_scale()) continue;  // shows only rounding noise
       names.insert(picture.name + "-errors.png");
       expect_approved(picture.errors, picture.name + "-errors", true);
     }
   }
-  // Kills: a picture that is no longer drawn.
+  // Kills: an approved picture that is no longer drawn.
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     EXPECT_TRUE(names.contains(entry.path().filename().string())) << entry.path();
   }
 }
 
-// Kills: a comparison that no picture fails.
+// Kills: a comparison that accepts every picture.
 TEST(ApprovedGallery, TellsPicturesApart) {
   for (const auto& [a, b] : {std::pair{"002-2-linear", "002-3-rational-linear"},
                              {"000-6-1-affine", "000-6-1-correct"},

@@ -1,4 +1,4 @@
-// What the figures are to show, by numbers.
+// Numbers that confirm what the figures are meant to show.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using reports::GalleryPicture;
 
-/// Attribute 0 of a drawing with one sample a pixel, by pixel.
+/// Attribute 0 at each pixel of a drawing with one sample per pixel.
 std::map<std::pair<int, int>, double> values_of(const DrawnScene& drawn) {
   std::map<std::pair<int, int>, double> values;
   for (std::size_t i = 0; i < drawn.fragments.size(); ++i) {
@@ -58,9 +58,9 @@ Bends bends_in_the_middle(std::string_view method) {
   return bends;
 }
 
-// Seed 002, figure 2: "discontinuity along horizontal lines passing through the vertices": in a row
-// of a corner the row's end passes to another edge, and the slope of u jumps. Kills: a quad that is
-// drawn as two triangles.
+// Heckbert & Moreton 1991, figure 2: "discontinuity along horizontal lines passing through the
+// vertices": in the row of a corner, the end of the row moves on to another edge, and the slope of
+// u jumps. Kills: a quad that is drawn as two triangles.
 TEST(CheckerboardInPerspective, KinksInTheRowsOfItsCorners) {
   const Bends linear = bends_in_the_middle(kLinearPolygon);
   EXPECT_GT(linear.at_corners, 5 * linear.elsewhere);
@@ -69,7 +69,7 @@ TEST(CheckerboardInPerspective, KinksInTheRowsOfItsCorners) {
   EXPECT_LT(rational.at_corners, 2 * rational.elsewhere);
 }
 
-// Kills: a facing square with w of its own at each vertex, or of a size that rounds.
+// Kills: a facing square whose vertices differ in w, or whose size has to be rounded.
 TEST(AffineAndCorrect, HasNoErrorWhereItFaces) {
   const GalleryPicture facing = picture_of("000-6-1-facing");
   EXPECT_EQ(facing.worst, 0);
@@ -77,8 +77,8 @@ TEST(AffineAndCorrect, HasNoErrorWhereItFaces) {
   EXPECT_GT(picture_of("000-6-1-affine").worst, 8);
 }
 
-// What is drawn in perspective is off by its roundings only, everywhere. Kills: scenes that are
-// judged as another method's, an error map that leaves out pixels.
+// Pictures drawn with perspective correction have rounding errors only. Kills: scenes judged
+// against another method; an error map that leaves out pixels.
 TEST(Gallery, IsWithinOneUlpWherePerspectiveIsMeant) {
   int maps = 0;
   for (const reports::GalleryFigure& figure : small_gallery()) {
@@ -93,7 +93,7 @@ TEST(Gallery, IsWithinOneUlpWherePerspectiveIsMeant) {
   EXPECT_GE(maps, 8);
 }
 
-/// u at the middle of the rectangle, which lies where four pixels of the picture meet: their mean.
+/// u at the middle of the rectangle: four pixels of the picture meet there, and u is their mean.
 double u_in_the_middle(std::string_view method, double roll) {
   const Canvas canvas{160, 1};
   const DrawnScene drawn =
@@ -107,8 +107,8 @@ double u_in_the_middle(std::string_view method, double roll) {
   return sum / 4;
 }
 
-// Kills: a strip whose frames are turned pictures, and a linear quad that is two triangles, which a
-// roll only turns.
+// Kills: a strip whose frames are one picture, turned; a linear quad drawn as two triangles, which
+// a roll only turns.
 TEST(CameraRoll, ChangesTheLinearQuadAndNoOther) {
   double least = 1;
   double most = 0;
@@ -121,7 +121,7 @@ TEST(CameraRoll, ChangesTheLinearQuadAndNoOther) {
   EXPECT_GT(most - least, 0.05);
 }
 
-/// The worst errors of figure 4's curves, in texels; 0 of one without points.
+/// The worst errors of figure 4's curves, in texels; 0 for a curve without points.
 std::vector<double> worst_of_curves() {
   std::vector<double> worst;
   for (const reports::GalleryFigure& figure : small_gallery()) {
@@ -136,13 +136,13 @@ std::vector<double> worst_of_curves() {
   return worst;
 }
 
-/// The greatest error of a linear edge, in texels of a range of 1 (derived in
+/// The greatest error of a linearly interpolated edge, in texels, if u has a range of 1 (derived in
 /// rasterizer/methods/screen_linear.cpp).
 double linear_error(double ratio) { return 256 * (std::sqrt(ratio) - 1) / (std::sqrt(ratio) + 1); }
 
-// Seed 002, figure 4, with w from 1 to 8. Two polygons meet at u = 1/2 and w = 4 1/2, and the
-// nearer one is farther off, by half of the range. Kills: a piece of another size, a curve that is
-// not drawn.
+// Heckbert & Moreton 1991, figure 4, with w from 1 to 8. Two polygons meet at u = 1/2 and w = 4
+// 1/2. The nearer one has the larger error: that of the ratio 4 1/2, over half of u's range. Kills:
+// a piece of another size; a curve that is not drawn.
 TEST(UOfX, MissesByWhatTheRatioOfDistancesSays) {
   const std::vector<double> worst = worst_of_curves();
   ASSERT_EQ(worst.size(), 4U);
@@ -158,8 +158,8 @@ TEST(Cube, IsLessThanAThirdAsWrongInEightTrianglesAFace) {
   EXPECT_LT(picture_of("004-cube-subdivided").worst, picture_of("004-cube-linear").worst / 3);
 }
 
-/// How far colours part at the joint, in levels: the greatest difference between pixels on both
-/// sides of the picture's middle column.
+/// How much the colours differ at the joint, in levels: the greatest difference between pixels on
+/// the two sides of the picture's middle column.
 int gap_at_joint(const GalleryPicture& picture) {
   int gap = 0;
   const int middle = picture.picture.width / 2;
@@ -171,7 +171,7 @@ int gap_at_joint(const GalleryPicture& picture) {
   return gap;
 }
 
-// Seed 004, slide 17. Kills: a joint whose T has a vertex on both sides.
+// MIT 6.837 2000, lecture 18, slide 17. Kills: a T-joint with a vertex on both of its sides.
 TEST(Gouraud, PartsAtTheJointUnlessInPerspective) {
   EXPECT_GT(gap_at_joint(picture_of("004-gouraud-linear")), 30);
   EXPECT_LE(gap_at_joint(picture_of("004-gouraud-correct")), 1);

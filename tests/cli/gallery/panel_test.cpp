@@ -21,7 +21,7 @@ Shader red() {
   return [](std::uint32_t, std::span<const float>) -> std::optional<Color> { return kRed; };
 }
 
-/// All of 32 · 32 pixels, u and v their positions as shares.
+/// A square that fills all 32 · 32 pixels; u and v run from 0 to 1 across it.
 DrawnScene square(int samples = 1) {
   cases::Case scene = empty_textured_scene({32, samples});
   scene.positions = {{-1, -1, 0.5, 1}, {1, -1, 0.5, 1}, {1, 1, 0.5, 1}, {-1, 1, 0.5, 1}};
@@ -50,11 +50,11 @@ TEST(JudgedPicture, ShowsWhatIsExactWithoutErrors) {
   EXPECT_EQ(picture.errors, reports::Image::filled(32, 32, reports::texel_scale().ramp.front()));
 }
 
-/// Errors are given by certified upper ends.
+/// Relative slack: errors are reported by their certified upper ends.
 constexpr double kAbove = 1e-9;
 
-// 3/256 are three texels, and 3/256 / 2^-23 = 98304 scale ULP, M being 1. Kills: units of another
-// scale, another texture's size.
+// 3/256 is three texels, and 3/256 / 2^-23 = 98304 scale ULP, where M is 1. Kills: units of another
+// scale; the size of another texture.
 TEST(JudgedPicture, MeasuresErrorsInItsUnit) {
   DrawnScene drawn = square();
   const std::size_t at = fragment_at(drawn, 5, 9);
@@ -84,7 +84,8 @@ TEST(JudgedPicture, ShowsWhatIsMissing) {
   EXPECT_EQ(picture.picture.at(20, 3), reports::kUndrawn);
 }
 
-// Seed 004, slide 19. Kills: depth left by what is not drawn, errors of what is not seen.
+// MIT 6.837 2000, lecture 18, slide 19. Kills: depth written by fragments that are not drawn;
+// errors of fragments that are not visible.
 TEST(JudgedPicture, LeavesWhatIsBehindATransparentFragment) {
   cases::Case scene = empty_textured_scene({32, 1});
   for (const float z : {0.25F, 0.75F}) {
@@ -135,7 +136,7 @@ TEST(StripOf, PutsFramesSideBySide) {
   EXPECT_EQ(strip.picture.at(32, 0), (Color{1, 2, 3}));
 }
 
-// Kills: a texture that is mirrored below 0, one that begins anew at 1 − 2^-24.
+// Kills: a texture that is mirrored below 0; a texture that starts again at 1 − 2^-24.
 TEST(Tiles, RepeatBelowZeroAndFarAway) {
   const Shader tile = tiles();
   for (const float u : {0.05F, 0.35F, 0.7F, 0.97F}) {

@@ -9,7 +9,7 @@
 
 namespace rastercheck::gallery {
 
-/// Whole pixels for all that has to lie in such (Canvas), and small.
+/// A small canvas on which everything that must lie on whole pixels still does.
 inline constexpr Canvas kSmall{160, 4};
 
 /// The gallery on that canvas, drawn once for all tests of a process.
@@ -18,7 +18,7 @@ inline const std::vector<reports::GalleryFigure>& small_gallery() {
   return drawn;
 }
 
-/// A picture by its name; nothing drawn where there is none.
+/// The picture of this name; an empty picture if none has it.
 inline reports::GalleryPicture picture_of(const std::string& name) {
   for (const reports::GalleryFigure& figure : small_gallery()) {
     for (const reports::GalleryPicture& picture : figure.pictures) {

@@ -10,8 +10,8 @@ using rastercheck::Result;
 
 class MyRasterizer : public backends::Backend {
  public:
-  // What it promises: it knows no subpixel grid, ties go by the case's rule, and values are within
-  // 0.51 units in the last place.
+  // Promises no subpixel grid, ties decided by the case's rule, and values within 0.51 units in the
+  // last place.
   cases::Contract promise(const cases::Case& c) const override {
     cases::Contract promised;
     promised.tie_rule = c.fill_rule;
@@ -20,7 +20,7 @@ class MyRasterizer : public backends::Backend {
   }
 
  protected:
-  // The fragments of the case's triangles. Here yours would be asked; this one asks `cpu`.
+  // Draws the case's triangles. Yours would call your rasterizer here; this example calls `cpu`.
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     cases::Case without_grid = c;
     without_grid.coverage.reset();

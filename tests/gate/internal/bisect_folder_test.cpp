@@ -39,7 +39,7 @@ TEST(BisectFolder, WithANameStays) {
   EXPECT_TRUE(fs::exists(path + "/file"));
 }
 
-// Kills: what a refusal leaves behind, so that the next bisection is refused for it.
+// Kills: leaving files behind after a refusal, for which the next bisection would be refused.
 TEST(BisectFolder, IsAsItWasOnceItIsDiscarded) {
   const TemporaryFolder temporary;
   fs::create_directories(temporary.path("there/empty"));
@@ -64,7 +64,7 @@ TEST(BisectFolder, IsAsItWasOnceItIsDiscarded) {
   EXPECT_TRUE(fs::exists(temporary.path("new/of-others")));
 }
 
-// Kills: cases of another commit; copies of what no commit changes.
+// Kills: drawing cases of another commit; copying files that no commit changes.
 TEST(BisectFolder, CopiesWhatThePlanNamesOfTheWorkTree) {
   const TemporaryFolder temporary;
   temporary.put("tree/corpus/deep/case.json", "{}");

@@ -50,7 +50,7 @@ TEST(CommitDrawing, OnlyLawsKeepsWhatFrozenCasesGave) {
   EXPECT_TRUE(only.counterexamples.empty());
 }
 
-// --- Building and drawing, by commands that say what they are given ------------------------------
+// --- Building and drawing, by commands that print their arguments --------------------------------
 
 class DrawCommit : public testing::Test {
  protected:
@@ -58,7 +58,7 @@ class DrawCommit : public testing::Test {
     plan_.folder = folder_.path();
     plan_.plan = {7, 12, {"cpu", "plugin:./p.so"}, {}, {"a law"}};
   }
-  /// `run` is a script in the place of the program.
+  /// `run` is a script that takes the place of the program.
   std::string failure(const std::string& build, const std::string& run) {
     folder_.put("program", "#!/bin/sh\n" + run + "\n");
     fs::permissions(folder_.path("program"), fs::perms::owner_all);
@@ -78,7 +78,7 @@ TEST_F(DrawCommit, SaysWhatFailed) {
   EXPECT_EQ(failure("true", "echo rastercheck: there is none; exit 2"),
             "rastercheck run: ended with exit code 2; it said: rastercheck: there is none");
   EXPECT_THAT(failure("true", "exit 130"), HasSubstr("ended with exit code 130"));
-  for (const char* code : {"0", "1", "5"}) {  // it has judged, and left nothing here
+  for (const char* code : {"0", "1", "5"}) {  // it judged, but left no run.json
     EXPECT_THAT(failure("true", std::string("exit ") + code), HasSubstr("abc/run.json: cannot"));
   }
 }

@@ -25,7 +25,8 @@ TEST(OutsideCommand, HasNoInputAndAddsWhatItSaysToTheLog) {
   EXPECT_EQ(folder.content("output"), "three\n");
 }
 
-// Kills: a command that outlives the one that started it; a wait for what never ends.
+// Kills: a command that outlives the process that started it; waiting for a command that never
+// ends.
 TEST(OutsideCommand, IsEndedWithWhatItStarted) {
   const TemporaryFolder folder;
   OutsideRun how;

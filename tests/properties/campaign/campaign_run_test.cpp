@@ -19,7 +19,7 @@ using testing::SizeIs;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
-/// A campaign of 25 random cases that fail, into a folder of its own.
+/// A campaign of 25 random cases that all fail, in a temporary folder.
 class CampaignRunTest : public testing::Test {
  protected:
   CampaignRunTest() {
@@ -30,7 +30,7 @@ class CampaignRunTest : public testing::Test {
   CampaignRun run(const Checkpoint& start) {
     return {start, folder_.path(), 0, [this](const Error& error) { warnings_.push_back(error); }};
   }
-  /// Runs tasks here, until `most` are done, and the first cases of one more.
+  /// Runs tasks in this process until `most` are done, and then the first cases of one more task.
   Execute execute(std::size_t most = 1000) {
     return [this, most](const std::vector<Task>& tasks, const TaskDone& done) {
       std::size_t count = 0;
@@ -54,7 +54,8 @@ class CampaignRunTest : public testing::Test {
   std::vector<Error> warnings_;
 };
 
-// Kills: what is done and not kept, or kept and not done.
+// Kills: findings of finished tasks that are not kept; kept findings of tasks that are not
+// finished.
 TEST_F(CampaignRunTest, KeepsWhatIsDoneAndGoesOn) {
   CampaignRun whole = run(start_);
   ASSERT_TRUE(whole.begin());
@@ -97,7 +98,8 @@ TEST_F(CampaignRunTest, KeepsACounterexampleAtOnce) {
   ASSERT_TRUE(run_here.check_cases(and_look, {}));
 }
 
-// Kills: half of a search in the place of the whole one that would follow.
+// Kills: an interrupted search for a smaller case, kept in place of the complete search that would
+// follow.
 TEST_F(CampaignRunTest, KeepsWhatIsShrunkUnlessItWasCutShort) {
   CampaignRun run_here = run(start_);
   ASSERT_TRUE(run_here.check_cases(execute(), {}));
@@ -120,7 +122,7 @@ TEST_F(CampaignRunTest, KeepsWhatIsShrunkUnlessItWasCutShort) {
   EXPECT_EQ(kept().findings, rest.findings());
 }
 
-// Kills: a scene that counts twice in a run that goes on.
+// Kills: a scene that is counted twice in a resumed run.
 TEST_F(CampaignRunTest, LeavesTheSceneOutOfTheCheckpoint) {
   CampaignRun run_here = run(start_);
   Findings scene;
@@ -132,7 +134,7 @@ TEST_F(CampaignRunTest, LeavesTheSceneOutOfTheCheckpoint) {
   EXPECT_THAT(kept().findings.records, IsEmpty());
 }
 
-// Kills: a fault of the oracle that the next run goes on from.
+// Kills: a fault of the oracle from which the next run continues.
 TEST_F(CampaignRunTest, EndsAtAFault) {
   CampaignRun run_here = run(start_);
   int tasks_done = 0;
@@ -153,7 +155,7 @@ TEST_F(CampaignRunTest, EndsAtAFault) {
   EXPECT_THAT(kept().is_done, testing::Each(false));
 }
 
-// Kills: a warning for each of ten thousand tasks.
+// Kills: one warning for each of ten thousand tasks.
 TEST_F(CampaignRunTest, WarnsOnceWhereItCannotWrite) {
   std::filesystem::create_directories(folder_.path("unfinished.json"));
   CampaignRun run_here = run(start_);

@@ -25,7 +25,7 @@ using testing::SizeIs;
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 constexpr const char* kValues = "values-stay-within-the-bound";
 
-/// Says that the oracle has failed from the case with index 3 on.
+/// The id of a law that reports a fault of the oracle from the case with index 3 on.
 constexpr const char* kFaultyLaw = "a-law-of-this-test-with-a-fault";
 
 Generated generate_square(Draw& /*draw*/) { return {square(), "square"}; }
@@ -72,7 +72,7 @@ TEST(TasksOf, IsEmptyWithoutCases) {
   EXPECT_THAT(tasks_of({1, 0, {"cpu"}, {"law"}}, 0), IsEmpty());
 }
 
-// Kills: an index that overflows, and a list that fills the memory.
+// Kills: an index that overflows; a list that fills the memory.
 TEST(TasksOf, TakesAnyNumberOfCases) {
   constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
   const std::vector<Task> tasks = tasks_of({1, kAll, {"cpu"}, {"law"}}, 0);
@@ -86,7 +86,7 @@ TEST(TasksOf, TakesAnyNumberOfCases) {
   EXPECT_EQ(next, kAll);
 }
 
-/// Which shard has each case, by backend, law, kind and index.
+/// The shard of each case, by backend, law, kind and index.
 using Place = std::tuple<std::string, std::string, TaskKind, std::uint64_t>;
 std::map<Place, std::uint64_t> dealt_out(records::Plan options, std::size_t corpus_size,
                                          std::uint64_t count) {
@@ -103,7 +103,7 @@ std::map<Place, std::uint64_t> dealt_out(records::Plan options, std::size_t corp
   return shards;
 }
 
-// Kills: a case in two shards or in none; blocks of laws.
+// Kills: a case in two shards or in none; shards that each have only some of the laws.
 TEST(TasksOf, ShardsHaveEachCaseOnceAndOfEachLawAsMany) {
   const records::Plan options{1, 100, {"cpu", "damaged"}, {"one law", "another", "a third"}};
   for (const std::uint64_t count : std::array<std::uint64_t, 7>{1, 2, 7, 50, 64, 100, 700}) {
@@ -118,7 +118,8 @@ TEST(TasksOf, ShardsHaveEachCaseOnceAndOfEachLawAsMany) {
       }
     }
     const std::uint64_t all = shards.size();
-    // A task more or less of each kind, law and backend, where these have any to give.
+    // Shards may differ by one task for each kind, law and backend, unless these have fewer tasks
+    // than shards.
     const std::uint64_t task = std::max<std::uint64_t>(1, std::min<std::uint64_t>(10, 25 / count));
     for (std::uint64_t index = 1; index <= count; ++index) {
       EXPECT_GE(cases[index] + 12 * task, all / count) << count;
@@ -130,7 +131,7 @@ TEST(TasksOf, ShardsHaveEachCaseOnceAndOfEachLawAsMany) {
   }
 }
 
-// Kills: a shard that has the smallest cases of all laws, and another that has the largest.
+// Kills: a shard that has the smallest cases of all laws, and another shard that has the largest.
 TEST(TasksOf, ShardsBeginEachLawElsewhere) {
   const records::Plan options{1, 10, {"cpu"}, {"one law", "another", "a third"}};
   const auto shards = dealt_out(options, 0, 10);
@@ -143,7 +144,7 @@ TEST(TasksOf, AShardMayHaveNothingToDo) {
   EXPECT_THAT(dealt_out({1, 1, {"cpu"}, {"law"}}, 0, records::kMostShards), SizeIs(1));
 }
 
-// Kills: an index that overflows, and a list that fills the memory, of shards.
+// Kills: with shards, an index that overflows or a list that fills the memory.
 TEST(TasksOf, ShardsTakeAnyNumberOfCases) {
   records::Plan options{1, std::numeric_limits<std::uint64_t>::max(), {"cpu"}, {"law"}};
   for (const std::uint64_t count : {std::uint64_t{2}, records::kMostShards}) {
@@ -160,7 +161,7 @@ TEST(TaskRunner, NamesWhatThereIsNot) {
             "no law: no law has this id");
   EXPECT_EQ(to_string(runner.run({"cpu", kCoverage, TaskKind::corpus, 0, 2}).error()),
             "the corpus: has fewer cases than a task asks for");
-  for (int twice = 0; twice < 2; ++twice) {  // a failure is not kept in a backend's place
+  for (int twice = 0; twice < 2; ++twice) {  // a failure is not cached instead of a backend
     EXPECT_THAT(to_string(runner.run({"gpu", kCoverage, TaskKind::random, 0, 1}).error()),
                 HasSubstr("gpu: no backend of that name"));
   }
@@ -174,7 +175,7 @@ TEST(TaskRunner, StopsAtAFault) {
   EXPECT_EQ(findings.records.begin()->second.cases.checked, 4U);
 }
 
-// Kills: work that goes on although its results are worth nothing.
+// Kills: work that goes on although its results are no longer wanted.
 TEST(RunTasks, StopsWhereNoMoreAreWanted) {
   TaskRunner runner({.seed = 1}, {});
   const std::vector<Task> tasks = tasks_of({1, 40, {"cpu"}, {kFaultyLaw}}, 0);
@@ -195,7 +196,7 @@ TEST(RunTasks, TellsOfEveryTask) {
   EXPECT_THAT(told, ElementsAre(0, 1, 2));
 }
 
-// Kills: an interrupt that is heard when all is done.
+// Kills: an interrupt that is noticed only when everything is done.
 TEST(RunTasks, EndsWhenAsked) {
   TaskRunner runner({.seed = 1}, {square()});
   int told = 0;
@@ -207,7 +208,7 @@ TEST(RunTasks, EndsWhenAsked) {
 
 // --- Merging -------------------------------------------------------------------------------------
 
-/// A campaign that finds something: more counterexamples than are kept, of some laws none.
+/// A campaign that finds more counterexamples than are kept, but none for some laws.
 const records::Plan kSmall{7, 12, {"cpu", "damaged"}, {kCoverage, kValues}};
 
 std::vector<cases::Case> small_corpus() {
@@ -238,12 +239,13 @@ TEST(Campaign, HasSomethingToFind) {
   EXPECT_EQ(one.source.name, "one");
   EXPECT_EQ(one.source.found,
             (cases::Found{kCoverage, "damaged", "missing", 7, 0, "coverage", "ordinary"}));
-  // Of two laws and two backends, the three cases of the corpus and twelve random ones.
+  // Two laws, two backends, three cases of the corpus and twelve random ones.
   ASSERT_TRUE(whole.cases);
   EXPECT_THAT(*whole.cases, SizeIs(4 * (3 + 12)));
 }
 
-// Kills: records or counterexamples that depend on which process did what, or who was ready first.
+// Kills: records or counterexamples that depend on which process checked what, or which was ready
+// first.
 RC_GTEST_PROP(Campaign, IsTheSameHoweverItIsSplit, ()) {
   static const Findings kWhole = whole_campaign();
   static const std::vector<Findings> kSingle = [] {
@@ -279,7 +281,8 @@ RC_GTEST_PROP(Campaign, IsTheSameHoweverItIsSplit, ()) {
 
 // --- Labels --------------------------------------------------------------------------------------
 
-/// The law's cases: so many of a stratum were checked, and so many reached "tie".
+/// Records of the law: `checked` cases of a stratum were checked, and `reached` of them had the
+/// label "tie".
 records::RecordSet ties(const std::string& law, const std::string& stratum, std::uint64_t checked,
                         std::uint64_t reached) {
   records::RecordSet records;
@@ -291,8 +294,8 @@ records::RecordSet ties(const std::string& law, const std::string& stratum, std:
   return records;
 }
 
-// Kills: a label that is reached in the corpus or a scene alone, and counts; one that is missing
-// and does not; one asked of a backend that leaves open what it says.
+// Kills: counting labels that are reached only in the corpus or a scene; ignoring a label that is
+// missing; requiring a label from a backend whose contract leaves open what the label is about.
 TEST(UnreachedLabels, AreThoseOfRandomCases) {
   const std::string law = "coverage-obeys-the-contract";
   records::Plan options;
@@ -325,8 +328,8 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
   EXPECT_TRUE(unreached_in(of_method).empty());
 }
 
-// Kills: a law that asks nothing of a backend that is gone when the run ends, or something of one
-// that does not draw every case.
+// Kills: a law that requires no labels of a backend that is gone when the run ends; a law that
+// requires labels of a backend that does not draw every case.
 TEST(UnreachedLabels, DependOnWhatIsPromised) {
   const Law& law = *find_law("coverage-obeys-the-contract");
   records::RecordSet few = ties(std::string(law.id), "ordinary", 1000, 0);
@@ -350,7 +353,7 @@ cases::Case found_by(const std::string& law, const std::string& backend) {
   return c;
 }
 
-// Kills: a saved counterexample that says it was found today, or is not counted.
+// Kills: a saved counterexample that claims to be found today, or is not counted.
 TEST(TaskRunner, ChecksASavedCounterexampleAgain) {
   TaskRunner runner({.seed = 99}, {});
   records::Plan options{99, 0, {"damaged"}, {kCoverage}};
@@ -368,7 +371,8 @@ TEST(TaskRunner, ChecksASavedCounterexampleAgain) {
 
 // --- Shrinking -----------------------------------------------------------------------------------
 
-// Kills: a counterexample that fails otherwise than the one it was made from, or is not looked at.
+// Kills: a shrunk counterexample that fails differently from the original; a shrunk counterexample
+// without a close-up.
 TEST(TaskRunner, ShrinksWhatFails) {
   TaskRunner runner({.seed = 1}, {});
   Findings found;

@@ -40,7 +40,7 @@ TEST(WindowPointOf, IsWhereTheViewportPutsIt) {
   EXPECT_EQ(point.v, 20 - 4 * 1.0);
 }
 
-/// Whether the change makes the square larger, and undoing it smaller.
+/// True if the change makes the square larger, and undoing the change makes it smaller.
 bool makes_larger(const std::function<void(cases::Case&)>& change) {
   const cases::Case before = square();
   cases::Case after = before;
@@ -48,7 +48,7 @@ bool makes_larger(const std::function<void(cases::Case&)>& change) {
   return size_of(before) < size_of(after) && !(size_of(after) < size_of(before));
 }
 
-// Kills: a part of a case that is no burden to a reader, and so is never taken away.
+// Kills: a part of a case that does not count towards its size, and so is never removed.
 TEST(SizeOf, CountsEveryPartOfACase) {
   using cases::Case;
   EXPECT_TRUE(makes_larger([](Case& c) { c.triangles.push_back({0, 1, 3}); }));
@@ -89,7 +89,8 @@ TEST(SizeOf, CountsEveryPartOfACase) {
   EXPECT_LT(size_of(with_camera), size_of(turned));
 }
 
-// Kills: a case that is refused because it is too good: a smaller number at the price of a camera.
+// Kills: rejecting a case because one of its numbers is worse, although the case is better in a
+// part that matters more.
 TEST(SizeOf, PutsFirstThingsFirst) {
   cases::Case one = square();
   one.triangles.pop_back();

@@ -24,7 +24,7 @@ using testing::UnorderedElementsAre;
 constexpr DrawnPart kCoverage = DrawnPart::coverage;
 constexpr DrawnPart kValues = DrawnPart::values;
 
-/// Of a law, with what was tried of it.
+/// A counterexample of a law, with the explanation that was found for it.
 Counterexample one(const std::string& law, FragmentClass verdict,
                    std::optional<records::Explanation> explanation = std::nullopt) {
   Counterexample found;
@@ -50,7 +50,7 @@ std::vector<std::vector<std::uint64_t>> places_of(const std::vector<Counterexamp
 
 TEST(CausesOf, NothingIsNoCause) { EXPECT_THAT(causes_of({}), IsEmpty()); }
 
-// Kills: a cause for each law.
+// Kills: a separate cause for each law.
 TEST(CausesOf, WhatIsWrongInTheSamePartIsOneCause) {
   const std::vector<records::Cause> causes =
       causes_of({one("a", FragmentClass::missing, explained({kCoverage}, {})),
@@ -72,7 +72,8 @@ TEST(CausesOf, OtherPartsAreOtherCausesTheLargestFirst) {
   EXPECT_EQ(causes[1].sentence, "samples are missing");
 }
 
-// Kills: two faults of one part taken for one, though each needs what the other does without.
+// Kills: two faults of one part merged into one, although each needs a condition that the other
+// does without.
 TEST(CausesOf, EachNeedsSomethingOfItsOwn) {
   const records::Explanation tie = explained({kCoverage}, {"tie"}, {"near plane"});
   const records::Explanation near = explained({kCoverage}, {"near plane"}, {"tie"});
@@ -88,7 +89,7 @@ TEST(CausesOf, EachNeedsSomethingOfItsOwn) {
                                    "samples are missing where the near plane cuts the triangle"));
 }
 
-// A single one may hold by chance once something is taken away.
+// A single law may hold by chance after something is removed.
 TEST(CausesOf, OneLawAloneIsNotEnoughForThat) {
   const records::Explanation tie = explained({kCoverage}, {"tie"}, {"near plane"});
   const records::Explanation near = explained({kCoverage}, {"near plane"}, {"tie"});
@@ -107,7 +108,7 @@ TEST(CausesOf, WhatNeedsAScissorIsApartFromWhatDoesWithout) {
       ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
 }
 
-// Kills: a condition that was kept on purpose, taken for a need.
+// Kills: a condition that was kept on purpose, counted as a need.
 TEST(CausesOf, WhatIsKeptOfEachConditionSaysNothingOfNeeds) {
   std::vector<Counterexample> all;
   for (const char* law : {"a", "b"}) {
@@ -119,7 +120,7 @@ TEST(CausesOf, WhatIsKeptOfEachConditionSaysNothingOfNeeds) {
   EXPECT_EQ(causes_of(all).size(), 1U);
 }
 
-// Kills: a law about pictures taken for a cause of its own where its fragments are wrong.
+// Kills: a law about pictures counted as a separate cause although its fragments are wrong.
 TEST(CausesOf, WhatIsMadeOfWrongFragmentsIsOfTheirCause) {
   records::Explanation picture = explained({}, {});
   picture.wrong = {kCoverage};
@@ -128,7 +129,7 @@ TEST(CausesOf, WhatIsMadeOfWrongFragmentsIsOfTheirCause) {
               ElementsAre(UnorderedElementsAre(0, 1)));
 }
 
-// Where fragments are right, laws that are violated by each other's cases are of one stage.
+// If the fragments are right, laws that are violated by each other's cases belong to one stage.
 TEST(CausesOf, LawsThatAreViolatedTogetherAreOfOneCause) {
   records::Explanation roll = explained({}, {});
   roll.also_violates = {"camera"};
@@ -140,7 +141,7 @@ TEST(CausesOf, LawsThatAreViolatedTogetherAreOfOneCause) {
               ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
 }
 
-// Kills: a wrong sign of zero that is shown before a sample that is missing.
+// Kills: a wrong sign of zero that is shown before a missing sample.
 TEST(CausesOf, ZerosComeLast) {
   std::vector<Counterexample> all{one("z", FragmentClass::missing, explained({kCoverage}, {}))};
   for (const char* law : {"a", "b", "c"}) {
@@ -180,7 +181,92 @@ TEST(CausesOf, SaysWhatWasTriedOfTheFirst) {
                   "fails all the same if: no sample lies on an edge; a pixel has one sample"));
 }
 
-// Where cases are left as they were found, nothing is tried of them.
+/// A counterexample whose drawing becomes right by these changes.
+Counterexample hinted(const char* law, std::optional<std::vector<std::string>> hints) {
+  records::Explanation explanation = explained({kCoverage}, {});
+  explanation.hints = std::move(hints);
+  return one(law, FragmentClass::missing, explanation);
+}
+
+// Kills: a hint that is true of one drawing but given for all; a hint counted for drawings that are
+// right.
+TEST(CausesOf, GivesTheChangeThatMakesMostDrawingsRight) {
+  const auto hint_of = [](const std::vector<Counterexample>& all) {
+    return causes_of(all).at(0).hint;
+  };
+  const Counterexample right = hinted("a", std::nullopt);
+  const Counterexample both = hinted("b", {{"y points the other way", "x and y are exchanged"}});
+  const Counterexample second = hinted("c", {{"x and y are exchanged"}});
+  const Counterexample none = hinted("d", {{}});
+  EXPECT_EQ(hint_of({right, right}), std::nullopt);
+  EXPECT_EQ(hint_of({right, both}), (records::Hint{"y points the other way", 1, 1}));
+  EXPECT_EQ(hint_of({both, second, none}), (records::Hint{"x and y are exchanged", 2, 3}));
+  EXPECT_EQ(hint_of({both, second, none, none, none}), std::nullopt);
+}
+
+// Kills: an upside-down picture reported as two faults, of coverage and of values.
+TEST(CausesOf, WhatOneChangeMakesRightIsOneCause) {
+  Counterexample values = hinted("a", {{"y points the other way"}});
+  values.explanation->parts = {kValues};
+  const Counterexample coverage = hinted("b", {{"y points the other way"}});
+  const Counterexample other = hinted("c", {{"x points the other way"}});
+  EXPECT_THAT(places_of({values, coverage}), ElementsAre(UnorderedElementsAre(0, 1)));
+  EXPECT_THAT(places_of({values, other}), UnorderedElementsAre(ElementsAre(0), ElementsAre(1)));
+}
+
+// Kills: a sentence about missing samples above a picture of a wrong depth.
+TEST(CausesOf, TheFirstOfACauseShowsWhatItsSentenceSays) {
+  Counterexample values = hinted("values-stay-within-the-bound", {{"y points the other way"}});
+  values.source.found->verdict = to_string(FragmentClass::beyond_bound);
+  values.explanation->parts = {kValues};
+  const std::vector<Counterexample> all{values, hinted("b", {{"y points the other way"}}),
+                                        hinted("c", {{"y points the other way"}})};
+  const records::Cause cause = causes_of(all).at(0);
+  EXPECT_EQ(cause.sentence, "samples are missing");
+  EXPECT_THAT(cause.counterexamples, ElementsAre(1, 0, 2));
+}
+
+// Kills: a state left over from an earlier drawing, reported as a separate fault for each class.
+TEST(CausesOf, WhatDoesNotFailAgainIsOneCause) {
+  records::Explanation held;
+  held.fails_again = false;
+  const std::vector<Counterexample> all{
+      one("a", FragmentClass::missing, held), one("b", FragmentClass::extra, held),
+      one("c", FragmentClass::missing, explained({kCoverage}, {}))};
+  EXPECT_THAT(places_of(all), ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
+  const records::Cause cause = causes_of(all).at(0);
+  EXPECT_EQ(cause.sentence, "what is drawn differs from one time to the next");
+  EXPECT_THAT(cause.tried, ElementsAre("held when it was drawn again"));
+}
+
+// If a lost depth clamp cuts off a triangle, the triangle's values are wrong too: they belong to
+// the clamp's cause.
+TEST(CausesOf, OneThatNeedsWhatAnotherGroupDoesIsOfThat) {
+  const records::Explanation clamped = explained({kCoverage}, {"depth clamp"});
+  const records::Explanation values = explained({kValues}, {}, {"tie"});
+  EXPECT_THAT(
+      places_of({one("a", FragmentClass::missing, clamped),
+                 one("b", FragmentClass::missing, clamped),
+                 one("c", FragmentClass::beyond_bound, values),
+                 one("d", FragmentClass::beyond_bound, values),
+                 one("e", FragmentClass::beyond_bound, values),
+                 one("f", FragmentClass::beyond_bound, explained({kValues}, {"depth clamp"}))}),
+      UnorderedElementsAre(UnorderedElementsAre(0, 1, 5), UnorderedElementsAre(2, 3, 4)));
+}
+
+// Kills: two stages merged into one because their laws are both about cameras.
+TEST(CausesOf, WhatLawsAreAboutDoesNotJoinStages) {
+  records::Explanation camera = explained({}, {});
+  camera.inherent = {"camera"};
+  records::Explanation also = camera;
+  also.also_violates = {"a", "b"};
+  EXPECT_THAT(places_of({one("a", FragmentClass::beyond_bound, also),
+                         one("b", FragmentClass::beyond_bound, also),
+                         one("normals", FragmentClass::beyond_bound, camera)}),
+              ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
+}
+
+// If cases are kept as they were found, no explanation is sought.
 TEST(CausesOf, WithoutAnExplanationVerdictsAreCauses) {
   const std::vector<Counterexample> all{one("a", FragmentClass::missing),
                                         one("b", FragmentClass::missing),
@@ -189,7 +275,7 @@ TEST(CausesOf, WithoutAnExplanationVerdictsAreCauses) {
   EXPECT_EQ(causes_of(all)[0].sentence, "missing");
 }
 
-// Files of other versions may have tried what this one does not know.
+// Files of other versions may name needs that this version does not know.
 TEST(CausesOf, UnknownNeedsAreTakenAsTheyAre) {
   const auto causes = causes_of({one("a", FragmentClass::missing, explained({kCoverage}, {"?"}))});
   EXPECT_EQ(causes.at(0).sentence, "samples are missing");

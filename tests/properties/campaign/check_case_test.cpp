@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "backends/factory.h"
+#include "properties/choices.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties::check_case_test {
@@ -33,7 +34,7 @@ TEST(CheckCase, CountsAndSaysWhereItIsFrom) {
       findings.records.find({kCoverage, "damaged", records::AttributeKind::coverage, "here"});
   ASSERT_NE(record, findings.records.end());
   EXPECT_EQ(record->second.cases, (records::CaseCounts{1, 0, 1}));
-  EXPECT_GE(record->second.counts.required, 56U);  // all but the diagonal, which may be open
+  EXPECT_GE(record->second.counts.required, 56U);  // the diagonal may be open
   EXPECT_EQ(record->second.labels.at("drawn"), 1U);
   ASSERT_THAT(findings.counterexamples, SizeIs(1));
   EXPECT_EQ(findings.counterexamples[0].source.found,
@@ -65,7 +66,7 @@ TEST(CheckCase, KeepsWhatTheCaseGaveWhereThatIsKept) {
   EXPECT_NE(violated.found_digest, held.found_digest);
 }
 
-// Kills: a digest of how much is wrong, and not of where.
+// Kills: a digest of how much is wrong that ignores where.
 TEST(CheckCase, DigestsTellOneBitAndOnePlaceFromAnother) {
   DamagedBackend here([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 1, 1); });
   DamagedBackend right([](const cases::Case&, cases::Fragments&) {});
@@ -88,7 +89,7 @@ TEST(CheckCase, DigestsTellOneBitAndOnePlaceFromAnother) {
   EXPECT_NE(of_values(1, 0x1p-22F).found_digest, of_values(1, 0).found_digest);
 }
 
-// Kills: the first triangle instead of the guilty one, values left with their old vertices.
+// Kills: the first triangle kept instead of the guilty one; values left at their old vertices.
 TEST(CheckCase, KeepsTheOneTriangleThatSuffices) {
   cases::Case c = square();
   c.clip_distance_count = 1;
@@ -106,7 +107,7 @@ TEST(CheckCase, KeepsTheOneTriangleThatSuffices) {
   EXPECT_EQ(found.violations[0].place.x, 7U);
 }
 
-// Kills: a counterexample that holds when it is replayed.
+// Kills: a counterexample that does not fail when it is replayed.
 TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
   DamagedBackend backend([](const cases::Case& c, cases::Fragments& drawn) {
     if (c.triangles.size() > 1) lose_last_corner(c, drawn);
@@ -117,7 +118,33 @@ TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
   EXPECT_EQ(findings.counterexamples[0].violations[0].place.triangle, 1U);
 }
 
-// Kills: a wrong depth that hides wrong attributes, one condition that hides another.
+/// Violated at triangle 1, or at the only triangle of a case, for one choice in 64.
+Result<Check> check_by_choice(const cases::ClipCase& c, backends::Backend& /*backend*/,
+                              std::uint64_t /*index*/) {
+  Check check;
+  if (choices_of(c) % 64 != choices_of(square()) % 64) return check;
+  check.violation_count = 1;
+  check.violations.resize(1);
+  check.violations[0].fragment_class = records::FragmentClass::missing;
+  check.violations[0].place.triangle = c.triangles.size() > 1 ? 1 : 0;
+  return check;
+}
+
+// Kills: a triangle kept alone, for which the law makes a different choice.
+TEST(CheckCase, WhatIsKeptIsCheckedAsItWas) {
+  Law law;
+  law.id = "chooses";
+  law.check = &check_by_choice;
+  DamagedBackend backend([](const cases::Case&, cases::Fragments&) {});
+  Findings findings;
+  check_case(law, "damaged", backend, 7, {square(), "here", 4}, findings);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  const cases::Case& kept = findings.counterexamples[0].source;
+  EXPECT_THAT(kept.triangles, SizeIs(1));
+  EXPECT_EQ(kept.choices, choices_of(square()));
+}
+
+// Kills: a wrong depth that hides wrong attributes; one condition that hides another.
 TEST(CheckCase, KeepsOneOfEachKindAndCondition) {
   DamagedBackend backend([](const cases::Case& c, cases::Fragments& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -162,7 +189,7 @@ TEST(CheckCase, HoldsADrawingThatFailsAgainstTheBackend) {
   EXPECT_EQ(findings.counterexamples[0].source.found->verdict, "failed");
 }
 
-/// Fails to draw in one way; lost after so many drawings.
+/// Fails every drawing in one way, and is lost after this many drawings.
 class FailingBackend : public backends::Backend {
  public:
   FailingBackend(Failure failure, int drawings) : failure_(failure), left_(drawings) {}
@@ -195,7 +222,7 @@ TEST(CheckCase, TellsFailuresApart) {
   }
 }
 
-// Kills: minutes of time-outs for a case that hangs only as it is large.
+// Kills: minutes of time-outs for a case that hangs only because it is large.
 TEST(ShrinkCounterexample, LeavesALargeCaseThatHangsAsItWasFound) {
   FailingBackend backend(Failure::hang, 100);
   records::Counterexample large;
@@ -222,7 +249,8 @@ TEST(CheckCase, SaysNothingOfWhatABackendDoesNotSupport) {
   EXPECT_THAT(findings.counterexamples, IsEmpty());
 }
 
-// Kills: asking on and on, which takes a campaign's time; and cases that count as held unasked.
+// Kills: drawing with a lost backend again and again, which uses up a campaign's time; cases that
+// count as held although they were not drawn.
 TEST(CheckCase, DoesNotAskABackendThatIsLost) {
   FailingBackend backend(Failure::hang, 0);
   const Findings findings = check_square(backend);
@@ -231,7 +259,7 @@ TEST(CheckCase, DoesNotAskABackendThatIsLost) {
   EXPECT_THAT(findings.counterexamples, IsEmpty());
 }
 
-// Kills: a case set that depends on when a backend was lost.
+// Kills: a set of cases that depends on when a backend was lost.
 TEST(CheckCase, KeepsCasesThatNobodyDrawsAnyMore) {
   FailingBackend backend(Failure::hang, 0);
   DamagedBackend right([](const cases::Case&, cases::Fragments&) {});
@@ -240,7 +268,7 @@ TEST(CheckCase, KeepsCasesThatNobodyDrawsAnyMore) {
   EXPECT_EQ(record.source_digest, case_record_of(right).source_digest);
 }
 
-// Kills: blaming a backend for a case that it never got.
+// Kills: blaming a backend for a case that it never received.
 TEST(CheckCase, SaysNothingOfPositionsBeyondFloat32) {
   cases::Case c = square();
   c.camera.emplace();

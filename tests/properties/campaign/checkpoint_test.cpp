@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
-/// A checkpoint that has something of everything.
+/// A checkpoint with every kind of content.
 Checkpoint sample() {
   Checkpoint checkpoint;
   records::Plan& plan = checkpoint.plan;
@@ -61,7 +61,7 @@ TEST(Checkpoint, WritesWhatIsDoneAsRanges) {
   EXPECT_EQ(json::parse(to_json(sample())).at("done"), json::parse("[[0, 1], [2, 4], [6, 7]]"));
 }
 
-// Kills: a run that goes on from half a file, or from one of another format.
+// Kills: resuming from half a file, or from a file of another format.
 TEST(Checkpoint, IsRefusedWithItsPlace) {
   const auto error = [](const char* pointer, const char* value) {
     json document = json::parse(to_json(sample()));

@@ -23,8 +23,8 @@ records::Violation at(std::uint32_t triangle, std::uint32_t x, std::uint32_t y) 
   return violation;
 }
 
-// Triangle A covers pixels with x + y < 7; those with x + y = 7 lie on an edge that the method may
-// give to either.
+// Triangle A covers the pixels with x + y < 7; those with x + y = 7 lie on an edge that the method
+// may give to either triangle.
 TEST(CloseUp, ShowsWhatIsWrongAroundThePixel) {
   DamagedBackend backend(
       [](const cases::Case&, cases::Fragments& d) {
@@ -53,7 +53,8 @@ TEST(CloseUp, ShowsOneTriangleAlone) {
   EXPECT_THAT(lines.back(), HasSubstr("This is the case as it stands, judged alone"));
 }
 
-// Kills: a reader who takes the other drawing's error for this one's, or the other way round.
+// Kills: a picture of one drawing, shown without a note although the violation is in the other
+// drawing.
 TEST(CloseUp, SaysWhereTheViolationIsNotInThePicture) {
   DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 2, 1); }, "cpu");
   const auto last_line = [&backend](records::FragmentClass fragment_class) {
@@ -68,7 +69,7 @@ TEST(CloseUp, SaysWhereTheViolationIsNotInThePicture) {
   }
 }
 
-// Kills: a case that asks for one rounding, judged by another without a word.
+// Kills: a case judged by another rounding than it asks for, without a note.
 TEST(CloseUp, SaysWhereTheContractIsNotWhatTheCaseAsksFor) {
   cases::Case c = square();
   c.coverage = cases::Snapping{7, cases::Rounding::unspecified, 0};
@@ -78,7 +79,7 @@ TEST(CloseUp, SaysWhereTheContractIsNotWhatTheCaseAsksFor) {
             "subpixel bits (nearest_even), values of basis ideal.");
 }
 
-// Kills: a window that begins before the framebuffer or ends beyond it.
+// Kills: a window that begins outside the framebuffer or ends beyond it.
 TEST(CloseUp, StaysInTheFramebuffer) {
   cases::Case c = square();
   c.framebuffer = {300, 300, 1};

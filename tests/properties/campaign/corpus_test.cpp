@@ -23,7 +23,7 @@ cases::Case named(const std::string& name) {
   return c;
 }
 
-// Kills: the order in which files were made, either way round, or that of their cases' names.
+// Kills: cases ordered by when their files were made, or by the cases' names.
 TEST(ReadCorpus, GoesByTheNamesOfFiles) {
   const TemporaryFolder folder;
   for (const char* name : {"5", "3", "8", "1", "9", "0", "7", "2", "6", "4"}) {
@@ -46,7 +46,7 @@ TEST(ReadCorpus, NamesCasesThatHaveNoName) {
   ASSERT_TRUE(corpus) << to_string(corpus.error());
   std::vector<std::string> names;
   for (const cases::Case& c : *corpus) names.push_back(c.name);
-  // The last as it comes back from a file: records of it are the same in every process.
+  // The last name is as read back from a file, so that its records are the same in every process.
   EXPECT_THAT(names, ElementsAre("a", "its own name", "c\ufffd"));
 }
 
@@ -70,7 +70,7 @@ cases::Case found_by(const std::string& law, const std::string& backend) {
   return c;
 }
 
-// Kills: a broken file that ends the run, or goes unsaid; cases that nobody asked for.
+// Kills: a broken file that ends the run or is not reported; cases that nobody asked for.
 TEST(ReadSaved, TakesWhatThisRunCanCheckAgain) {
   const TemporaryFolder folder;
   const std::vector<std::string> laws{kCoverage, kValues};

@@ -1,19 +1,19 @@
-// The backends `damaged:…`, in test programs only: they draw as `cpu` does and then go wrong in one
+// The backends `damaged:…`, in test programs only: they draw like `cpu` and then go wrong in one
 // way, so that a campaign has something to find.
 //
 //   damaged           loses the last fragment of every draw
-//   damaged:slow      the same, and takes its time, so that a run can be interrupted
-//   damaged:stuck     draws what is right after an hour
+//   damaged:slow      the same, but slowly, so that a run can be interrupted
+//   damaged:stuck     draws correctly, but only after an hour
 //   damaged:refuses   fails to draw
 //   damaged:absent    cannot run here
-//   damaged:speaks    says of itself what a terminal takes for a command
-//   damaged:driver    says to be the driver "damaged", version 1; loses the last fragment of every
-//                     draw with a scissor
+//   damaged:speaks    has a description with characters that are commands to a terminal
+//   damaged:driver    claims to be the driver "damaged", version 1; loses the last fragment of
+//                     every draw with a scissor
 //   damaged:worse     the same driver, which loses the last fragment of every draw
-//   damaged:mended    the same driver, which draws rightly
-//   damaged:newer     version 2 of it, which draws rightly
-//   damaged:unseen    draws rightly; of it alone a law is asked whose cases are never what they are
-//                     said to be
+//   damaged:mended    the same driver, which draws correctly
+//   damaged:newer     version 2 of the driver, which draws correctly
+//   damaged:unseen    draws correctly; a law that is for this backend alone has a label, "never
+//                     seen", that none of its cases reaches
 
 #include <chrono>
 #include <thread>

@@ -16,7 +16,7 @@ using testing::Not;
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 constexpr const char* kOdd = "a \"b\"\\\n\t\x01 \u00fc \U0001f4d0";
 
-/// What a damaged backend gives of the square, under odd names.
+/// The findings for the square on a damaged backend, under odd names.
 Findings some_findings() {
   DamagedBackend backend([](const cases::Case&, cases::Fragments& d) {
     if (find(d, d.triangle.front(), 1, 1) < d.size()) drop(d, d.triangle.front(), 1, 1);
@@ -54,11 +54,11 @@ TEST(FindingsLine, CarriesAFault) {
   Findings findings;
   findings.fault = kOdd;
   EXPECT_EQ(findings_from_line(findings_to_line(findings)).value(), findings);
-  findings.fault = "";  // is one all the same
+  findings.fault = "";  // an empty text is a fault too
   EXPECT_EQ(findings_from_line(findings_to_line(findings)).value(), findings);
 }
 
-// Kills: an exception where a backend's name is no UTF-8.
+// Kills: an exception if a backend's name is not UTF-8.
 TEST(FindingsLine, TakesAnyBytes) {
   Findings findings = some_findings();
   findings.records.begin()->second.labels["\xff"] = 1;
@@ -92,7 +92,7 @@ TEST(FindingsLine, IsRefusedWhereItIsNone) {
   }
 }
 
-// Kills: ordering counterexamples by what one of them does not have.
+// Kills: ordering counterexamples by a key that one of them lacks.
 TEST(FindingsLine, IsRefusedWithACounterexampleFoundNowhere) {
   Findings findings = some_findings();
   findings.counterexamples[0].source.found.reset();

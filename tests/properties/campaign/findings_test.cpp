@@ -10,7 +10,7 @@ using records::Counterexample;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-/// A counterexample that merging has nothing more to ask about.
+/// A counterexample with only the parts that merging looks at.
 Findings found_one(const cases::Found& found, records::Origin origin = records::Origin::random,
                    const std::string& name = "") {
   Findings findings;
@@ -22,7 +22,7 @@ Findings found_one(const cases::Found& found, records::Origin origin = records::
   return findings;
 }
 
-// Kills: one failure that hides another, and more of one kind than a reader asked for.
+// Kills: one failure that hides another; more failures of one kind than a reader wants.
 TEST(Merge, KeepsTheFirstOfEachWayToFail) {
   Findings all;
   for (const std::uint64_t index : {9U, 3U, 8U, 1U, 7U, 5U}) {
@@ -42,7 +42,7 @@ TEST(Merge, KeepsTheFirstOfEachWayToFail) {
   EXPECT_THAT(kept, ElementsAre("axe1", "axm1", "aye1", "aym1", "bxe1", "bxm1", "bye1", "bym1"));
 }
 
-// Kills: what is wrong under one condition, hidden by what is wrong under another.
+// Kills: a failure under one condition that is hidden by a failure under another.
 TEST(Merge, KeepsTheFirstOfEachKindAndCondition) {
   Findings all;
   for (const std::uint64_t index : {9U, 3U, 8U}) {
@@ -56,7 +56,7 @@ TEST(Merge, KeepsTheFirstOfEachKindAndCondition) {
   for (const Counterexample& one : all.counterexamples) EXPECT_EQ(one.source.found->index, 3U);
 }
 
-// Kills: one counterexample of each law where a driver hangs at all that is large.
+// Kills: one counterexample for each law although a driver hangs on every large case.
 TEST(Merge, KeepsOneHangOfABackend) {
   Findings all;
   for (const std::uint64_t index : {9U, 3U, 8U}) {
@@ -79,7 +79,7 @@ TEST(Merge, KeepsOneHangOfABackend) {
   EXPECT_THAT(kept, ElementsAre("axh3", "ayh3", "bxm30"));
 }
 
-// Kills: a random case in the place of one that has a name and a sentence.
+// Kills: a random case kept in place of a case with a name and a sentence.
 TEST(Merge, TakesTheCorpusBeforeSavedCasesAndTheseBeforeOthers) {
   using records::Origin;
   const cases::Found late{"law", "cpu", "missing", 1, 9};
@@ -100,7 +100,7 @@ TEST(Merge, TakesTheCorpusBeforeSavedCasesAndTheseBeforeOthers) {
   EXPECT_THAT(all.counterexamples, SizeIs(1));
 }
 
-// Kills: a reader who begins with nine vertices and a mirror.
+// Kills: a reader who has to start with nine vertices and a mirrored drawing.
 TEST(FirstToRead, IsOfTheCaseAsItStandsAndSmall) {
   const auto one = [](const char* law, std::size_t triangles) {
     Counterexample counterexample;
@@ -115,7 +115,8 @@ TEST(FirstToRead, IsOfTheCaseAsItStandsAndSmall) {
   EXPECT_EQ(first_to_read({}), 0U);
 }
 
-// Kills: a wrong fill rule, one sample in every mesh, behind a sample that floats cannot tell.
+// Kills: a wrong fill rule, visible as one sample in every mesh, shown after a sample that floats
+// cannot decide.
 TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
   const auto one = [](double distance, std::size_t triangles) {
     Counterexample counterexample;
@@ -132,7 +133,8 @@ TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
   EXPECT_EQ(first_to_read({one(3e-7, 1), one(-0.5, 2)}), 1U);
   EXPECT_EQ(first_to_read({one(0, 2), one(0.5, 1)}), 1U);
   EXPECT_EQ(first_to_read({one(3e-7, 2), one(-3e-7, 1)}), 1U);
-  // One sample that is far tells of more than rounding; nor is a wrong value of it.
+  // Neither a second sample that is far from the edge nor a wrong value can come from rounding
+  // alone.
   Counterexample several = one(3e-7, 2);
   several.violations.push_back(one(0.5, 2).violations[0]);
   EXPECT_EQ(first_to_read({one(3e-7, 1), several}), 1U);
@@ -141,7 +143,7 @@ TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
   EXPECT_EQ(first_to_read({one(3e-7, 1), of_a_value}), 1U);
 }
 
-// Kills: two saved files of one place, of which the one that was read first wins.
+// Kills: of two saved files with the same origin, keeping the one that was read first.
 TEST(Merge, TakesTheSameOfTwoWhateverTheOrder) {
   const cases::Found found{"law", "cpu", "missing", 1, 2};
   Findings one = found_one(found, records::Origin::saved);

@@ -7,7 +7,7 @@
 
 namespace rastercheck::properties {
 
-/// What tasks find together, however they are run; it ends at a fault.
+/// The merged findings of all tasks, however they are run; ends at the first fault.
 inline Result<Findings> gathered(const std::function<Result<void>(const TaskDone&)>& run) {
   Findings findings;
   const Result<void> done = run([&findings](std::size_t /*task*/, Findings found) {

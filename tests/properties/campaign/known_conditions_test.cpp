@@ -17,7 +17,7 @@ using records::Violation;
 
 using Change = std::function<void(cases::Case&)>;
 
-/// Whether a violation of the square's first triangle meets them, the square changed.
+/// True if a violation at the first triangle of the square, after `change`, meets the conditions.
 bool is_met(const KnownConditions& when, const Change& change = {},
             const Violation& violation = {}) {
   cases::Case c = square();
@@ -45,7 +45,7 @@ bool is_within(KnownLimit limit, double number, const Change& change = {},
 TEST(KnownConditions, AskOfTheTrianglesVertices) {
   EXPECT_FALSE(has(KnownFact::nonpositive_w));
   EXPECT_TRUE(has(KnownFact::nonpositive_w, [](auto& c) { c.positions[1].w = 0; }));
-  // Vertex 3 is the other triangle's.
+  // Vertex 3 belongs to the other triangle.
   EXPECT_FALSE(has(KnownFact::nonpositive_w, [](auto& c) { c.positions[3].w = -1; }));
 }
 
@@ -91,7 +91,7 @@ TEST(KnownConditions, AskOfTheCase) {
 }
 
 TEST(KnownConditions, MeasureTheTriangle) {
-  // 8 × 8 pixels, its right angle at the origin.
+  // The triangle spans 8 × 8 pixels, with its right angle at the origin.
   EXPECT_TRUE(is_within(KnownLimit::largest_coordinate_at_least, 8));
   EXPECT_FALSE(is_within(KnownLimit::largest_coordinate_at_least, 8.01));
   EXPECT_TRUE(is_within(KnownLimit::largest_coordinate_at_least, 1e30,
@@ -106,7 +106,7 @@ TEST(KnownConditions, MeasureTheTriangle) {
 
 TEST(KnownConditions, MeasureTheViolation) {
   Violation violation;
-  EXPECT_FALSE(is_within(KnownLimit::error_at_most, 1000, {}, violation));  // has no error
+  EXPECT_FALSE(is_within(KnownLimit::error_at_most, 1000, {}, violation));  // without an error
   violation.error = records::Enclosure{-3, -2};
   EXPECT_TRUE(is_within(KnownLimit::error_at_most, 3, {}, violation));
   EXPECT_FALSE(is_within(KnownLimit::error_at_most, 2.5, {}, violation));
@@ -118,8 +118,8 @@ TEST(KnownConditions, MeasureTheViolation) {
 
 TEST(KnownConditions, MeasureTheAttribute) {
   Violation violation;
-  EXPECT_FALSE(is_within(KnownLimit::largest_value_at_least, 0, {}, violation));  // of none
-  violation.attribute = 0;                                                        // 0, 8 and 0
+  EXPECT_FALSE(is_within(KnownLimit::largest_value_at_least, 0, {}, violation));  // no attribute
+  violation.attribute = 0;                                                        // values 0, 8, 0
   EXPECT_TRUE(is_within(KnownLimit::largest_value_at_least, 8, {}, violation));
   EXPECT_FALSE(is_within(KnownLimit::largest_value_at_least, 9, {}, violation));
   EXPECT_TRUE(is_within(KnownLimit::least_value_at_most, 8, {}, violation));
@@ -151,7 +151,7 @@ TEST(KnownConditions, AskOfTheViolationsAttribute) {
     c.attributes[1].location = cases::Location::centroid;
   };
   Violation violation;
-  EXPECT_FALSE(is_met(when, change, violation));  // of none
+  EXPECT_FALSE(is_met(when, change, violation));  // no attribute
   violation.attribute = 1;
   EXPECT_TRUE(is_met(when, change, violation));
   violation.attribute = 0;
@@ -167,7 +167,7 @@ TEST(KnownConditions, FindAPartOfTheNote) {
   EXPECT_TRUE(is_met(when, {}, violation));
 }
 
-// Kills: asking nothing of triangles where there was no drawing.
+// Kills: ignoring conditions about triangles if there was no drawing.
 TEST(KnownConditions, AskOfSomeTriangleWhereNothingWasDrawn) {
   Violation violation;
   violation.fragment_class = records::FragmentClass::crash;

@@ -23,7 +23,7 @@ std::unique_ptr<backends::Backend> driver(const std::string& name = "driver") {
   return backends::make_backend("damaged:" + name).value();
 }
 
-/// The list in a folder, as the backend reads it.
+/// The list as read from a folder, for the backend's driver.
 KnownDefects known_defects(backends::Backend& backend) {
   const TemporaryFolder folder;
   put_known(folder);
@@ -76,7 +76,7 @@ TEST(KnownDefects, AreRefusedWhereTheyDoNotFit) {
   EXPECT_EQ(refusal(folder), "/found: has no 'found'");
 }
 
-// Kills: a driver's name that leads out of the folder.
+// Kills: a driver's name that leads out of the folder of lists.
 TEST(KnownDefects, AreNotReadFromElsewhere) {
   class Elsewhere : public DamagedBackend {
    public:
@@ -92,7 +92,7 @@ TEST(KnownDefects, AreNotReadFromElsewhere) {
             false);
 }
 
-/// What checking the scissored square finds; `damage` is the backend's.
+/// The findings for the scissored square on a backend with this damage.
 Findings checked(const Damage& damage, const KnownDefects& known) {
   DamagedBackend backend(damage);
   Findings findings;
@@ -110,7 +110,8 @@ TEST(KnownDefects, AreCountedByThemselvesAndMakeNoCounterexample) {
   EXPECT_THAT(findings.counterexamples, IsEmpty());
 }
 
-// Kills: a case that is known because one of its violations is; a counterexample of what is known.
+// Kills: a case that counts as known because one of its violations is known; a counterexample that
+// shows a known violation.
 TEST(KnownDefects, DoNotExplainWhatElseIsWrongWithACase) {
   const auto damage = [](const auto& c, auto& d) {
     if (c.triangles.size() < 2) return;
@@ -125,7 +126,7 @@ TEST(KnownDefects, DoNotExplainWhatElseIsWrongWithACase) {
   EXPECT_EQ(found.violations[0].fragment_class, records::FragmentClass::extra);
 }
 
-// Kills: shrinking a new failure into a known one, which is smaller here, as it has no scissor.
+// Kills: shrinking a new failure into a known one, which is smaller here because it has no scissor.
 TEST(KnownDefects, AreNotWhatANewFailureIsShrunkTo) {
   KnownDefects known = known_defects(*driver());
   known.defects[0].entry.when.facts = {{records::KnownFact::scissor, false}};
@@ -140,7 +141,7 @@ TEST(KnownDefects, AreNotWhatANewFailureIsShrunkTo) {
   shrink_counterexample(*find_law(kCoverage), backend, found.counterexamples[0], {1000, {}}, shrunk,
                         &known);
   EXPECT_TRUE(shrunk.counterexamples.at(0).source.scissor.has_value());
-  EXPECT_THAT(shrunk.counterexamples.at(0).source.attributes, IsEmpty());  // smaller it is
+  EXPECT_THAT(shrunk.counterexamples.at(0).source.attributes, IsEmpty());  // it is smaller
 }
 
 Findings checked_entry(const std::string& name) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// A list of known defects on disk, of the driver that damaged:driver says to be: it loses the last
-// fragment of draws with a scissor.
+// A list of known defects on disk, for the driver that damaged:driver claims to be: it loses the
+// last fragment of draws with a scissor.
 
 #include <string>
 
@@ -11,7 +11,7 @@
 
 namespace rastercheck::properties {
 
-/// The square with a scissor that takes nothing away, as an entry's case.
+/// The square with a scissor that removes nothing, as the case of an entry.
 inline cases::Case scissored_square() {
   cases::Case c = square();
   c.name = "square";
@@ -28,7 +28,7 @@ inline constexpr const char* kKnownList = R"({
     "verdicts": ["missing"], "when": {"scissor": true}, "case": "known/damaged-1.json"}]
 })";
 
-/// Writes the list and its case into damaged/ of a folder.
+/// Writes the list and its case into the folder damaged/ of `folder`.
 inline void put_known(const TemporaryFolder& folder, const std::string& list = kKnownList,
                       const cases::Case& c = scissored_square()) {
   folder.put("damaged/known.json", list);

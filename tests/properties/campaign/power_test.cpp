@@ -33,7 +33,7 @@ records::Power measured(const records::Plan& plan, const std::string& law,
   return power;
 }
 
-// Kills: a share that is another, all cases or none; cases of laws that draw twice.
+// Kills: a wrong share, such as all cases or none; sabotaged cases of laws that draw twice.
 TEST(IsSabotaged, IsOneInSoManyOfTwoLaws) {
   records::Plan plan = plan_of({kCoverage, kValues});
   const auto count = [&plan](const std::string& law) {
@@ -46,7 +46,7 @@ TEST(IsSabotaged, IsOneInSoManyOfTwoLaws) {
   EXPECT_EQ(count(kValues), 5000);
   EXPECT_EQ(count("constants-stay-constant"), 0);
   plan.power = 50;
-  // 100, and six times its standard deviation of 10: once in 10^8 seeds it is beyond.
+  // 100, plus or minus six times its standard deviation of 10: one seed in 10^8 lies beyond.
   EXPECT_NEAR(count(kValues), 100, 60);
   EXPECT_NEAR(count(kCoverage), 100, 60);
   plan.power = 0;
@@ -67,8 +67,8 @@ TEST(MeasurePower, NoticesEachDefectOfAnExactBackend) {
   EXPECT_FALSE(power.contains(Defect::missing_pixel));
 }
 
-// Values tell what samples do not. Kills: values that a run without their law looks at; values that
-// were wrong without the defect taken for noticed.
+// Values show what samples do not. Kills: looking at values in a run without the law of values;
+// counting values as noticed that were wrong before the defect was added.
 TEST(MeasurePower, NoticesMovedValuesWhereTheRunLooksAtThemAndTheyWereRight) {
   const auto noticed = [](const Damage& damage, std::vector<std::string> laws) {
     DamagedBackend backend(damage, "cpu");
@@ -86,7 +86,7 @@ TEST(MeasurePower, NoticesMovedValuesWhereTheRunLooksAtThemAndTheyWereRight) {
   EXPECT_EQ(noticed(wrong_depth, {kCoverage, kValues}), 0U);
 }
 
-// Kills: the power of a run that depends on how it was cut into tasks.
+// Kills: a power that depends on how the run was split into tasks.
 TEST(MeasurePower, IsTheSameHoweverTheCasesAreCut) {
   records::Plan plan = plan_of({kCoverage, kValues});
   plan.power = 3;

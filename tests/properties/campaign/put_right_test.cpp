@@ -15,7 +15,7 @@ namespace {
 
 using records::DrawnPart;
 
-/// A triangle of 6 samples in a target of 4 × 4 pixels, whose attribute is its window's x.
+/// A triangle of 6 samples in a target of 4 × 4 pixels; its attribute is its window x.
 cases::ClipCase small_case() {
   cases::Case c;
   c.framebuffer = {4, 4, 1};
@@ -81,7 +81,7 @@ TEST_F(PutRight, TakesOutWhatIsTooMuch) {
   EXPECT_EQ(drawn_.x, right_.fragments.x);
 }
 
-// Kills: of a sample that is drawn twice, both taken out.
+// Kills: removing both fragments of a sample that is drawn twice.
 TEST_F(PutRight, LeavesOneOfTwo) {
   drawn_.x[1] = drawn_.x[0];
   drawn_.y[1] = drawn_.y[0];
@@ -107,7 +107,7 @@ TEST_F(PutRight, OfNoPartChangesNothing) {
   EXPECT_EQ(drawn_.size(), size);
 }
 
-// Kills: a fault that is known and hides another, which is put right with it.
+// Kills: correcting a fault that is not known together with one that is.
 TEST_F(PutRight, LeavesWhatIsNotMeant) {
   erase_first();
   drawn_.depth.back() = 7;
@@ -121,7 +121,8 @@ TEST_F(PutRight, LeavesWhatIsNotMeant) {
   EXPECT_EQ(drawn_.depth.back(), 7);
 }
 
-// Kills: a sample that is left empty, as what hid it is gone: another failure than the known one.
+// Kills: a sample left empty because the fragment that hid it is removed, which is another failure
+// than the known one.
 TEST(PutRightWithDepthTest, PutsInWhatWasHidden) {
   cases::Case c = small_case();
   c.depth_test = cases::DepthTest::less;
@@ -138,7 +139,7 @@ TEST(PutRightWithDepthTest, PutsInWhatWasHidden) {
     if (drawn.triangle[i] == 1) last = i;
   }
   ASSERT_LT(last, drawn.size());
-  // The nearer triangle is drawn where it is not, in place of the other.
+  // The nearer triangle is drawn in a place that it does not cover, in place of the other triangle.
   drawn.triangle[last] = 0;
   drawn.depth[last] = 0;
   put_right(

@@ -24,7 +24,7 @@ records::Plan plan() {
   return plan;
 }
 
-/// A run that was interrupted when it had found one.
+/// A run that was interrupted after it had found one counterexample.
 Checkpoint unfinished() {
   Checkpoint checkpoint;
   checkpoint.plan = plan();
@@ -61,7 +61,7 @@ TEST_F(RunFolder, ThatIsEmptyBeginsAtNothing) {
   EXPECT_THAT(warnings_, IsEmpty());
 }
 
-// Kills: counterexamples of an unfinished run, gone with its file.
+// Kills: counterexamples of an unfinished run, deleted with its file.
 TEST_F(RunFolder, OfAnUnfinishedRunKeepsWhatItHadFound) {
   folder_.put("unfinished.json", to_json(unfinished()));
   const Checkpoint start = begin_run(plan(), folder_.path(), warn()).value();
@@ -70,7 +70,7 @@ TEST_F(RunFolder, OfAnUnfinishedRunKeepsWhatItHadFound) {
   EXPECT_EQ(folder_.content(kFile), cases::to_json(found));
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("counterexamples of it that are kept: 1")));
 
-  // One that is there already is the shrunk one.
+  // A file that is there already holds the shrunk case and is kept.
   folder_.put(kFile, "mine");
   begin_run(plan(), folder_.path(), warn()).value();
   EXPECT_EQ(folder_.content(kFile), "mine");
@@ -84,7 +84,7 @@ TEST_F(RunFolder, WithFilesThatCannotBeReadIsWarnedOf) {
               ElementsAre(HasSubstr("unfinished.json: 1:"), HasSubstr("broken.json: 1:")));
 }
 
-// Kills: a run that goes on as another one.
+// Kills: resuming a run as a different one.
 TEST_F(RunFolder, GoesOnOnlyAsItWasBegun) {
   EXPECT_THAT(to_string(resume_run(folder_.path(), "1").error()),
               HasSubstr("nothing was interrupted"));

@@ -15,7 +15,7 @@ namespace {
 
 using records::Defect;
 
-/// Two triangles of 24 pixels that share an edge, with 4 samples, drawn exactly.
+/// Two triangles that cover 24 pixels, share an edge, have 4 samples, and are drawn exactly.
 class SabotageTest : public testing::Test {
  protected:
   SabotageTest() : backend_(*backends::make_backend("cpu")) {
@@ -36,7 +36,7 @@ class SabotageTest : public testing::Test {
     if (!drawn) return std::nullopt;
     return std::move(drawn->fragments);
   }
-  /// Draws the case with a defect.
+  /// Draws the case with a defect, if the defect can be applied.
   std::optional<cases::Fragments> damaged(const Sabotage& sabotage) const {
     const cases::ClipCase c(case_);
     const auto right = drawn(c);
@@ -69,14 +69,14 @@ TEST_F(SabotageTest, AreInTheOrderOfTheirDefects) {
   }
 }
 
-// Kills: a sample that is not there given to the judge twice, or one lost that others stand for.
+// Kills: an extra sample given to the judge twice; a lost sample that others stand in for.
 TEST_F(SabotageTest, OneSampleIsOne) {
   const std::size_t count = drawn(cases::ClipCase(case_))->size();
   EXPECT_EQ(damaged(of(Defect::extra_16th))->size(), count + 1);
   EXPECT_EQ(damaged(of(Defect::missing_16th))->size(), count - 1);
 }
 
-// Kills: what is not looked at noticed all the same.
+// Kills: noticing defects in parts that are not looked at.
 TEST_F(SabotageTest, OnlyWhatIsWatchedIsNoticed) {
   const cases::ClipCase c(case_);
   const auto contract = cases::contract_of(c);
@@ -88,7 +88,7 @@ TEST_F(SabotageTest, OnlyWhatIsWatchedIsNoticed) {
   EXPECT_FALSE(has_wrong(c, contract, *cracked, kValuesAlone));
 }
 
-// With one w affine values are the right ones, but for rounding.
+// If all w are equal, affine values are right, except for rounding.
 TEST_F(SabotageTest, AffineIsForPerspectiveOnly) {
   case_.positions[1] = {0.75F, -0.75F, 0.5F, 1};
   case_.triangles = {{0, 1, 2}};
@@ -97,7 +97,7 @@ TEST_F(SabotageTest, AffineIsForPerspectiveOnly) {
   EXPECT_TRUE(!wrong || !has_wrong(c, cases::contract_of(c), *wrong));
 }
 
-// Kills: a defect that needs values and claims to have changed a drawing without.
+// Kills: a defect of values that claims to have changed a drawing without attributes.
 TEST_F(SabotageTest, WithoutAttributesThereAreNoWrongValues) {
   case_.attributes.clear();
   case_.attribute_values.clear();
@@ -106,7 +106,8 @@ TEST_F(SabotageTest, WithoutAttributesThereAreNoWrongValues) {
   EXPECT_TRUE(damaged(of(Defect::depth_90)));
 }
 
-// The smallest triangles that `spec` has to say something of, and what drivers must not draw there.
+// The smallest triangles that the promise `spec` covers, and values that drivers must not draw
+// there.
 TEST_F(SabotageTest, NoNumbersAreNoticedInTrianglesOfFourPixelsUnderEveryPromise) {
   case_.framebuffer = {1024, 1024, 1};
   case_.viewport = {0, 0, 1024, 1024, 0, 1};

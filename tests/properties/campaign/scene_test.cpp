@@ -59,7 +59,7 @@ TEST(JudgeScene, RecordsTheTwoLawsThatHoldOfEveryCase) {
   EXPECT_EQ(records.at(key(kCoverage)).cases, (records::CaseCounts{1, 0, 0}));
   EXPECT_GE(records.at(key(kCoverage)).counts.required, 56U);  // the diagonal may be open
   EXPECT_EQ(records.at(key(kValues)).cases, (records::CaseCounts{1, 0, 0}));
-  // Of 64 fragments each three attributes.
+  // 64 fragments with three attributes each.
   EXPECT_EQ(records.at(key(kValues, AttributeKind::smooth))
                 .errors.classes[records::FragmentClass::correct],
             192U);
@@ -67,8 +67,8 @@ TEST(JudgeScene, RecordsTheTwoLawsThatHoldOfEveryCase) {
   EXPECT_FALSE(records.contains(key("constants-stay-constant")));
 }
 
-// Of 64 samples one is missing, one has a wrong value, and one is drawn by both triangles. Kills: a
-// scene's count that takes what is permitted either way for judged.
+// Of 64 samples, one is missing, one has a wrong value, and one is drawn by both triangles. Kills:
+// counting samples that may be drawn or not as judged.
 TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
   const cases::Case c = scene();
   const auto cpu = backends::make_backend("cpu").value();
@@ -109,22 +109,23 @@ TEST(JudgeScene, MapsWhatBecameOfPixels) {
   EXPECT_EQ(error(found, 1, 1), 0);
   EXPECT_EQ(state(found, 6, 6), PixelState::violated);  // extra
   EXPECT_EQ(state(found, 2, 3), PixelState::violated);
-  EXPECT_EQ(error(found, 2, 3), 0x1p22F);  // a half, in ulps of one
+  EXPECT_EQ(error(found, 2, 3), 0x1p22F);  // one half, in ulps of 1
   EXPECT_EQ(state(found, 3, 2), PixelState::correct);
 }
 
-// Kills: the error of a fragment that the picture does not show.
+// Kills: the error of a fragment that is hidden in the picture.
 TEST(JudgeScene, MapsTheErrorOfTheNearestFragment) {
   cases::Case c = scene();
   c.triangles = {{0, 1, 2}, {4, 5, 6}};
-  for (int i = 0; i < 3; ++i) {  // A once more, farther away
+  for (int i = 0; i < 3; ++i) {  // a copy of A, farther away
     c.positions.push_back(c.positions[static_cast<std::size_t>(i)]);
     c.positions.back().z = 0.5F;
   }
   c.attribute_values.insert(c.attribute_values.end(), {0, 1, 0, 8, 1, 0, 0, 1, 0});
   const auto damaged = [&c](std::uint32_t triangle) {
     return judged(c, [triangle](const cases::Case&, cases::Fragments& drawn) {
-      value(drawn, triangle, 2, 3, 1) = 1.5F;
+      // A case that is shrunk to one triangle lacks the other.
+      if (is_drawn(drawn, triangle, 2, 3)) value(drawn, triangle, 2, 3, 1) = 1.5F;
     });
   };
   EXPECT_EQ(state(damaged(0), 2, 3), PixelState::violated);
@@ -151,7 +152,7 @@ TEST(JudgeScene, MakesCounterexamplesOfOneTriangle) {
               ElementsAre(scene().positions[2], scene().positions[1], scene().positions[3]));
 }
 
-// Kills: two counterexamples of one file name, where the corpus has the scene too.
+// Kills: two counterexamples with the same file name if the corpus also has the scene.
 TEST(JudgeScene, GivesWayToTheCorpus) {
   cases::Case c = scene();
   c.triangles = {{2, 1, 3}};
@@ -177,7 +178,7 @@ TEST(JudgeScene, HoldsADrawingThatFailsAgainstTheBackend) {
   EXPECT_THAT(found.map.states, SizeIs(64));
 }
 
-/// Six triangles of the square, three of them farther away.
+/// Six triangles on the square, three of them farther away.
 cases::Case layered_scene() {
   cases::Case c = scene();
   const std::size_t count = c.positions.size();
@@ -199,8 +200,18 @@ cases::Case layered_scene() {
   return c;
 }
 
-// Kills: a part's triangle taken for the scene's of that number, in places of errors, in
-// counterexamples and in the picture; a part that is judged twice or not at all.
+/// Adds up the levels that answered for values. Which level answers depends on the largest error so
+/// far, and so on where a part begins.
+records::RecordSet with_levels_added_up(records::RecordSet all) {
+  for (auto& [key, record] : all) {
+    records::LevelCounts& values = record.levels.values;
+    values = {values.filter + values.interval + values.exact, 0, 0};
+  }
+  return all;
+}
+
+// Kills: a part's triangle number used as the scene's, in places of errors, in counterexamples and
+// in the picture; a part that is judged twice or not at all.
 TEST(JudgeScene, GivesTheSameInParts) {
   const cases::Case c = layered_scene();
   const Damage damage = [](const cases::Case&, cases::Fragments& drawn) {
@@ -216,7 +227,8 @@ TEST(JudgeScene, GivesTheSameInParts) {
     DamagedBackend backend(damage);
     const SceneFindings parts = judge_scene_in(limits, c, "damaged", backend, 7, kLaws).value();
     EXPECT_EQ(parts.result, whole.result);
-    EXPECT_EQ(parts.findings.records, whole.findings.records);
+    EXPECT_EQ(with_levels_added_up(parts.findings.records),
+              with_levels_added_up(whole.findings.records));
     ASSERT_EQ(parts.findings.counterexamples.size(), whole.findings.counterexamples.size());
     for (std::size_t i = 0; i < whole.findings.counterexamples.size(); ++i) {
       EXPECT_EQ(parts.findings.counterexamples[i].source, whole.findings.counterexamples[i].source);
@@ -229,7 +241,7 @@ TEST(JudgeScene, GivesTheSameInParts) {
   }
 }
 
-// Kills: a part that could not be drawn, dropped without a word.
+// Kills: a part that could not be drawn, left out without a message.
 TEST(JudgeScene, JudgesTheOtherPartsWhereOneFails) {
   class FailsOnce : public DamagedBackend {
    public:
@@ -257,7 +269,7 @@ TEST(JudgeScene, JudgesTheOtherPartsWhereOneFails) {
 
   FailsOnce hangs(2, Failure::hang);
   const SceneFindings hung = judge_scene_in(limits, c, "damaged", hangs, 7, kLaws).value();
-  EXPECT_EQ(hung.result.not_judged.at("no room"), 4U);  // the third is not tried
+  EXPECT_EQ(hung.result.not_judged.at("no room"), 4U);  // the third part is not tried
 }
 
 std::vector<ScenePart> parts_of(const cases::Case& c, const PartLimits& limits) {
@@ -268,8 +280,8 @@ std::vector<ScenePart> parts_of(const cases::Case& c, const PartLimits& limits) 
   return parts;
 }
 
-// Kills: triangles that a backend does not draw, taking others with them; a refusal of the whole
-// case taken for one of its triangles.
+// Kills: triangles that the backend does not draw and that take others with them; a refusal of the
+// whole case treated as a refusal of one triangle.
 TEST(JudgeScene, JudgesTrianglesBesideThoseThatAreNotDrawn) {
   class DrawsSome : public DamagedBackend {
    public:
@@ -303,7 +315,7 @@ TEST(JudgeScene, JudgesTrianglesBesideThoseThatAreNotDrawn) {
   EXPECT_EQ(none.drawings, 2);
 }
 
-// Kills: a crash that is hidden by triangles that are not drawn; parts tried after it.
+// Kills: a crash hidden by triangles that are not drawn; parts that are tried after a crash.
 TEST(JudgeScene, TellsOfACrashAfterTrianglesThatAreNotDrawn) {
   class EndsBadly : public DamagedBackend {
    public:
@@ -335,22 +347,22 @@ TEST(JudgeScene, IsDrawnAtOnceWithADepthTest) {
   EXPECT_EQ(parts_of(c, {.triangles = 4}), (std::vector<ScenePart>{{0, 6}}));
 }
 
-// Kills: a triangle that nobody sees counted as the whole window.
+// Kills: a triangle that is not visible, counted as if it covered the whole window.
 TEST(JudgeScene, SizesPartsByWhatIsSeen) {
   cases::Case c = scene();
   c.triangles.assign(5, c.triangles[0]);
   for (cases::ClipVertex& p : c.positions) p.w = -p.w;
   EXPECT_EQ(parts_of(c, {.samples = 1}), (std::vector<ScenePart>{{0, 5}}));
-  c.positions[c.triangles[0][0]] = {0, 0, 0, 1};  // two behind the eye
+  c.positions[c.triangles[0][0]] = {0, 0, 0, 1};  // the other two are behind the eye
   EXPECT_GT(parts_of(c, {.samples = 1}).size(), 1U);
 }
 
-// Kills: an open fragment counted as judged; one that is judged, as open.
+// Kills: an open fragment counted as judged; a judged fragment counted as open.
 TEST(JudgeScene, CountsFragmentsThatAreOpen) {
   const cases::Case c = scene();
   DamagedBackend backend;
   cases::Contract promised = backend.promise(c);
-  promised.bounds.smooth.constant = 0x1p24F;  // which any value is within
+  promised.bounds.smooth.constant = 0x1p24F;  // a bound that allows any value
   backend.promised = promised;
   const SceneFindings found = judge_scene(c, "damaged", backend, 7, kLaws).value();
   EXPECT_EQ(found.result.judged, 0U);

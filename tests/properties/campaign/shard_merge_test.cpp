@@ -27,8 +27,8 @@ records::Counterexample found_at(std::uint64_t index) {
   return one;
 }
 
-/// Shard `index` of 3: each has checked 1000 cases, of which `index` reached a tie, and found a
-/// counterexample, the third the first.
+/// Shard `index` of 3. Each shard has checked 1000 cases, of which `index` reached a tie, and has
+/// found a counterexample; the third shard's comes first.
 records::Run shard(std::uint64_t index) {
   records::Run run;
   run.plan.seed = 1;
@@ -88,7 +88,7 @@ TEST(ShardMerge, AddsUpWhatWasFound) {
   EXPECT_THAT(all.looked_at, SizeIs(3));
 }
 
-// Kills: labels judged by a part, or by whoever merges.
+// Kills: labels judged by a single shard, or by the contracts on the machine that merges.
 TEST(ShardMerge, JudgesLabelsOfTheWhole) {
   const records::Run run = merged({shard(1), shard(2), shard(3)}).value().run;
   ASSERT_THAT(run.unreached, SizeIs(1));
@@ -131,7 +131,7 @@ TEST(ShardMerge, TakesWhatOnlyTheFirstHas) {
   EXPECT_EQ(all.run.pictures, first.pictures);
 }
 
-// Kills: half a campaign that looks whole.
+// Kills: a part of a campaign that looks complete.
 TEST(ShardMerge, NamesWhatIsMissing) {
   EXPECT_EQ(error_of({}), "merge: there are no shards");
   EXPECT_EQ(error_of({shard(1), shard(3)}), "merge: shard 2 of 3 is missing");
@@ -164,7 +164,7 @@ TEST(ShardMerge, RefusesWhatIsNoShardOrNotWhole) {
   EXPECT_THAT(error_of({nameless}), HasSubstr("does not say how it was found"));
 }
 
-// Kills: shards of two campaigns put together.
+// Kills: merging shards of two different campaigns.
 TEST(ShardMerge, NamesTheDifferenceOfAnotherCampaign) {
   const auto error = [](const std::function<void(records::Run&)>& change) {
     records::Run other = shard(2);

@@ -10,6 +10,7 @@
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
 #include "properties/campaign/internal/case_size.h"
+#include "properties/choices.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties::shrink_test {
@@ -18,7 +19,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Fails where the case has a property; the violation is at a triangle's pixel.
+/// A check that fails if `is_bad` is true of the case; the violation is at this pixel of this
+/// triangle.
 FailsAlike where(const std::function<bool(const cases::Case&)>& is_bad, std::uint32_t triangle = 0,
                  std::uint32_t x = 0, std::uint32_t y = 0) {
   return [=](const cases::Case& c) -> std::optional<Check> {
@@ -37,7 +39,7 @@ Shrunk shrunk(const cases::Case& c, const FailsAlike& fails, std::uint64_t tries
   return shrink(c, fails(c).value(), fails, {tries, {}});
 }
 
-/// A case with something of everything, so that there is much to take away.
+/// A case that uses every feature, so that there is much to remove.
 cases::Case full_case() {
   cases::Case c = square();
   c.framebuffer = {64, 48, 4};
@@ -63,7 +65,7 @@ cases::Case full_case() {
   return c;
 }
 
-// Kills: any pass that leaves out what it is there for.
+// Kills: any pass that does not remove what it is there to remove.
 TEST(Shrink, LeavesNothingThatIsNotNeeded) {
   const Shrunk least = shrunk(full_case(), where([](const cases::Case&) { return true; }));
   EXPECT_TRUE(least.is_least);
@@ -85,12 +87,15 @@ TEST(Shrink, LeavesNothingThatIsNotNeeded) {
   EXPECT_THAT(c.attributes, IsEmpty());
   EXPECT_THAT(c.attribute_values, IsEmpty());
   for (const cases::ClipVertex& vertex : c.positions) EXPECT_EQ(vertex.w, 1);
-  // Viewport, depth range, w; x and y, as 0 is the middle of the pixel and not on the grid.
+  // Bits of the viewport, of the depth range, of w, and of x and y. The last are 6, one for each
+  // coordinate: 0 would have none, but it is the middle of the pixel, and so not on the grid of
+  // whole pixels.
   EXPECT_EQ(size_of(c).bits, 2U + 1U + 3U + 6U);
   EXPECT_EQ(size_of(c).off_grid, 0U);
 }
 
-// Kills: a search that loses what makes the case fail, or gives up on the rest because of it.
+// Kills: a search that loses what makes the case fail, or that stops removing other parts because
+// of it.
 TEST(Shrink, KeepsWhatIsNeededAndNothingElse) {
   const auto needs = [](const std::function<bool(const cases::Case&)>& part) {
     const Shrunk least = shrunk(full_case(), where(part));
@@ -120,7 +125,7 @@ TEST(Shrink, KeepsWhatIsNeededAndNothingElse) {
     return std::any_of(c.positions.begin(), c.positions.end(),
                        [](const cases::ClipVertex& v) { return significant_bits(v.x) > 5; });
   });
-  EXPECT_LE(size_of(precise).bits, 24U);  // six or more of one number, and one each of w and sizes
+  EXPECT_LE(size_of(precise).bits, 24U);  // six or more for one number, one each for w and sizes
   const cases::Case large = needs([](const cases::Case& c) {
     return std::any_of(c.attribute_values.begin(), c.attribute_values.end(),
                        [](float v) { return std::abs(v) >= 8; });
@@ -128,7 +133,7 @@ TEST(Shrink, KeepsWhatIsNeededAndNothingElse) {
   EXPECT_EQ(large.attributes.size(), 1U);
 }
 
-// Kills: vertices and their values that get mixed up with those of triangles that went.
+// Kills: vertices and values that are mixed up with those of removed triangles.
 TEST(Shrink, OfTrianglesKeepsTheirVertices) {
   cases::Case c = square();
   c.clip_distance_count = 1;
@@ -141,7 +146,7 @@ TEST(Shrink, OfTrianglesKeepsTheirVertices) {
   EXPECT_THAT(both.attribute_values, ElementsAre(0, 1, 0, 8, 1, 0, 8, 1, 0, 0, 1, 0));
 }
 
-// Kills: the search for triangles that tries one after the other, of thousands.
+// Kills: a search that tries thousands of triangles one after the other.
 TEST(Shrink, OfManyTrianglesGoesToTheGuiltyOne) {
   cases::Case c = square();
   c.triangles.assign(1000, {0, 1, 2});
@@ -158,14 +163,37 @@ TEST(Shrink, OfManyTrianglesGoesToTheGuiltyOne) {
   EXPECT_EQ(blind.source.triangles.size(), 1U);
 }
 
-// Kills: a framebuffer that loses the pixel that failed, or keeps a hundred that are not needed.
+// Kills: choices that change with each step, or that remain although nothing depends on them.
+TEST(Shrink, KeepsChoicesWhereTheCaseFailsWithNoOthers) {
+  cases::Case c = full_case();
+  c.choices = 77;
+  const Shrunk chosen =
+      shrunk(c, where([](const cases::Case& tried) { return tried.choices == 77U; }));
+  EXPECT_EQ(chosen.source.choices, 77U);
+  EXPECT_EQ(chosen.source.triangles.size(), 1U);
+  const Shrunk unchosen = shrunk(c, where([](const cases::Case&) { return true; }));
+  EXPECT_EQ(unchosen.source.choices, std::nullopt);
+}
+
+// A law that makes its first choice from all triangles chooses differently for a single triangle.
+TEST(Shrink, TriesOtherChoicesOfOneTriangle) {
+  cases::Case c = full_case();
+  c.choices = 77;
+  const Shrunk least = shrunk(c, where([](const cases::Case& tried) {
+                                return tried.triangles.size() > 1 || choices_of(tried) % 16 == 3;
+                              }));
+  EXPECT_EQ(least.source.triangles.size(), 1U);
+  EXPECT_EQ(choices_of(least.source) % 16, 3U);
+}
+
+// Kills: a framebuffer that loses the pixel that failed, or keeps hundreds that are not needed.
 TEST(Shrink, CropsToThePixel) {
   cases::Case c = square();
   c.framebuffer = {640, 480, 1};
   c.viewport.width = 640;
   c.viewport.height = 480;
   const auto keeps_it = [](const cases::Case& one) {
-    // What lies where pixel (300, 200) was.
+    // The new position of pixel (300, 200).
     const double x = 300 + static_cast<double>(one.viewport.x);
     const double y = 200 + static_cast<double>(one.viewport.y);
     return one.viewport.width == 640 && one.viewport.height == 480 && x >= 0 && y >= 0 &&
@@ -195,7 +223,7 @@ TEST(Shrink, StaysWithinItsLimits) {
   EXPECT_LE(some.tries, 3U);
 }
 
-// Kills: a case that comes back although it does not fail; the check of another case.
+// Kills: returning a case that does not fail; returning the check of another case.
 TEST(Shrink, GivesBackWhatNothingSmallerFailsLike) {
   const cases::Case c = full_case();
   int checks = 0;
@@ -212,7 +240,8 @@ TEST(Shrink, GivesBackWhatNothingSmallerFailsLike) {
   EXPECT_EQ(same.tries, static_cast<std::uint64_t>(checks));
 }
 
-// Kills: a candidate that no case file can hold; one that is larger; one that is checked twice.
+// Kills: a candidate that no case file can hold; a larger candidate; a candidate that is checked
+// twice.
 TEST(Shrink, OffersCasesThatCanBeSavedAndAreSmaller) {
   std::vector<std::string> offered;
   const cases::Case start = full_case();
@@ -223,7 +252,7 @@ TEST(Shrink, OffersCasesThatCanBeSavedAndAreSmaller) {
     EXPECT_TRUE(read) << to_string(read.error()) << "\n" << text;
     EXPECT_EQ(read.value_or(cases::Case()), c);
     EXPECT_LT(size_of(c), size_of(start));
-    // One in three, so that the search goes many ways.
+    // Every third candidate fails, so that the search goes many ways.
     Check check;
     check.violations.resize(1);
     return offered.size() % 3 == 0 ? std::optional(check) : std::nullopt;
@@ -243,7 +272,7 @@ TEST(Shrink, EndsWithTheSameEachTime) {
   const Shrunk again = shrunk(full_case(), fails);
   EXPECT_EQ(once.source, again.source);
   EXPECT_EQ(once.tries, again.tries);
-  // And what is least is so.
+  // The least case cannot be shrunk further.
   const Shrunk more = shrunk(once.source, fails);
   EXPECT_EQ(more.source, once.source);
 }

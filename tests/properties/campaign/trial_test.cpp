@@ -27,21 +27,21 @@ using Outcome = Trial::Outcome;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
-/// Loses pixel (7, 7) of whatever is drawn, smaller cases too.
+/// Loses pixel (7, 7) of each triangle, in smaller cases too.
 void lose_corner(const cases::Case& c, cases::Fragments& drawn) {
   for (std::uint32_t triangle = 0; triangle < c.triangles.size(); ++triangle) {
     if (find(drawn, triangle, 7, 7) < drawn.size()) drop(drawn, triangle, 7, 7);
   }
 }
 
-/// The law of coverage, whose random cases are all the square.
+/// The law of coverage, with the square as its only random case.
 Law law_of_squares() {
   Law law = *find_law(kCoverage);
   law.generate = [](Draw&) { return Generated{square(), "squares"}; };
   return law;
 }
 
-/// Draws every other case, and says that it does not draw those between.
+/// Draws every other case, and reports the cases in between as unsupported.
 class LimitedBackend : public DamagedBackend {
  public:
   backends::About about() const override { return {.has_limits = true}; }
@@ -54,13 +54,13 @@ class LimitedBackend : public DamagedBackend {
   int asked_ = 0;
 };
 
-/// Is lost before it draws anything.
+/// A backend that is lost before it draws anything.
 class LostBackend : public DamagedBackend {
  public:
   std::optional<Error> is_lost() const override { return Error{"", "", "gone for good"}; }
 };
 
-/// Never draws, and says why.
+/// Never draws, and gives a reason.
 class FailingBackend : public DamagedBackend {
  public:
   Result<cases::Fragments> draw_fragments(const cases::Case& /*c*/) override {
@@ -79,14 +79,14 @@ TrialOptions few_cases() {
   return options;
 }
 
-/// The case file at the end of a text.
+/// Reads the case file at the end of a text.
 cases::Case case_in(const std::string& text) {
   const std::size_t begin = text.find("\n{\n");
   return cases::parse_case(text.substr(begin == std::string::npos ? text.size() : begin), "text")
       .value_or(cases::Case());
 }
 
-/// Environment variables that are gone with it.
+/// Environment variables that are unset when this object is destroyed.
 class Environment {
  public:
   Environment() { clear(); }
@@ -105,7 +105,7 @@ class Environment {
   }
 };
 
-// Kills: fewer cases than were asked for, the same case again and again.
+// Kills: fewer cases than were asked for; the same case again and again.
 TEST(TryLaw, ChecksTheRandomCasesOfACampaign) {
   const TemporaryFolder corpus;
   cases::Case first = square();
@@ -128,7 +128,8 @@ TEST(TryLaw, ChecksTheRandomCasesOfACampaign) {
   }
 }
 
-// Kills: a message without the place, the case as it was found instead of the smaller one.
+// Kills: a message that does not name the place; the case as it was found instead of the smaller
+// one.
 TEST(TryLaw, TellsAStrangerWhatIsWrong) {
   const Trial trial = try_law(law_of_squares(), "Mine", damaged(&lose_corner), few_cases());
   EXPECT_EQ(trial.outcome, Outcome::failed);
@@ -171,7 +172,7 @@ TEST(TryLaw, SaysHowFarAValueIsOff) {
   TrialOptions options = few_cases();
   options.shrinking.tries = 0;
   const auto damage = [](const cases::Case&, cases::Fragments& drawn) {
-    value(drawn, 0, 0, 0, 1) = 0x1.00001p+0F;  // of one, whose unit is 2^-23
+    value(drawn, 0, 0, 0, 1) = 0x1.00001p+0F;  // attribute `one`: its scale ULP is 2^-23
   };
   const Trial trial = try_law(
       law, "Mine", [&damage] { return std::make_unique<DamagedBackend>(damage, "cpu"); }, options);
@@ -199,7 +200,7 @@ TEST(TryLaw, SavesTheCaseWhereItIsTold) {
             (cases::Found{kCoverage, "Mine", "missing", 7, 0, "coverage", "ordinary"}));
 }
 
-// Kills: a counterexample that is lost where the disk is full.
+// Kills: a counterexample that is lost if the disk is full.
 TEST(TryLaw, PrintsTheCaseWhereItCannotBeSaved) {
   const TemporaryFolder folder;
   TrialOptions options = few_cases();
@@ -218,7 +219,7 @@ TEST(TryLaw, SkipsWhatIsNotPromised) {
                     HasSubstr("backends that assemble none")));
 }
 
-// Kills: "held" of a law that was not tried.
+// Kills: "held" for a law that was not tried.
 TEST(TryLaw, SkipsWhereNothingIsChecked) {
   TrialOptions options = few_cases();
   options.cases = 0;
@@ -227,7 +228,7 @@ TEST(TryLaw, SkipsWhereNothingIsChecked) {
   EXPECT_THAT(trial.text, HasSubstr("nothing was checked"));
 }
 
-// Kills: "held" of a law whose cases never were what it is about.
+// Kills: "held" for a law although its cases never were what the law is about.
 TEST(TryLaw, FailsWhereTheLawWasHardlyTested) {
   TrialOptions options = few_cases();
   options.cases = 200;
@@ -238,7 +239,7 @@ TEST(TryLaw, FailsWhereTheLawWasHardlyTested) {
                                 Not(HasSubstr("“drawn”"))));
 }
 
-// Kills: limits, or promises, of whatever backend is asked for by the name of the suite.
+// Kills: limits or promises taken from a registered backend that has the suite's name.
 TEST(TryLaw, HoldsWhereLimitsKeepLabelsOutOfReach) {
   TrialOptions options = few_cases();
   options.cases = 200;
@@ -249,7 +250,7 @@ TEST(TryLaw, HoldsWhereLimitsKeepLabelsOutOfReach) {
   }
 }
 
-// Kills: a sample and an exact answer where nothing was drawn.
+// Kills: a message with a sample and an exact answer although nothing was drawn.
 TEST(TryLaw, TellsWhyThereIsNoDrawing) {
   const Trial trial = try_law(
       law_of_squares(), "Mine", [] { return std::make_unique<FailingBackend>(); }, few_cases());
@@ -260,7 +261,7 @@ TEST(TryLaw, TellsWhyThereIsNoDrawing) {
                     Not(HasSubstr("pixel")), Not(HasSubstr("exactly"))));
 }
 
-// Kills: shrinking without end.
+// Kills: shrinking without an end.
 TEST(TryLaw, EndsShrinkingInTime) {
   TrialOptions options = few_cases();
   options.shrinking.seconds = 0;
@@ -283,7 +284,7 @@ TEST(TryLaw, FailsWhereItCannotBegin) {
   EXPECT_THAT(broken.text, HasSubstr(file));
 }
 
-// Kills: "held" of a backend that nothing was asked of.
+// Kills: "held" for a backend that was not asked to draw anything.
 TEST(TryLaw, FailsWhereTheBackendIsLost) {
   const Trial trial = try_law(
       law_of_squares(), "Mine", [] { return std::make_unique<LostBackend>(); }, few_cases());

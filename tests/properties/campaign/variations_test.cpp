@@ -25,8 +25,8 @@ TEST(Variations, HaveIdsOfTheirOwn) {
   EXPECT_EQ(find_variation("no such"), nullptr);
 }
 
-// Kills: a variation that makes no valid case, one that says that it took something away and did
-// not, and one that nothing ever has.
+// Kills: a variation that makes an invalid case; a variation that claims to have removed something
+// and has not; a variation that never applies.
 TEST(Variations, TakeSomethingAwayAndLeaveAValidCase) {
   constexpr std::uint64_t kCases = 1500;
   std::map<std::string_view, int> taken;
@@ -44,14 +44,15 @@ TEST(Variations, TakeSomethingAwayAndLeaveAValidCase) {
     }
   }
   for (const Variation& variation : variations()) {
-    // Of where the case fails, which is here the first pixel; of cases that no generator makes.
+    // "far pixels" depends on where the case fails, here the first pixel; no generator makes cases
+    // for the other two.
     const std::set<std::string_view> others{"far pixels", "camera", "depth clear"};
     if (others.contains(variation.id)) continue;
     EXPECT_GT(taken[variation.id], 0) << variation.id;
   }
 }
 
-// Kills: what is said to be taken away and is still there.
+// Kills: a variation that claims to have removed something that is still there.
 TEST(Variations, AreNotThereAnyMoreOnceTakenAway) {
   const std::set<std::string_view> again{"tie",   "small",        "large",
                                          "side",  "large values", "small values",
@@ -68,7 +69,7 @@ TEST(Variations, AreNotThereAnyMoreOnceTakenAway) {
   }
 }
 
-// Kills: a target of no size, where a fragment was drawn beyond it.
+// Kills: a target without size if a fragment was drawn outside the target.
 TEST(Variations, OfFarPixelsCropTheTarget) {
   cases::Case c;
   c.framebuffer = {80, 100, 1};
@@ -83,7 +84,7 @@ TEST(Variations, OfFarPixelsCropTheTarget) {
   EXPECT_FALSE(take_away(far, c, {0, 3, 65535, 0}));
 }
 
-// Kills: a viewport changed with the picture in it.
+// Kills: a change of the viewport that also moves the picture in it.
 TEST(Variations, OfViewportsLeaveVerticesWhereTheyAppear) {
   for (std::uint64_t index = 0; index < 400; ++index) {
     Draw draw(3, "variations", index);
@@ -94,12 +95,13 @@ TEST(Variations, OfViewportsLeaveVerticesWhereTheyAppear) {
       for (std::size_t i = 0; i < source.positions.size(); ++i) {
         WindowPoint before = window_point(source.viewport, source.positions[i]);
         WindowPoint after = window_point(other.viewport, other.positions[i]);
-        if (source.rules == cases::Rules::d3d) {  // y runs the other way
+        if (source.rules == cases::Rules::d3d) {  // y points the other way
           before.v = 2 * double{source.viewport.y} + double{source.viewport.height} - before.v;
           after.v = 2 * double{other.viewport.y} + double{other.viewport.height} - after.v;
         }
-        // Two roundings to float32 of a clip position, each of half an ULP, times the size of the
-        // viewport that it is spread over; positions at the end of float32 are held there.
+        // The tolerance is two roundings of a clip position to float32, each of half an ULP, times
+        // the size of the viewport. Positions beyond float32's range are clamped to it, so very
+        // large sizes are skipped.
         const double size = std::abs(double{other.viewport.width}) +
                             std::abs(double{other.viewport.height}) + std::abs(before.u) +
                             std::abs(before.v) + std::abs(double{other.viewport.x}) +

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
-/// A case that a law's check of a backend found, with a scissor that takes nothing away.
+/// A case found by a law's check of a backend, with a scissor that removes nothing.
 cases::Case found_case(const std::string& law = kCoverage) {
   cases::Case c = square();
   c.scissor = cases::Scissor{0, 0, 8, 8};
@@ -26,7 +26,7 @@ cases::Case found_case(const std::string& law = kCoverage) {
   return c;
 }
 
-/// Loses a fragment where there is a scissor, of those that the contract does not leave open.
+/// Loses a fragment if there is a scissor; the contract requires this fragment.
 void lose_with_scissor(const cases::Case& c, cases::Fragments& drawn) {
   if (c.scissor && find(drawn, 0, 1, 1) < drawn.size()) drop(drawn, 0, 1, 1);
 }
@@ -55,7 +55,7 @@ TEST(Waiver, AsksForWhatTheCounterexampleNeeds) {
   EXPECT_THAT(waiver.sentence, HasSubstr("there is a scissor"));
 }
 
-// Kills: a waiver of one law, where one fault breaks a dozen.
+// Kills: a waiver for one law only although the fault breaks a dozen laws.
 TEST(Waiver, KnowsTheFaultInOtherLaws) {
   DamagedBackend backend(&lose_with_scissor);
   const KnownDefects known = known_by(waiver_of({found_case()}, backend).value());
@@ -69,7 +69,8 @@ TEST(Waiver, KnowsTheFaultInOtherLaws) {
   EXPECT_GT(violated, 1);
 }
 
-// Kills: a waiver that hides another fault of the same part, or of another part of the same case.
+// Kills: a waiver that hides another fault in the same part, or a fault in another part of the same
+// case.
 TEST(Waiver, DoesNotHideAnotherFault) {
   DamagedBackend damaged(&lose_with_scissor);
   const KnownDefects known = known_by(waiver_of({found_case()}, damaged).value());
@@ -88,13 +89,15 @@ TEST(Waiver, DoesNotHideAnotherFault) {
   EXPECT_THAT(check_or_note(*find_law(kCoverage), without, always, 0, &known).known, IsEmpty());
 }
 
-// Kills: a fault that comes and goes, taken for a known one as it is gone when it is asked again.
+// Kills: an intermittent fault that counts as known because it is gone when the case is drawn
+// again.
 TEST(Waiver, DoesNotHideWhatComesAndGoes) {
   DamagedBackend damaged(&lose_with_scissor);
   const KnownDefects known = known_by(waiver_of({found_case()}, damaged).value());
   int drawings = 0;
   DamagedBackend at_times([&drawings](const cases::Case& c, cases::Fragments& drawn) {
-    // The known fault is within what the law allows of this case; the other shows at first only.
+    // The first drawing has only another fault, the second only the known one, and later ones are
+    // right.
     if (++drawings == 1) add(drawn, 1, 2, 2);
     if (drawings == 2) lose_with_scissor(c, drawn);
   });
@@ -136,7 +139,7 @@ TEST(Waiver, OfWhatDrawsNothingIsOfItsMessage) {
   cases::Case failed = found_case();
   failed.found->verdict = "failed";
   const Waiver waiver = waiver_of({failed}, backend).value();
-  EXPECT_THAT(waiver.entry.laws, ElementsAre(kCoverage));  // a message alone may be of anything
+  EXPECT_THAT(waiver.entry.laws, ElementsAre(kCoverage));  // a message alone may come from anything
   EXPECT_THAT(waiver.entry.verdicts, ElementsAre(FragmentClass::failed));
   EXPECT_EQ(waiver.entry.when.note, "out of tiles after");
   const KnownDefects known = known_by(waiver);

@@ -1,5 +1,5 @@
-// Tasks in processes: of the program with the damaged backends (damaged_kind.cpp), and of scripts
-// that are no workers.
+// Tasks in worker processes: those of the program with the damaged backends (damaged_kind.cpp), and
+// scripts that are not workers.
 
 #include "properties/campaign/workers.h"
 
@@ -26,11 +26,11 @@ using testing::StartsWith;
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 const records::Plan kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
 
-/// The part of that plan which a worker needs.
+/// The part of kSmall's plan that a worker needs.
 constexpr const char* kPlan = R"({"seed": 7, "cases_per_law": 25, "laws":
     ["coverage-obeys-the-contract", "constants-stay-constant"]})";
 
-/// Whether every process is gone, and none left a zombie.
+/// True if all child processes are gone and none is left as a zombie.
 bool has_no_children() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
 
 Result<Findings> run_with(const std::vector<std::string>& command, int jobs = 2) {
@@ -39,7 +39,7 @@ Result<Findings> run_with(const std::vector<std::string>& command, int jobs = 2)
   });
 }
 
-/// What a shell as a worker comes to.
+/// The error of a run whose worker is a shell with this script.
 std::string shell_error(const std::string& script) {
   const Result<Findings> found = run_with({"/bin/sh", "-c", script});
   return found ? "no error" : to_string(found.error());
@@ -71,7 +71,7 @@ TEST_P(Workers, FindWhatOneProcessFinds) {
   EXPECT_THAT(told, testing::Each(1));
   EXPECT_TRUE(has_no_children());
 
-  // And makes the same of what was found.
+  // Shrinking in processes also gives the same result.
   const std::vector<Task> shrinking = shrink_tasks(expected);
   const auto shrunk_here =
       gathered([&](const TaskDone& done) { return run_tasks(runner, shrinking, done); });
@@ -135,7 +135,7 @@ TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
   EXPECT_TRUE(has_no_children());
 }
 
-// Kills: more tasks for an oracle that is wrong.
+// Kills: more tasks for an oracle that has a fault.
 TEST(WorkerProcesses, GetNothingMoreToDoAfterAFault) {
   const std::string script =
       R"(while read task; do echo '{"records": [], "counterexamples": [], "fault": "f"}'; done)";
@@ -150,8 +150,8 @@ TEST(WorkerProcesses, GetNothingMoreToDoAfterAFault) {
   EXPECT_TRUE(has_no_children());
 }
 
-// Kills: a task that is lost, or waited for in vain, when no more are wanted; a worker that is not
-// told to hurry.
+// Kills: a task that is lost, or waited for in vain, when no more results are wanted; a worker that
+// is not told to hurry.
 TEST(WorkerProcesses, AreAskedToHurryAndWaitedForWhereTheyShrink) {
   const TemporaryFolder folder;
   const std::string script = "read task; read hurry; echo hurried > " + folder.path("said") +
@@ -173,7 +173,8 @@ TEST(WorkerProcesses, AreAskedToHurryAndWaitedForWhereTheyShrink) {
   EXPECT_TRUE(has_no_children());
 }
 
-// Kills: a campaign that ends when the case is drawn that it is at; a part of a task taken for it.
+// Kills: a campaign that ends only after the current case is drawn; a part of a task counted as the
+// whole.
 TEST(WorkerProcesses, AreEndedWhereTheyCheck) {
   int told = 0;
   int asked = 0;
@@ -184,7 +185,7 @@ TEST(WorkerProcesses, AreEndedWhereTheyCheck) {
   EXPECT_TRUE(has_no_children());
 }
 
-// Kills: workers that Ctrl-C ends before the process that is to write down what they found.
+// Kills: workers that Ctrl-C ends before the main process has written down what they found.
 TEST(WorkerProcesses, AreNotInTheProcessGroupOfTheOneThatStartedThem) {
   const TemporaryFolder folder;
   const std::string script =

@@ -1,5 +1,5 @@
-// The generators of decisions that hang on the last bit reach them: hairline those that a double
-// cannot make, snap-ties those of rounding to a grid. Counted with the oracle, exactly.
+// The generators of decisions that depend on the last bit reach such decisions: hairline those that
+// doubles cannot make, snap-ties those of rounding to a grid. The exact oracle counts them.
 
 #include <gtest/gtest.h>
 
@@ -24,10 +24,10 @@ using cases::ClipVertex;
 
 // --- hairline ------------------------------------------------------------------------------------
 
-/// The weights of a triangle's vertices at a place of the window, as doubles have them.
+/// The weights of a triangle's vertices at a place of the window, computed in double.
 struct RoughWeights {
   std::array<double, 3> e{};
-  std::array<double, 3> size{};  ///< of the terms that e is the sum of
+  std::array<double, 3> size{};  ///< sum of the magnitudes of e's terms
 
   RoughWeights(const Corners& p, const Ray& q) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -45,7 +45,8 @@ struct RoughWeights {
     }
   }
 
-  /// Whether an edge, or the plane of the distances g, is too close for double arithmetic.
+  /// True if an edge passes too close to decide in double arithmetic. has_close_plane() tells the
+  /// same of the plane of the distances g.
   bool has_close_edge() const {
     for (std::size_t i = 0; i < 3; ++i) {
       if (std::abs(e[i]) <= 0x1p-44 * size[i]) return true;
@@ -78,8 +79,8 @@ bool has_close_clip_plane(const Case& c, const cases::Triangle& triangle,
          (!c.depth_clamp && (weights.has_close_plane(near) || weights.has_close_plane(far)));
 }
 
-/// Samples that lie on a boundary, and others that are less than 2^-36 pixels from one, but on
-/// either side: of edges, and of clip planes.
+/// Counts of samples that lie on a boundary (on_…), and of samples that are within 2^-36 pixels of
+/// one but certainly on one side (by_…): for edges and for clip planes.
 struct Close {
   int on_edges = 0;
   int by_edges = 0;
@@ -131,7 +132,7 @@ TEST(Hairline, HasSamplesOnBoundariesAndBesideThem) {
   EXPECT_GT(cases_with.by_planes, 15);
 }
 
-/// How many of 200 cases have a triangle for which `question` is true.
+/// The number of cases among 200 that have a triangle for which `question` is true.
 int count(std::string_view generator,
           const std::function<bool(const Case&, const cases::Triangle&)>& question) {
   return count_cases(generator, [&](const Case& c) {
@@ -141,7 +142,7 @@ int count(std::string_view generator,
 }
 
 TEST(Hairline, HasEdgesThatNoDoubleHolds) {
-  // p q − r t of floats, whose products are exact.
+  // p q − r t for floats, whose products are exact in double.
   const auto needs_a_tail = [](float p, float q, float r, float t) {
     const double a = double{p} * double{q};
     const double b = -double{r} * double{t};
@@ -169,7 +170,7 @@ TEST(Hairline, HasDeterminantsThatAreZeroOrNextToIt) {
     bool has_next = false;
     for (std::size_t t = 0; t < c.triangles.size(); ++t) {
       const Corners p = corners_of(c, c.triangles[t]);
-      // The determinant is the third weight, at the third corner.
+      // The determinant is the third weight, evaluated at the third corner.
       const RoughWeights weights(p, {p[2].x, p[2].y, p[2].w});
       if (std::abs(weights.e[2]) > 0x1p-48 * weights.size[2]) continue;
       const int orientation = oracle::TriangleTruth(scene, t).orientation();
@@ -202,8 +203,8 @@ TEST(Hairline, HasPlanesOfOneDepthMidwayBetweenFloats) {
   EXPECT_GT(count("hairline", is_level_and_midway), 100);
 }
 
-/// Whether the triangle draws a sample of a pixel at whose centre Σ E_i, a positive number, is less
-/// than 2^-20 of what it is the sum of.
+/// True if the triangle draws a sample of a pixel at whose centre Σ E_i is positive but less than
+/// 2^-20 of the sum of its terms' magnitudes.
 bool draws_beside_horizon(const Case& c, const cases::Triangle& triangle,
                           const oracle::TriangleTruth& truth) {
   const oracle::PixelBox pixels = truth.pixels();
@@ -245,8 +246,9 @@ TEST(Hairline, HasCentresNextToTheHorizon) {
 
 // --- near-misses ---------------------------------------------------------------------------------
 
-/// How many cases of a generator have a drawn triangle whose determinant a double cannot tell from
-/// 0; and how many a sample as close to an edge as that, of a triangle of which it is not so.
+/// Counts cases with a drawn triangle whose determinant is too close to 0 for its sign to be
+/// certain in low precision, and cases with a sample close to an edge of a triangle that is not so
+/// thin.
 TEST(NearMisses, AreDrawnByDeterminantsAndEdgesThatADoubleCannotTell) {
   int thin = 0;
   int edges = 0;
@@ -285,7 +287,7 @@ TEST(NearMisses, AreDrawnByDeterminantsAndEdgesThatADoubleCannotTell) {
 
 // --- snap-ties -----------------------------------------------------------------------------------
 
-/// Window coordinates in grid units, for w > 0: exact where the coordinates are short.
+/// Window coordinates in grid units, for w > 0; exact if the coordinates have few bits.
 std::array<double, 2> grid_units(const Case& c, const ClipVertex& p) {
   const double grid = power_of_two(c.coverage->subpixel_bits);
   const auto pixels = window(c, p);
@@ -306,13 +308,13 @@ TEST(SnapTies, AreAlwaysSnapped) {
   for (std::size_t b = 4; b < bits.size(); ++b) EXPECT_GT(bits[b], 10) << b;
 }
 
-/// Whether a coordinate of the vertex is midway between two grid points.
+/// True if a coordinate of the vertex is midway between two grid points.
 bool is_tie(const Case& c, const ClipVertex& p) {
   const auto units = grid_units(c, p);
   return is_midway(units[0]) || is_midway(units[1]);
 }
 
-/// Whether it would be, were it a float more or less.
+/// True if a coordinate that is not midway becomes so when moved by one float.
 bool is_beside_tie(const Case& c, const ClipVertex& p) {
   for (const int step : {-1, 1}) {
     const std::array moved{ClipVertex{stepped(p.x, step), p.y, p.z, p.w},
@@ -346,7 +348,7 @@ TEST(SnapTies, HaveVerticesMidwayAndAFloatBeside) {
   EXPECT_GT(beside, all / 10);
 }
 
-/// Twice the area of a triangle in grid units, of w > 0; and of its rounded corners.
+/// Twice the area of a triangle with w > 0, in grid units, exactly and with rounded corners.
 struct Areas {
   double exact = 0;
   double snapped = 0;

@@ -1,6 +1,6 @@
-// The first 1,000 cases of every law are the same whatever compiles them: their digests are those
-// in approved/digests.txt, which this program writes anew with UPDATE_APPROVED=1. Whoever changes a
-// generator or a law's own cases does so, and starts baselines anew.
+// The first 1,000 cases of every law are the same whatever compiler is used: their digests are in
+// approved/digests.txt, which this program rewrites with UPDATE_APPROVED=1. Rewrite the digests,
+// and start new baselines, after changing a generator or a law's own cases.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 constexpr std::uint64_t kCases = 1000;
 
-/// Of all numbers of the cases, in their order, and of their strata.
+/// A digest of all numbers of the cases, in their order, and of their strata.
 std::uint64_t digest_of(const Law& law) {
   std::uint64_t digest = 0;
   for (std::uint64_t index = 0; index < kCases; ++index) {

@@ -8,7 +8,7 @@
 namespace rastercheck::properties::exact_splits_test {
 namespace {
 
-/// a + b is the sum without rounding (Knuth).
+/// True if a + b is `sum` without rounding (Knuth).
 bool is_exact_sum(double a, double b, double sum) {
   const double shadow = sum - a;
   return a + b == sum && (a - (sum - shadow)) + (b - shadow) == 0;
@@ -29,7 +29,7 @@ TEST(RayThrough, AppearsAtItsPoint) {
   EXPECT_EQ(ray_through(c, {7, 4.5}).w, vulkan.w);
 }
 
-/// Numbers of up to 40 bits and of all sizes.
+/// Numbers of up to 40 bits, with a wide range of exponents.
 double random_total(Draw& draw) {
   const int bits = draw.between(0, 40);
   const int exponent = draw.between(-50, 20);
@@ -60,7 +60,7 @@ TEST(SplitInTwo, AddsUpExactly) {
   EXPECT_GT(opposite, 100);
 }
 
-/// Whether of some two of them the sum, and what the third adds to it, are exact.
+/// True if two of the parts have an exact sum, and adding the third is exact too.
 bool is_exact_sum_of_three(const std::array<float, 3>& parts, double total) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double a = parts[(k + 1) % 3];

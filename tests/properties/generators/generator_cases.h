@@ -1,7 +1,7 @@
 #pragma once
 
-// What tests of generators have in common: their cases, and counts of what those reach by the exact
-// oracle.
+// What the tests of generators have in common: their cases, and counts of what the cases reach, by
+// the exact oracle.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace rastercheck::properties {
 
-/// Case `index` of a generator, of seed 1.
+/// Case `index` of a generator, with seed 1.
 inline cases::Case make_case(std::string_view generator, std::uint64_t index) {
   Draw draw(1, generator, index);
   return find_generator(generator)->make(draw);
@@ -27,7 +27,7 @@ inline Corners corners_of(const cases::Case& c, const cases::Triangle& triangle)
   return {c.positions[triangle[0]], c.positions[triangle[1]], c.positions[triangle[2]]};
 }
 
-/// Window x and y of a vertex with w != 0, in pixels, rounded as double rounds.
+/// Window x and y of a vertex with w != 0, in pixels, computed in double.
 inline std::array<double, 2> window(const cases::Case& c, const cases::ClipVertex& p) {
   const double y = double{p.y} / double{p.w} * (c.rules == cases::Rules::d3d ? -1 : 1);
   return {double{c.viewport.x} + (double{p.x} / double{p.w} + 1) * double{c.viewport.width} / 2,
@@ -39,7 +39,7 @@ inline cases::Contract exact_contract(const cases::Case& c) {
   return cases::exact_contract(cases::contract_of(c));
 }
 
-/// Whether `question` is true of a sample's verdict, of any that the triangle may cover.
+/// True if `question` is true of the verdict of some sample that the triangle may cover.
 inline bool any_sample(const oracle::SceneTruth& scene, std::size_t triangle,
                        const std::function<bool(const records::SampleVerdict&)>& question) {
   const oracle::TriangleTruth truth(scene, triangle);
@@ -54,15 +54,15 @@ inline bool any_sample(const oracle::SceneTruth& scene, std::size_t triangle,
   return false;
 }
 
-/// Whether the contract requires any sample of a triangle.
+/// True if the contract requires some sample of a triangle.
 inline bool is_drawn(const oracle::SceneTruth& scene, std::size_t triangle) {
   return any_sample(scene, triangle, [](const records::SampleVerdict& sample) {
     return sample.verdict == records::Verdict::required;
   });
 }
 
-/// Whether a case has a triangle of which `question` is true and of which, exactly drawn, a sample
-/// is required.
+/// True if the case has a triangle for which `question` is true and which, drawn exactly, has a
+/// required sample.
 inline bool draws(const cases::Case& c,
                   const std::function<bool(const cases::Triangle&)>& question) {
   const oracle::SceneTruth scene(c, exact_contract(c));
@@ -72,7 +72,7 @@ inline bool draws(const cases::Case& c,
   return false;
 }
 
-/// How many of a generator's first 200 cases answer yes.
+/// The number of a generator's first 200 cases for which `question` is true.
 inline int count_cases(std::string_view generator,
                        const std::function<bool(const cases::Case&)>& question) {
   int yes = 0;

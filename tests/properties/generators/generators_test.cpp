@@ -1,5 +1,5 @@
-// Every generator makes valid cases, reaches what it is named for, and does so within bounds that
-// exact judging can afford.
+// Every generator makes valid cases, reaches what its name says, and stays small enough for exact
+// judging.
 
 #include <gtest/gtest.h>
 
@@ -65,8 +65,8 @@ TEST(Generators, DependOnTheDrawAlone) {
   }
 }
 
-// The same with every compiler and on every machine. A generator that is changed on purpose has
-// other cases from then on, and baselines start anew.
+// The cases are the same with every compiler and on every machine. After a deliberate change of a
+// generator they differ, and new baselines have to be started.
 TEST(Generators, MakeTheSameCasesEverywhere) {
   std::map<std::string, std::uint64_t> hashes;
   for (const Generator& generator : generators()) {
@@ -88,7 +88,7 @@ TEST(Generators, MakeTheSameCasesEverywhere) {
   EXPECT_EQ(hashes, expected);
 }
 
-/// How many samples the triangles of a generator's first 100 cases require.
+/// The number of samples that the triangles of a generator's first 100 cases require.
 int required_samples(const Generator& generator) {
   int required = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
@@ -113,7 +113,7 @@ TEST(Generators, DrawSomethingButNotTooMuch) {
   }
 }
 
-/// Every state that is not the default is met by each generator within 400 cases.
+/// Each generator reaches every state that is not the default within 400 cases.
 TEST(Generators, VaryTheState) {
   for (const Generator& generator : generators()) {
     std::map<std::string, int> seen;
@@ -168,7 +168,7 @@ TEST(ThroughEye, MostlyHasAWeightOfZeroOrLess) {
   EXPECT_GT(count_cases("through-eye", [&](const Case& c) { return any_vertex(c, is_zero); }), 20);
 }
 
-/// The least height of the window triangle over its longest side, in double.
+/// The least height of the triangle in the window, over its longest side, computed in double.
 double least_height(const Case& c, const cases::Triangle& triangle) {
   std::array<double, 3> u{};
   std::array<double, 3> v{};
@@ -214,7 +214,7 @@ TEST(OnGrid, MostlyHasItsCornersOnThe256Grid) {
       return !is_on_grid(at[0]) || !is_on_grid(at[1]);
     });
   };
-  // The others have edges through samples from vertices whose weights are no powers of two.
+  // In the other cases, edges run through samples from vertices whose w is not a power of two.
   EXPECT_GT(count_cases("on-grid", obeys), 70);
   EXPECT_LT(count_cases("on-grid", obeys), 190);
 }

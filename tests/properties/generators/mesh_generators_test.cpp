@@ -1,5 +1,5 @@
-// The generators of whole drawings (meshes, grids, cameras) and of what leaves the view (clipping,
-// guard-band) reach what they are named for. What is drawn is the exact oracle's word.
+// The generators of whole drawings (meshes, grids, cameras), and of triangles that leave the view
+// (clipping, guard-band), reach what their names say. The exact oracle decides what is drawn.
 
 #include <gtest/gtest.h>
 
@@ -40,8 +40,8 @@ double extent(const Case& c, const Triangle& triangle) {
 
 // --- meshes --------------------------------------------------------------------------------------
 
-/// The case with nothing in the way of its triangles: not culled, clipped in depth or cut by
-/// distances, of one sample.
+/// The case with nothing that hides its triangles: no culling, no depth clipping, no clip
+/// distances, one sample.
 Case bare(Case c) {
   c.cull = cases::Cull::none;
   c.scissor.reset();
@@ -54,7 +54,7 @@ Case bare(Case c) {
   return c;
 }
 
-/// How often each sample of the framebuffer is required.
+/// How many triangles require each sample of the framebuffer.
 std::vector<int> times_covered(const Case& c) {
   std::vector<int> times(static_cast<std::size_t>(c.framebuffer.width * c.framebuffer.height));
   const oracle::SceneTruth scene(c, exact_contract(c));
@@ -71,7 +71,7 @@ std::vector<int> times_covered(const Case& c) {
   return times;
 }
 
-/// Whether the mesh covers every sample of the viewport that is within the framebuffer, each once.
+/// True if the mesh covers every sample of the viewport inside the framebuffer exactly once.
 bool covers_the_screen_once(const Case& made) {
   const Case c = bare(made);
   const cases::Viewport& viewport = c.viewport;
@@ -89,7 +89,7 @@ bool covers_the_screen_once(const Case& made) {
   return true;
 }
 
-/// Whether a vertex lies exactly on the line of another triangle's edge, and between its ends.
+/// True if a vertex lies exactly on another triangle's edge, between the ends of the edge.
 bool has_t_junction(const Case& made) {
   Case c = bare(made);
   std::vector<Triangle> joints;
@@ -117,7 +117,7 @@ bool has_t_junction(const Case& made) {
   return false;
 }
 
-/// The most triangles that meet at one vertex.
+/// The largest number of triangles that meet at one vertex.
 int most_at_a_vertex(const Case& c) {
   std::map<std::uint32_t, int> triangles;
   for (const Triangle& triangle : c.triangles) {
@@ -193,8 +193,8 @@ TEST(Cameras, HaveEveryKindDrawn) {
     const cases::Matrix4& m = c.camera->projection;
     if (made.kind == CameraKind::perspective) {
       wide += m[5] < 0.0625F ? 1 : 0;
-      // far/near = (1 + m10)/(m10 − 1) of −1…1 depths, m10/(m10 + 1) of 0…1: both far from 1 only
-      // where m10 is a float or a few from −1.
+      // far/near is (m10 − 1)/(m10 + 1) for depths −1…1, and m10/(m10 + 1) for depths 0…1. If m10
+      // is within 1e-4 of −1, both are about 10^4 or more.
       deep += std::abs(m[10] + 1) < 1e-4F ? 1 : 0;
     }
   }
@@ -209,7 +209,7 @@ TEST(Cameras, HaveEveryKindDrawn) {
   EXPECT_GT(deep, 15);
 }
 
-/// Of the exact camera: planes that hold the eye, and others that miss it by next to nothing.
+/// With the exact camera, the planes of some triangles contain the eye, and others just miss it.
 TEST(Cameras, HaveEyesInTheTrianglesPlanesAndBeside) {
   int in_plane = 0;
   int beside = 0;
@@ -240,7 +240,7 @@ TEST(Cameras, HaveEyesInTheTrianglesPlanesAndBeside) {
 
 // --- clipping ------------------------------------------------------------------------------------
 
-/// On which side of the volume a vertex of w > 0 is, in each of the three directions.
+/// The side of the clip volume on which a vertex with w > 0 lies, in each of the three directions.
 std::array<int, 3> side_of(const Case& c, const ClipVertex& p) {
   const auto side = [](double value, double lo, double hi) {
     return value > hi ? 1 : (value < lo ? -1 : 0);
@@ -264,8 +264,9 @@ TEST(Clipping, GoesOutInAll26DirectionsByOneTwoAndThreeVertices) {
   EXPECT_EQ(met.size(), 26U * 3U);
 }
 
-/// Whether one triangle of an unbounded viewport's picture ends at all its sides, and at both depth
-/// planes: samples at the borders are required, others are clipped that are drawn with depth clamp.
+/// True if one triangle, in a viewport that fills the framebuffer, reaches all four sides and both
+/// depth planes: it requires samples at every border, and some samples are drawn only with depth
+/// clamp.
 bool meets_all_planes(const Case& made) {
   Case c = bare(made);
   c.viewport = {
@@ -285,7 +286,8 @@ bool meets_all_planes(const Case& made) {
         borders[3] = borders[3] || y == c.framebuffer.height - 1;
       }
     }
-    // Both depth planes: vertices before the one and behind the other.
+    // Both depth planes: some vertices lie in front of the near plane, and others behind the far
+    // plane.
     bool is_before = false;
     bool is_behind = false;
     for (const std::uint32_t v : c.triangles[t]) {

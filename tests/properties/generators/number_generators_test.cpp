@@ -1,5 +1,6 @@
-// The generators of special numbers (any-floats, constants), of nothing (degenerate) and of every
-// extent (sizes) reach what they are named for. What is drawn is the exact oracle's word.
+// The generators of special numbers (any-floats, constants), of triangles without area
+// (degenerate), and of triangles of every extent (sizes) reach what their names say. The exact
+// oracle decides what is drawn.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ TEST(AnyFloats, DrawFromNumbersOfAnySize) {
   const int tiny = count_cases("any-floats", draws_within(0, 0x1p-60F));
   const int huge = count_cases("any-floats", draws_within(0x1p60F, INFINITY));
   const int subnormal = count_cases("any-floats", draws_within(0, 0x1p-126F));
-  // Exponents all over, behind the eye too.
+  // Triangles whose vertices' w have very different exponents, also behind the eye.
   const int apart = count_cases("any-floats", [](const Case& c) {
     return draws(c, [&](const Triangle& triangle) {
       const Corners p = corners_of(c, triangle);
@@ -80,7 +81,8 @@ TEST(Degenerate, HaveNoAreaBesideOthersThatAreDrawn) {
   EXPECT_GT(beside_drawn, 120);
 }
 
-/// Corners that differ, but appear at one place; and three on a line of the screen.
+/// Corners that differ but coincide on the screen, and three different corners on one line of the
+/// screen.
 TEST(Degenerate, HaveCornersThatCoincideOnTheScreenAlone) {
   const auto is_flat_with = [](const std::function<bool(const Corners&)>& question) {
     return [question](const Case& c) {
@@ -166,7 +168,7 @@ TEST(Constants, AreOfWeightsOfDepthsAndOfAttributes) {
 
 // --- sizes ---------------------------------------------------------------------------------------
 
-/// The longer side of the box around a triangle of w > 0, in pixels.
+/// The longer side of the box around a triangle with w > 0, in pixels.
 double extent(const Case& c, const Triangle& triangle) {
   double most = 0;
   const Corners p = corners_of(c, triangle);

@@ -20,8 +20,8 @@ TEST(Elided, LeavesShortFractionsAlone) {
   EXPECT_EQ(elided(Rational(12)), "12");
 }
 
-// 2^-700 is 1 over a number of 211 digits, 5260…; 2^1000 has 302, 10715086071…069376.
-// Kills: digits left out at an end, a short numerator that loses some, a lost sign.
+// 2^-700 is 1 over a number with 211 digits, 5260…; 2^1000 has 302 digits, 10715086071…069376.
+// Kills: digits left out at an end; a short numerator that loses digits; a lost sign.
 TEST(Elided, LeavesOutTheMiddleOfLongOnes) {
   const std::string small = elided(Rational(std::ldexp(-1.0, -700)));
   EXPECT_EQ(small.substr(0, 7), "-1/5260");

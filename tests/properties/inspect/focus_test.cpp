@@ -7,7 +7,8 @@
 namespace rastercheck::properties::focus_test {
 namespace {
 
-/// Of A x is a little off at (1, 1) and more at (3, 2), and `one` more than that; of B a depth.
+/// In A, x is slightly off at (1, 1) and more at (3, 2), and `one` is even more off at (3, 2). In
+/// B, one depth is off.
 void make_off(const cases::Case& /*c*/, cases::Fragments& d) {
   value(d, 0, 1, 1, 0) += 0x1p-22F;
   value(d, 0, 3, 2, 0) += 0x1p-21F;
@@ -17,7 +18,7 @@ void make_off(const cases::Case& /*c*/, cases::Fragments& d) {
 
 Focus focus_of(const FocusRequest& request, const Damage& damage) {
   DamagedBackend backend(damage, "cpu");
-  // Small errors are no violations.
+  // Large bounds, so that small errors are not violations.
   backend.promised = cases::contract_of(square());
   backend.promised->bounds.smooth.constant = 100;
   backend.promised->bounds.depth.constant = 100;
@@ -36,7 +37,7 @@ FocusRequest request_at(std::uint32_t x, std::uint32_t y) {
   return request;
 }
 
-// In scale ULP: 1/4 and 1/2 of x, whose largest value is 8; 1 of `one`; 1/4 of the depth.
+// Errors in scale ULP: 1/4 and 1/2 for x, whose largest value is 8; 1 for `one`; 1/4 for the depth.
 TEST(Focus, IsTheLargestErrorWhereNothingIsViolated) {
   EXPECT_EQ(focus_of({}, make_off), at(0, 3, 2, 1));
   FocusRequest of_x;
@@ -49,10 +50,10 @@ TEST(Focus, IsTheLargestErrorWhereNothingIsViolated) {
   of_second.triangle = 1;
   EXPECT_EQ(focus_of(of_second, make_off), at(1, 6, 6, std::nullopt));
   EXPECT_EQ(focus_of(request_at(1, 1), make_off), at(0, 1, 1, 0));
-  EXPECT_EQ(focus_of({}, {}), at(0, 0, 0, std::nullopt));  // the first of all, which are right
+  EXPECT_EQ(focus_of({}, {}), at(0, 0, 0, std::nullopt));  // nothing is wrong: the first fragment
 }
 
-// Kills: a missing sample passed over for a large error.
+// Kills: ignoring a missing sample because of a large error.
 TEST(Focus, IsTheFirstViolationWhereThereIsOne) {
   const auto lose = [](const cases::Case& c, cases::Fragments& d) {
     make_off(c, d);
@@ -83,7 +84,7 @@ TEST(Focus, FindsTheTriangleOfAPixel) {
   EXPECT_EQ(focus_of(request_at(0, 6), {}).at.triangle, 0U);
 }
 
-// Kills: a hidden fragment that is missing by the depth test.
+// Kills: a hidden fragment that counts as missing because of the depth test.
 TEST(Focus, DrawsEachTriangleAlone) {
   cases::Case c = square();
   c.depth_test = cases::DepthTest::less;

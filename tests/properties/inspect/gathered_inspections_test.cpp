@@ -34,7 +34,8 @@ records::Run run_of(const std::optional<records::ShardNumber>& shard) {
   return run;
 }
 
-// Kills: a part's worst taken for the whole's; an inspection of another shard's counterexample.
+// Kills: the worst case of a shard shown as the worst of the run; an inspection of another shard's
+// counterexample.
 TEST(GatheredInspections, AreThoseOfTheRun) {
   const records::Run whole = run_of(std::nullopt);
   EXPECT_EQ(whole.inspections.front().occasion, records::Occasion::counterexample);
@@ -54,7 +55,7 @@ TEST(GatheredInspections, AreNoneOfNothing) {
   EXPECT_THAT(gathered_inspections(whole, {}), IsEmpty());
 }
 
-// Kills: more than a report has room for.
+// Kills: more inspections than a report has room for.
 TEST(GatheredInspections, AreNoMoreThanOfAnyRun) {
   records::Run run;
   MergedRun::LookedAt shard;

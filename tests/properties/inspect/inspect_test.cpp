@@ -27,7 +27,7 @@ using testing::SizeIs;
 
 Enclosure exactly(double value) { return {value, value}; }
 
-/// One of an inspection that there is.
+/// Finds the inspected sample of a pixel, which must be in the inspection.
 InspectedSample sample_of(const Inspection& inspection, std::uint32_t x, std::uint32_t y) {
   for (const InspectedSample& one : inspection.samples) {
     if (one.place.x == x && one.place.y == y) return one;
@@ -46,7 +46,7 @@ Inspection inspection_of(const Focus& focus, const Damage& damage, const cases::
   return inspect(c, backend, focus, options).value();
 }
 
-// ulp(8) = 2^-20 is the scale ULP of x, ulp(5/2) = 2^-22 its local one.
+// The scale ULP of x is ulp(8) = 2^-20, its local ULP ulp(5/2) = 2^-22.
 TEST(Inspect, SaysWhatIsExactAndWhatWasDrawn) {
   const Inspection found = inspection_of(
       {{0, 1, 2, 0}, 0},
@@ -78,17 +78,18 @@ TEST(Inspect, SaysWhatIsExactAndWhatWasDrawn) {
   EXPECT_EQ(x.local_error, exactly(2));
   EXPECT_EQ(x.excess, exactly(0.5));
   EXPECT_EQ(x.kappa, exactly(1));
-  EXPECT_EQ(x.kappa_d, exactly(1.5));               // of e_0: 5/16 + 3/16 + 1
+  EXPECT_EQ(x.kappa_d, exactly(1.5));               // for e_0: 5/16 + 3/16 + 1
   EXPECT_EQ(sample.values[3].kappa, std::nullopt);  // 0 everywhere
 }
 
-// Kills: an excess where the contract leaves the value open, an error against what it leaves open.
+// Kills: an excess although the contract leaves the value open; an error measured from the
+// permitted range.
 TEST(Inspect, TellsErrorFromExcess) {
   DamagedBackend backend(
       [](const cases::Case&, cases::Fragments& d) { value(d, 0, 2, 1, 0) += 0.25F; }, "cpu");
   cases::Contract open = cases::contract_of(square());
   open.coverage = cases::Snapping{0, cases::Rounding::unspecified, 0};
-  open.basis = cases::Basis::snapped;  // each vertex anywhere within a pixel
+  open.basis = cases::Basis::snapped;  // each vertex may be up to a pixel off
   backend.promised = open;
   cases::Case c = square();
   c.coverage = open.coverage;
@@ -97,12 +98,12 @@ TEST(Inspect, TellsErrorFromExcess) {
   const Inspection found = inspect(c, backend, {{0, 1, 2, 0}, 0}).value();
   const InspectedValue x = sample_of(found, 2, 1).values.at(1);
   EXPECT_EQ(x.exact, "3");
-  // Drawn half a pixel from there, where the vertices went, and then 1/4 off.
+  // The value was drawn half a pixel from there, where snapping moved the vertices, and is 1/4 off.
   EXPECT_EQ(x.scale_error, exactly(-0x1p18));
   EXPECT_EQ(x.excess, exactly(0));
 }
 
-// (13/2, 11/2) lies outside A, whose x goes on there.
+// (13/2, 11/2) lies outside A, but the attribute x extends beyond A.
 TEST(Inspect, ShowsValuesWhereDrawnOrNotForbidden) {
   const Inspection found =
       inspection_of({{0, 1, 2, 0}}, [](const cases::Case&, cases::Fragments& d) {
@@ -144,7 +145,8 @@ cases::Case larger_square(int size, int samples) {
   return c;
 }
 
-// Kills: a crop beyond the framebuffer, more than 1,024 samples, a sample that is not in it.
+// Kills: a crop beyond the framebuffer; more than 1,024 samples; a crop that does not contain the
+// sample.
 TEST(Inspect, ShowsPartOfALargeFramebuffer) {
   const Inspection middle = inspection_of({{0, 50, 40, 0}}, {}, larger_square(100, 1));
   EXPECT_THAT(crop_of(middle), ElementsAre(24, 34, 32, 32));
@@ -160,15 +162,16 @@ TEST(Inspect, ShowsPartOfALargeFramebuffer) {
                                           WindowPoint{0.125, 0.625}, WindowPoint{0.625, 0.875}));
 }
 
-// Of four values each, 100 are 25 pixels; 0 are one.
+// A pixel has four values: at most 100 values are 25 pixels, and a limit of 0 gives one pixel.
 TEST(Inspect, ShowsNoMoreValuesThanAskedFor) {
   const cases::Case c = larger_square(100, 1);
   EXPECT_THAT(crop_of(inspection_of({{0, 50, 40, 0}}, {}, c, {100})), ElementsAre(38, 48, 5, 5));
   EXPECT_THAT(crop_of(inspection_of({{0, 50, 40, 0}}, {}, c, {0})), ElementsAre(40, 50, 1, 1));
 }
 
-// The triangle covers pixels 4…7 of 128 in both directions; the oracle may not know better than
-// 3…8. Kills: a margin left out, the whole framebuffer shown, a sample that is not.
+// The triangle covers pixels 4…7 of 128 in both directions; the oracle may only know that it lies
+// within 3…8. Kills: a missing margin; showing the whole framebuffer; leaving out the requested
+// sample.
 TEST(Inspect, ShowsLittleAroundASmallTriangle) {
   cases::Case c = larger_square(128, 1);
   for (cases::ClipVertex& p : c.positions) {
@@ -178,12 +181,12 @@ TEST(Inspect, ShowsLittleAroundASmallTriangle) {
   EXPECT_THAT((std::array{found.left, found.top}), testing::Each(testing::AnyOf(1, 2)));
   EXPECT_THAT((std::array{found.left + found.width, found.top + found.height}),
               testing::Each(testing::AnyOf(10, 11)));
-  // Elsewhere what was looked for is shown all the same.
+  // A sample far from the triangle is shown if it was asked for.
   const Inspection far = inspection_of({{0, 90, 90, 0}}, {}, c);
   EXPECT_EQ(sample_of(far, 90, 90).verdict, records::Verdict::forbidden);
 }
 
-// Kills: a camera that nobody draws by, a fragment hidden by another triangle.
+// Kills: a camera that is not used for drawing; a fragment hidden by another triangle.
 TEST(Inspect, IsOfTheTriangleAloneAsItWasDrawn) {
   cases::Case c = square();
   c.depth_test = cases::DepthTest::less;

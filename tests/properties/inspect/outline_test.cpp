@@ -1,4 +1,4 @@
-// Outlines in a window of 8 × 8 pixels, whose guard is -8 to 16.
+// Outlines in a window of 8 × 8 pixels, whose guard band reaches from -8 to 16.
 
 #include "properties/inspect/outline.h"
 
@@ -38,7 +38,7 @@ TEST(Outline, FollowsTheRules) {
               ElementsAre(WindowPoint{0, 8}, WindowPoint{8, 8}, WindowPoint{0, 2}));
 }
 
-/// x and y of all corners, from that with the least on, as they come round.
+/// x and y of all corners in their order, beginning with the least corner.
 std::vector<double> coordinates(std::vector<WindowPoint> corners) {
   const auto first = std::min_element(corners.begin(), corners.end(),
                                       [](const WindowPoint& a, const WindowPoint& b) {
@@ -53,9 +53,9 @@ std::vector<double> coordinates(std::vector<WindowPoint> corners) {
   return all;
 }
 
-// Two vertices are seen at (4, 4) and (8, 4), on lines from the third, which is behind the eye and
-// would be seen at (0, 0): y = x and y = x/2, that leave the guard at x = 16.
-// Kills: a corner that is taken to where it is seen behind the eye; corners beyond the guard.
+// Two vertices appear at (4, 4) and (8, 4). The third is behind the eye and projects to (0, 0), so
+// the edges run along y = x and y = x/2 and leave the guard band at x = 16. Kills: a corner behind
+// the eye drawn at its projection; corners beyond the guard band.
 TEST(Outline, IsCutAtTheGuard) {
   using testing::DoubleEq;
   EXPECT_THAT(coordinates(outline({{{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, -1}}})),
@@ -63,9 +63,9 @@ TEST(Outline, IsCutAtTheGuard) {
                           DoubleEq(8), DoubleEq(16), DoubleEq(16)));
 }
 
-// The third vertex would be seen at y = -2^-60 in NDC, the two others are at 2^-60: what is in
-// front of the eye is all where y is greater, and so are two corners of the guard.
-// Kills: an outline that is lost where the eye lies almost in the triangle's plane.
+// The third vertex is behind the eye and projects to y = -2^-60 in NDC; the two others are at
+// 2^-60. The part in front of the eye is everything with greater y, including two corners of the
+// guard band. Kills: an outline that is lost if the eye lies almost in the triangle's plane.
 TEST(Outline, IsThereWhereTheEyeIsAlmostInThePlane) {
   EXPECT_THAT(outline({{{1, 0x1p-60F, 0, 1}, {-1, 0x1p-60F, 0, 1}, {0, 1, 0, -0x1p60F}}}),
               testing::IsSupersetOf({WindowPoint{16, 16}, WindowPoint{-8, 16}}));

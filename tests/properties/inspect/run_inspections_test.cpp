@@ -20,7 +20,7 @@ using records::Occasion;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What both laws find of random cases and of a corpus of the square.
+/// A run of both laws on random cases and on a corpus of the square.
 records::Run run_of(const std::vector<std::string>& backends, std::uint64_t cases) {
   records::Run run;
   run.plan.seed = 1;
@@ -43,7 +43,7 @@ std::vector<Inspection> inspections_of(const records::Run& run) {
   return inspect_run(run, sources, {});
 }
 
-/// The least magnitude that the sample looked for is off by, in scale ULP.
+/// An upper bound on the error of the inspected sample, in scale ULP.
 double error_of(const Inspection& inspection) {
   const records::InspectedSample* sample = records::inspected_sample(inspection);
   if (sample == nullptr) return 0;
@@ -51,7 +51,7 @@ double error_of(const Inspection& inspection) {
   return records::magnitude_bound(sample->values.at(value).scale_error.value());
 }
 
-// Kills: a case that is not the one that the error is of.
+// Kills: an inspection of a case other than the one with the error.
 TEST(InspectRun, ShowsTheLargestErrorOfEachKindAndStratum) {
   const records::Run run = run_of({"cpu"}, 60);
   const std::vector<Inspection> all = inspections_of(run);
@@ -82,7 +82,7 @@ TEST(InspectRun, ShowsTheLargestErrorOfEachKindAndStratum) {
   }
 }
 
-// Kills: counterexamples that come after worst cases, or under another index.
+// Kills: counterexamples that come after worst cases, or that have another index.
 TEST(InspectRun, ShowsCounterexamplesFirst) {
   const records::Run run = run_of({"damaged", "cpu"}, 20);
   ASSERT_THAT(run.counterexamples, SizeIs(testing::Ge(1)));
@@ -106,7 +106,7 @@ TEST(InspectRun, ShowsCounterexamplesFirst) {
   EXPECT_EQ(inspections_of(run), all);
 }
 
-/// A counterexample of the square.
+/// A counterexample on the square with one violation.
 records::Counterexample violated_at(std::uint32_t x, records::FragmentClass fragment_class,
                                     const std::string& backend = "damaged") {
   records::Counterexample one;
@@ -119,7 +119,7 @@ records::Counterexample violated_at(std::uint32_t x, records::FragmentClass frag
   return one;
 }
 
-// `damaged` loses pixel (7, 7) of B.
+// The violation names a pixel that the case does not have; `damaged` loses pixel (7, 7) of B.
 TEST(InspectRun, LooksAtTheCaseWhereAViolationIsOfAnotherDrawing) {
   records::Run run;
   run.counterexamples = {violated_at(8, records::FragmentClass::missing)};
@@ -130,7 +130,7 @@ TEST(InspectRun, LooksAtTheCaseWhereAViolationIsOfAnotherDrawing) {
   EXPECT_EQ(all[0].place.y, 7U);
 }
 
-// Kills: a report that fails for a backend that does.
+// Kills: a report that fails because a backend does.
 TEST(InspectRun, LeavesOutWhatCannotBeShown) {
   records::Run run;
   run.counterexamples = {violated_at(0, records::FragmentClass::crash),
@@ -139,7 +139,7 @@ TEST(InspectRun, LeavesOutWhatCannotBeShown) {
   EXPECT_THAT(inspections_of(run), IsEmpty());
 }
 
-// An error that the case does not have, as a law made another of it, and one that it has.
+// The first error is not in the case itself, because a law changed the case; the second error is.
 TEST(InspectRun, ShowsNoErrorThatDoesNotComeBack) {
   records::Run run = run_of({"cpu"}, 0);  // the square: x at (0, 0) is 1/2 exactly
   records::WorstError worst;
@@ -161,7 +161,7 @@ TEST(InspectRun, ShowsNotMoreThanForty) {
   EXPECT_THAT(inspections_of(run), SizeIs(records::kMostInspections));
 }
 
-// Kills: the whole of a scene in a report.
+// Kills: a whole scene copied into a report.
 TEST(InspectRun, TakesATriangleOutOfALargeCase) {
   records::Run run;
   run.counterexamples = {violated_at(6, records::FragmentClass::missing)};

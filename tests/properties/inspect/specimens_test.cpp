@@ -22,7 +22,7 @@ using records::Specimen;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What the laws of coverage and values find of random cases and of a corpus of the square.
+/// A run of the laws of coverage and of values on random cases and on a corpus of the square.
 records::Run run_of(const std::vector<std::string>& backends, std::uint64_t cases) {
   records::Run run;
   run.plan.seed = 1;
@@ -62,23 +62,24 @@ std::vector<Specimen> again(const std::vector<Specimen>& kept, const std::string
   return draw_again(kept, backend, plan_of_seed(1), corpus(), {});
 }
 
-using Stratum = std::tuple<std::string, std::string>;  ///< of a law's records
+using Stratum = std::tuple<std::string, std::string>;  ///< law and stratum of its records
 
-/// Strata of the laws' records, of the cases that are kept.
+/// The law and stratum of each case that is kept.
 std::set<Stratum> strata_of(const records::Run& run, const std::vector<Specimen>& kept) {
   std::set<Stratum> strata;
   for (const Specimen& one : kept) strata.emplace(one.key.law, run.cases->at(one.key).stratum);
   return strata;
 }
 
-// Kills: strata of which nothing is kept though their cases cover something.
+// Kills: strata without a kept case although their cases cover samples.
 TEST(MakeSpecimens, HaveACaseOfEachStratumOfTheRecords) {
   const records::Run run = run_of({"cpu"}, 100);
   std::set<Stratum> strata;
   for (const auto& [key, record] : run.cases.value()) strata.emplace(key.law, record.stratum);
   const std::vector<Specimen> kept = specimens_of(run);
   EXPECT_GT(strata.size(), 20U);
-  // The first cases of "sizes" by this seed are smaller than a pixel, and cover none that is tried.
+  // With this seed, the first cases of "sizes" are smaller than a pixel, and no case that is tried
+  // covers a sample.
   const std::set<Stratum> shown = strata_of(run, kept);
   for (const auto& [law, stratum] : strata) {
     EXPECT_TRUE(shown.contains({law, stratum}) || stratum == "sizes") << law << ", " << stratum;
@@ -94,7 +95,7 @@ TEST(MakeSpecimens, HaveACaseOfEachStratumOfTheRecords) {
   }
 }
 
-// Kills: worst cases that are not kept, or not where the error is, or with other values.
+// Kills: worst cases that are not kept, are kept at another place, or with other values.
 TEST(MakeSpecimens, HaveTheLargestErrorOfEachKindAndStratumOfFragments) {
   const records::Run run = run_of({"cpu"}, 100);
   struct Worst {
@@ -126,7 +127,8 @@ TEST(MakeSpecimens, HaveTheLargestErrorOfEachKindAndStratumOfFragments) {
   }
 }
 
-// Kills: a choice of first cases that depends on what was drawn: nothing could be laid beside it.
+// Kills: a choice of first cases that depends on the drawings, so that drawings of two backends
+// cannot be compared.
 TEST(MakeSpecimens, AreOfTheSamePartsForEachBackend) {
   const records::Run run = run_of({"cpu", "method:screen-linear"}, 60);
   const std::vector<Specimen> kept = specimens_of(run);
@@ -160,11 +162,11 @@ TEST(MakeSpecimens, KeepNothingOfRunsThatKeptNoCases) {
   EXPECT_THAT(specimens_of(run), IsEmpty());
 }
 
-// The square by hand: attribute x is u, depth is 1/4; triangle A has the pixels of x + y < 7.
+// The square by hand: attribute x is u, depth is 1/4, and triangle A has the pixels with x + y < 7.
 TEST(MakeSpecimens, HoldWhatWasDrawn) {
   const records::Run run = run_of({"cpu"}, 0);
   const std::vector<Specimen> kept = specimens_of(run);
-  ASSERT_THAT(kept, SizeIs(2));  // of both laws
+  ASSERT_THAT(kept, SizeIs(2));  // one for each law
   const Specimen& one = kept[0];
   EXPECT_EQ(one.key,
             (records::CaseKey{std::string(kCoverageLaw), "cpu", records::Origin::corpus, 0}));
@@ -181,13 +183,13 @@ TEST(DrawAgain, LeavesOutWhatCannotBeDrawn) {
   EXPECT_THAT(again(kept, "no-such-backend"), IsEmpty());
   EXPECT_THAT(again(kept, "damaged:refuses"), IsEmpty());
   kept[0].key.index = 1;  // the corpus has one case
-  kept[1].left = 1;       // eight pixels from there are one too many
+  kept[1].left = 1;       // eight pixels from column 1 on are one too many
   EXPECT_THAT(again(kept, "cpu"), IsEmpty());
 }
 
 // --- Closer looks --------------------------------------------------------------------------------
 
-/// `damaged` loses pixel (7, 7) of triangle B; of what was kept of that.
+/// Requests for the kept parts that change because `damaged` loses pixel (7, 7) of triangle B.
 std::vector<LookRequest> lost_pixel() {
   Specimen whole = specimens_of(run_of({"cpu"}, 0)).at(0);
   whole.triangle = 1;
@@ -220,7 +222,7 @@ TEST(CloserLooks, ShowThePartThatWasKept) {
   EXPECT_EQ(sample->verdict, records::Verdict::required);
 }
 
-// Kills: pictures of another part, and values that are not those that were compared.
+// Kills: pictures of another part; values other than those that were compared.
 TEST(CloserLooks, LeaveOutWhatIsNotWhatWasAskedFor) {
   LookRequest request;
   request.key = {std::string(kValuesLaw), "cpu", records::Origin::corpus, 0};

@@ -1,5 +1,5 @@
-// The law catches fragments that are lost or drawn twice and sums that are no counts, lets
-// permitted samples be, and is silent of backends without pictures.
+// The law catches fragments that are lost or drawn twice, and sums that are not counts; it accepts
+// permitted samples, and does not apply to backends without pictures.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(Overdraw, FindsWhatIsLostAndWhatIsDrawnTwice) {
   backend.fragment_damage = [](const Case&, Fragments& drawn) {
     drop(drawn, 0, 1, 1);
     const std::size_t at = find(drawn, 1, 6, 6);
-    drawn.x[at] = 5;  // where triangle 1 is drawn too
+    drawn.x[at] = 5;  // triangle 1 already covers this pixel
   };
   const Check check = check_of(kLaw, square(), backend);
   ASSERT_EQ(check.violation_count, 3U);
@@ -77,7 +77,8 @@ TEST(Overdraw, FindsWhatIsNoCount) {
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::infinite);
 }
 
-// The diagonal's samples are permitted of both: one, two or none of the triangles may draw them.
+// The diagonal's samples are permitted for both triangles: one, both or none of them may draw each
+// sample.
 TEST(Overdraw, LetsPermittedSamplesBe) {
   PictureBackend backend("method:rational-linear");
   backend.fragment_damage = [](const Case&, Fragments& drawn) {

@@ -1,5 +1,6 @@
 // The law catches values farther from perspective than the ratio of the vertices' w allows, in
-// either direction, lets them be anywhere within, and says nothing of what claims perspective.
+// either direction. It accepts all values in between, and does not apply to backends that claim
+// perspective.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,8 +17,8 @@ using cases::Fragments;
 constexpr std::string_view kLaw = "affine-values-are-off-perspective-by-no-more-than-w-allows";
 
 /// Over 8 × 8 pixels, w = 1 and r = 0 on the left side, w = 4 and r = 1 at the vertex on the right.
-/// At u = 2 1/2 the weight of that vertex is 5/16 in the window, and 5/64 over 11/16 + 5/64, 5/49,
-/// in perspective. κ = (2 − 1)/(2 + 1): values from −0.2313 to 0.4354 are right.
+/// At u = 2 1/2 the weight of that vertex is 5/16 in the window and, in perspective, 5/64 over
+/// 11/16 + 5/64, which is 5/49. κ = (2 − 1)/(2 + 1), so values from −0.2313 to 0.4354 are allowed.
 Case wedge() {
   Case c;
   c.rules = cases::Rules::vulkan;
@@ -56,7 +57,7 @@ TEST(AffineError, IsFoundBeyondIt) {
   }
 }
 
-// What a triangle behind the eye is in the window, nobody knows.
+// A triangle behind the eye has no well-defined image in the window.
 TEST(AffineError, SaysNothingWhereSomeWIsNotPositive) {
   Case c = wedge();
   c.positions[2] = {-4, 0, -2, -4};

@@ -1,5 +1,5 @@
-// The law catches curves in what has none, and quotients that are not that, and leaves smooth
-// values and clamped depths alone.
+// The law catches curved values of attributes that must be affine, and quotients that do not match;
+// it ignores smooth values and clamped depths.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "1-w-and-r-w-are-affine-on-the-screen";
 
-/// The square with w of 1, 2, 4 and 8, r = 8 q, and q from 0 to 8.
+/// The square with w of 1, 2, 4 and 8; r = 8 q, and q runs from 0 to 8.
 Case weighted() {
   Case c = square();
   c.attributes = {{"r", cases::Interpolation::smooth, cases::Location::sample},
@@ -39,7 +39,7 @@ Case weighted() {
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// Changes attribute `a` of the fragment in the middle of triangle A's lines.
+/// Changes attribute `a` at pixel (2, 2), in the middle of the law's lines through triangle A.
 Damage adding(float more, std::size_t a) {
   return [more, a](const Case&, Fragments& drawn) { value(drawn, 0, 2, 2, a) += more; };
 }
@@ -62,7 +62,7 @@ TEST(Affine, FindsAQuotientThatIsNone) {
   EXPECT_THAT(violation.note, testing::HasSubstr("and 1/w"));
 }
 
-// Without the quotient's attributes, a chord of whatever direction.
+// Without the quotient's attributes, the law compares values with a chord in any direction.
 TEST(Affine, FindsWhatIsNotOnTheChord) {
   Case c = weighted();
   c.attributes[0].interpolation = cases::Interpolation::noperspective;

@@ -1,4 +1,5 @@
-// The law catches bad input that is taken, and a target that was written although it was refused.
+// The law catches bad input that is accepted, and a target that was written although the input was
+// refused.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "bad-input-is-refused-and-the-target-untouched";
 
-/// A square whose numbers choose another fault for each `i`.
+/// A square whose numbers make the law choose another fault for each `i`.
 Case numbered(int i) {
   Case c = square();
   c.attribute_values[0] = static_cast<float>(i) / 64;

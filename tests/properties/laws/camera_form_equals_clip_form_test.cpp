@@ -1,5 +1,5 @@
-// The law catches values that belong to another place than the sample's, a depth that does, and a
-// vertex stage that depends on which of its matrices says what.
+// The law catches values and depths that belong to another place than the sample's, and a vertex
+// stage that depends on how the camera is split into matrices.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "camera-form-equals-clip-form";
 
-/// A triangle that leads away from the camera, w from 1 to 4; it fills most of 8×8 pixels.
+/// A triangle that slopes away from the camera, with w from 1 to 4; it fills most of 8×8 pixels.
 Case seen_at_a_slant() {
   Case c = square();
   c.attributes.clear();
@@ -56,7 +56,7 @@ TEST(CameraForm, ShowsWhatLiesOnTheRay) {
   }
 }
 
-// x is up to 1, and 8 of its ulps are far beyond 0.51.
+// x is at most 1, and 8 ulps of 1 are far beyond 0.51.
 TEST(CameraForm, FindsValuesOfAnotherPlace) {
   const Check check = checked(seen_at_a_slant(), [](const Case&, Fragments& drawn) {
     drawn.attributes[3 * 4] += 8 * 0x1p-23F;
@@ -111,7 +111,8 @@ TEST(CameraForm, LeavesWhatIsRoundedAlone) {
   EXPECT_FALSE(is_applicable(homogeneous));
 }
 
-// Values of snapped vertices are within its reach, and those of a method within what it leaves.
+// Values of snapped vertices are judged by how far snapping may move them; those of a method by
+// what its contract leaves open.
 TEST(CameraForm, HoldsOfSnappedVerticesToTheirReach) {
   Case c = seen_at_a_slant();
   c.coverage = cases::Snapping{4};

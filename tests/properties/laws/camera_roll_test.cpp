@@ -1,5 +1,5 @@
-// The law catches a vertex stage that is good for upright projections only, and a picture that does
-// not turn, in the place of the camera as it was.
+// The law catches a vertex stage that works for upright projections only, and a picture that does
+// not turn; it reports places in the case with the original camera.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(CameraRoll, ExchangesTwoRowsOfTheProjection) {
   EXPECT_EQ(asked[0].framebuffer, (cases::FramebufferSize{8, 12, 1}));
 }
 
-// As if the numbers beside the diagonal were 0.
+// The vertex stage acts as if the numbers beside the diagonal were 0.
 TEST(CameraRoll, FindsAVertexStageForUprightCameras) {
   DamagedBackend backend({}, "cpu");
   backend.transform_damage = [](const Case& c, std::vector<cases::ClipVertex>& positions) {
@@ -86,7 +86,7 @@ TEST(CameraRoll, FindsClipPositionsThatAreNone) {
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::not_a_number);
 }
 
-// Pixel (i, j) = (1, 3) is (8 − 1 − 3, 1) of the turned picture.
+// Pixel (i, j) = (1, 3) is pixel (8 − 1 − 3, 1) of the turned picture.
 TEST(CameraRoll, FindsWhatIsMissingInThePlaceOfTheCameraAsItWas) {
   DamagedBackend backend(
       [](const Case& c, Fragments& drawn) {
@@ -116,7 +116,7 @@ TEST(CameraRoll, HandsPositionsToBackendsWithoutAVertexStage) {
 
 TEST(CameraRoll, SaysNothingOfWhatDoesNotTurn) {
   DamagedBackend backend({}, "cpu");
-  EXPECT_FALSE(checked(square(), backend).is_applicable);  // has no camera
+  EXPECT_FALSE(checked(square(), backend).is_applicable);  // the square has no camera
   Case pattern = seen();
   pattern.framebuffer.samples = 8;
   EXPECT_FALSE(checked(pattern, backend).is_applicable);

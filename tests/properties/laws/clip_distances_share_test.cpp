@@ -1,5 +1,6 @@
-// The law catches samples that a clip distance and its opposite both draw, or neither, or that only
-// they draw; it lets pass what the rules have drawn twice, and what a snapped cut leaves open.
+// The law catches samples that a clip distance and its opposite both draw, or neither draws, or
+// that are drawn only with a distance. It accepts samples that the rules draw twice, and those that
+// a snapped cut leaves open.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ Case cut_square() {
   return c;
 }
 
-/// Of `cpu`, which says what becomes of ties.
+/// Checks `cpu`, whose contract decides ties.
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
 bool is_opposite(const Case& c) { return c.clip_distance_count > 0 && c.clip_distances[0] > 0; }
@@ -41,7 +42,8 @@ TEST(ClipDistances, ShareTheSquare) {
 
 TEST(ClipDistances, OfNoneSayNothing) { EXPECT_FALSE(checked(square(), {}).is_applicable); }
 
-// Pixel (3, 1) is A's, and its zero belongs to the distance, whose normal points to the right.
+// Pixel (3, 1) belongs to A. Its zero belongs to the distance and not to its opposite, because the
+// distance's normal points to the right.
 TEST(ClipDistances, FindAZeroThatBothDraw) {
   const Check check = checked(cut_square(), [](const Case& c, Fragments& drawn) {
     if (is_opposite(c)) add(drawn, 0, 3, 1);
@@ -98,8 +100,8 @@ TEST(ClipDistances, OfZeroEverywhereCutNothing) {
   EXPECT_THAT(check.labels, testing::Contains("drawn with both"));
 }
 
-// Under a contract without a tie rule either may have the zeros, or both; and what lies within a
-// grid unit of a snapped cut may be drawn or not.
+// Under a contract without a tie rule, either distance may have the zeros, or both may. Samples
+// within a grid unit of a snapped cut may be drawn or not.
 TEST(ClipDistances, LeaveAloneWhatIsPermitted) {
   const auto twice = [](const Case& c, Fragments& drawn) {
     if (is_opposite(c)) add(drawn, 0, 3, 1);

@@ -1,5 +1,5 @@
-// The law catches what a clipper loses, makes too much of, or gives other values than the triangle
-// that reaches beyond the plane; it lets pass what lies exactly on the plane.
+// The law catches a clipper that loses fragments, draws too many, or gives them other values than
+// the triangle that reaches beyond the plane; it accepts differences exactly on the plane.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "clipped-equals-clipless";
 
-/// What is left at a plane has vertices besides those of the triangles that it is left of.
+/// True if the case is the clipped one: it still lists vertices of the whole triangles, which its
+/// parts do not use.
 bool is_clipped(const Case& c) {
   std::set<std::uint32_t> named;
   for (const cases::Triangle& triangle : c.triangles) {
@@ -50,7 +51,7 @@ TEST(Clipping, FindsWhatIsLostAndWhatIsTooMuch) {
     const Check lost = checked(c, [](const Case& drawn_case, Fragments& drawn) {
       if (!is_clipped(drawn_case) || drawn.size() < 8) return;
       for (int i = 0; i < 8; ++i) {
-        drawn.triangle[static_cast<std::size_t>(i)] = 9999;  // no part of any triangle
+        drawn.triangle[static_cast<std::size_t>(i)] = 9999;  // not a part of any triangle
       }
     });
     EXPECT_GE(lost.violation_count, 8U);
@@ -80,7 +81,8 @@ TEST(Clipping, FindsOtherValues) {
   });
 }
 
-// The near plane's zeros are inside, and the edge that it leaves has them or not.
+// Samples on the near plane count as inside; the edge that clipping makes there may own them or
+// not.
 TEST(Clipping, LeavesTheSamplesOnThePlaneAlone) {
   FoundInOwnCases found = check_own_cases(kLaw, "cpu", 600);
   EXPECT_EQ(found.violated, 0);

@@ -1,4 +1,4 @@
-// How far apart two numbers may be of which each may be as far from the same one.
+// The largest difference of two numbers that are each within the same bound of one exact number.
 
 #include "properties/laws/internal/close_drawings.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 TEST(Closeness, IsOfTheGreatestNumbersUlp) {
   EXPECT_EQ(greatest_difference({1.02, 8}, 3, -2), 1.02 * 0x1p-20);
-  // Just below 16 what both are computed of may lie above.
+  // For values just below 16, the exact value may lie above 16.
   EXPECT_EQ(greatest_difference({1.02, 8}, 0x1.fffffep3, 0), 1.02 * 0x1p-19);
 }
 

@@ -1,5 +1,5 @@
-// The law catches constants that come out beside themselves, of which the contract promises that
-// they do not.
+// The law catches constants that are drawn with another value although the contract promises the
+// constant.
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST(ConstantsStayConstant, JudgesNoOtherAttribute) {
   EXPECT_EQ(check.violation_count, 0U);
 }
 
-// With a bound of 3/4 the neighbour below a power of two may be what rounding gives.
+// With a bound of 3/4, rounding may give the neighbour below a power of two.
 TEST(ConstantsStayConstant, JudgesWhatTheContractPromisesOnly) {
   DamagedBackend backend(
       [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F); });
@@ -52,11 +52,11 @@ TEST(ConstantsStayConstant, JudgesWhatTheContractPromisesOnly) {
   EXPECT_EQ(violations({0.5F, 0}), 1U);
   EXPECT_EQ(violations({0x1.7ffffep-1F, 0}), 1U);
   EXPECT_EQ(violations({0.75F, 0}), 0U);
-  EXPECT_EQ(violations({0.5F, 0.125F}), 1U);  // g = 1 where all w are the same
+  EXPECT_EQ(violations({0.5F, 0.125F}), 1U);  // g = 1 because all w are equal
   EXPECT_EQ(violations({0.5F, 0.25F}), 0U);
 }
 
-// As of attributes in float32, whose bound is several ULP.
+// A contract may keep constants although its bound is several ULP, as for attributes in float32.
 TEST(ConstantsStayConstant, JudgesWhatIsPromisedToBeKeptWhateverTheBound) {
   DamagedBackend backend([](const Case&, Fragments& drawn) {
     value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F);

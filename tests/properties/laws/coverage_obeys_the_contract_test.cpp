@@ -1,5 +1,5 @@
-// The law catches samples that are missing, drawn twice, of nothing or of the wrong triangle, and
-// leaves values alone.
+// The law catches samples that are missing, drawn twice, or of a triangle or pixel that does not
+// exist, and the wrong triangle; it ignores values.
 
 #include <gtest/gtest.h>
 
@@ -54,8 +54,7 @@ TEST(CoverageObeysTheContract, FindsFragmentsOfNothing) {
   }
 }
 
-// B, made nearer, hides A at pixel (1, 1) only if it is drawn there; here A is the nearer one and B
-// takes its place.
+// A and a copy of A behind it: at pixel (1, 1) the copy is drawn although A is nearer.
 TEST(CoverageObeysTheContract, FindsTheWrongTriangleUnderADepthTest) {
   Case c = square();
   c.depth_test = cases::DepthTest::less;

@@ -1,5 +1,5 @@
-// The law catches what both kinds of culling draw, what neither does, an orientation of front faces
-// that is not looked at, and values that depend on culling.
+// The law catches fragments that both kinds of culling draw or that neither draws, an ignored
+// orientation of front faces, and values that depend on culling.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,14 +21,14 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "culled-and-unculled-partition";
 
-/// The square, one half of which is seen from behind.
+/// The square, with one half seen from behind.
 Case two_sided() {
   Case c = square();
   c.triangles[1] = {1, 2, 3};
   return c;
 }
 
-/// Goes wrong with the state that it is to draw with.
+/// Draws with a changed state.
 class Misled : public DamagedBackend {
  public:
   explicit Misled(std::function<void(Case&)> mislead) : mislead_(std::move(mislead)) {}
@@ -77,7 +77,7 @@ TEST(Culling, FindsWhatIsNeverCulled) {
   EXPECT_THAT(check.violations.front().note, HasSubstr("put together"));
 }
 
-// A triangle that is half a front and half a back.
+// A triangle that counts partly as a front face and partly as a back face.
 TEST(Culling, FindsATriangleInBoth) {
   const Check check = check_of(kLaw, two_sided(), [](const Case& c, Fragments& drawn) {
     if (c.cull == Cull::none || c.front_face == FrontFace::cw) return;

@@ -1,5 +1,5 @@
-// The law catches a triangle without area that draws something, and one that changes, hides or
-// renumbers its neighbours; what it puts in has no area, exactly.
+// The law catches a triangle without area that draws something, or that changes, hides or renumbers
+// its neighbours. The triangles that the law adds have exactly no area.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ constexpr std::string_view kLaw = "what-is-degenerate-covers-nothing";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// Of the square's two triangles.
+/// True if triangles were added to the square's two.
 bool is_mixed(const Case& c) { return c.triangles.size() > 2; }
 
 /// The indices of triangles that are not the square's.
@@ -51,7 +51,7 @@ TEST(Degenerate, TrianglesLeaveTheSquareAsItIs) {
   }
 }
 
-// det M = 0, or all w <= 0: then the oracle has it cover nothing.
+// det M = 0, or all w <= 0: the oracle says that such triangles cover nothing.
 TEST(Degenerate, TrianglesHaveNoArea) {
   int added_to = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
@@ -101,7 +101,8 @@ TEST(Degenerate, TriangleThatChangesItsNeighboursIsFound) {
   EXPECT_EQ(renumbered.violation_count, 128U);
 }
 
-// What snapping may make of a line next to the diagonal is the oracle's to say.
+// A textbook method may draw a snapped line next to the diagonal; the oracle decides what is
+// permitted.
 TEST(Degenerate, TrianglesOfTextbookMethodsHold) {
   EXPECT_EQ(check_own_cases(kLaw, "method:rational-linear", 100).violated, 0);
 }

@@ -1,5 +1,5 @@
-// The law catches derivatives beyond the bound along either axis, and says nothing where none are
-// promised or their place is open.
+// The law catches derivatives beyond the bound along either axis; it does not apply if none are
+// promised, or if their place is open.
 
 #include <gtest/gtest.h>
 
@@ -19,10 +19,10 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "screen-derivatives-stay-within-the-bound";
 
-/// Of a backend that gives derivatives, and goes wrong so.
+/// Checks a backend that gives derivatives and has this damage.
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// ∂/∂u or ∂/∂v of an attribute.
+/// ∂/∂u (axis 0) or ∂/∂v (axis 1) of an attribute.
 float& derivative(Fragments& drawn, std::uint32_t triangle, int x, int y, std::size_t attribute,
                   std::size_t axis) {
   const std::size_t first = find(drawn, triangle, x, y) * drawn.attribute_count;

@@ -1,5 +1,5 @@
-// The law on differences across quads: held by `cpu`, broken by helpers that are not on the
-// triangle's own map, silent of what the map says nothing about.
+// `cpu` keeps the law on differences across quads, helpers that do not follow the triangle's own
+// map break it, and the law does not apply to values that the map does not define.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "differences-across-quads-stay-within-the-bound";
 
-/// How many of a hundred cases of the law a backend breaks.
+/// The number of the law's first hundred cases that the backend breaks.
 int broken(DamagedBackend& backend) { return check_own_cases(kLaw, backend, 100).violated; }
 
 TEST(QuadDifferences, HoldOfCpuAndMeetWhatTheyAreAbout) {
@@ -35,8 +35,9 @@ TEST(QuadDifferences, HoldOfCpuAndMeetWhatTheyAreAbout) {
                                      "next to the horizon", "several samples", "w <= 0"}));
 }
 
-// Attribute 0 is the window x: differences are 1, or 0 along y. Pixels of even x have theirs with
-// the next, those of odd x with the one before, of the other triangle too: it has the same map.
+// Attribute 0 is the window x: differences are 1 along x and 0 along y. A pixel with even x is
+// paired with the next one, a pixel with odd x with the one before. The pair may be in the other
+// triangle, which has the same map.
 TEST(QuadDifferences, OfTheSquareAreOneOrZero) {
   DamagedBackend backend({}, "cpu");
   bool is_along_x = false;
@@ -47,7 +48,7 @@ TEST(QuadDifferences, OfTheSquareAreOneOrZero) {
   };
   const Check check = check_of(kLaw, square(), backend);
   EXPECT_EQ(check.judgement.counts.required, 64U);
-  // An ulp of 1 is more than half an ulp and 16 · 2^-29; 2^-149 is less.
+  // An error of ulp(1) is more than half an ulp plus 16 · 2^-29; an error of 2^-149 is less.
   ASSERT_EQ(check.violation_count, is_along_x ? 2U : 1U);
   const records::Violation& last = check.violations.back();
   EXPECT_EQ(last.fragment_class, FragmentClass::not_a_number);
@@ -73,7 +74,7 @@ TEST(QuadDifferences, ShowTheOtherAxisAndTheOtherDirection) {
   EXPECT_GT(broken(backwards), 50);
 }
 
-// Helpers that have the value of the fragment beside them.
+// Helpers that copy the value of the fragment next to them.
 TEST(QuadDifferences, ShowHelpersThatAreHeldToTheEdge) {
   DamagedBackend backend({}, "cpu");
   backend.picture_damage = [](const Pipeline& pipeline, Picture& picture) {

@@ -1,5 +1,5 @@
-// The law is held by `cpu`, broken by fragments that are wrongly kept or discarded and by depths
-// that they leave, silent of cases without coordinates.
+// `cpu` keeps the law; fragments that are wrongly kept or discarded, and depths left by discarded
+// fragments, break it. The law does not apply to cases without coordinates.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using cases::Pipeline;
 
 constexpr std::string_view kLaw = "discarding-draws-what-keeping-the-kept-texels-draws";
 
-/// How many of a hundred cases of the law a backend breaks.
+/// The number of the law's first hundred cases that a backend with this damage breaks.
 int broken_by(const PipelineDamage& damage) {
   DamagedBackend backend({}, "cpu");
   backend.pipeline_damage = damage;
@@ -43,7 +43,7 @@ TEST(Discarding, SaysNothingOfCasesWithoutCoordinates) {
 TEST(Discarding, ShowsWhatIsKeptOrLost) {
   EXPECT_EQ(broken_by([](Pipeline&) {}), 0);
   EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.texturing->discard_below.reset(); }), 30);
-  // Not less, but less or equal.
+  // Discards if "less or equal" instead of "less".
   EXPECT_GT(broken_by([](Pipeline& pipeline) {
               float& limit = *pipeline.texturing->discard_below;
               limit = std::nextafter(limit, 2.0F);
@@ -51,7 +51,7 @@ TEST(Discarding, ShowsWhatIsKeptOrLost) {
             5);
 }
 
-// A discarded fragment that leaves its depth, as if it had been drawn with no colour.
+// A discarded fragment that writes its depth, as if it had been drawn without a colour.
 TEST(Discarding, ShowsDepthThatWasLeft) {
   DamagedBackend backend({}, "cpu");
   backend.picture_damage = [](const Pipeline&, cases::Picture& picture) {

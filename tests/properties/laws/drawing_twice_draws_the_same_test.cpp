@@ -1,4 +1,4 @@
-// The law catches what a drawing leaves behind for the next.
+// The law catches state that one drawing leaves behind for the next.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,7 +42,10 @@ TEST(DrawingTwice, DrawsTheSame) {
 TEST(DrawingTwice, FindsWhatTheFirstLeavesBehind) {
   int count = 0;
   const Check check = check_of(kLaw, square(), [&](const Case&, Fragments& drawn) {
-    if (++count > 1) value(drawn, 0, 1, 1, 1) = std::nextafter(1.0F, 2.0F);
+    // The other case, which is drawn in between, has its triangles elsewhere.
+    if (++count > 1 && is_drawn(drawn, 0, 1, 1)) {
+      value(drawn, 0, 1, 1, 1) = std::nextafter(1.0F, 2.0F);
+    }
   });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().attribute, 1U);

@@ -1,5 +1,5 @@
-// The law catches two depths of one plane, in one triangle and in two, and leaves planes that are
-// not parallel to the screen, and samples that should not be there, alone.
+// The law catches different depths in one plane, within one triangle and across two. It ignores
+// planes that are not parallel to the screen, and samples that should not be drawn.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "equal-depth-stays-equal";
 
-/// The square with w of its own at each vertex, still at depth 1/4.
+/// The square with a different w at each vertex, still at depth 1/4.
 Case tilted() {
   Case c = square();
   constexpr std::array kWeights{1.0F, 2.0F, 3.0F, 0.625F};
@@ -62,7 +62,7 @@ TEST(EqualDepth, FindsTheNextFloat) {
   EXPECT_EQ(check.violations.back().fragment_class, FragmentClass::not_a_number);
 }
 
-// Each is of one depth.
+// Each triangle has a single depth, but the two depths differ.
 TEST(EqualDepth, FindsTwoTrianglesThatDiffer) {
   const Check check = checked(tilted(), [](const Case&, Fragments& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -93,7 +93,7 @@ TEST(EqualDepth, SaysNothingOfSlopesAndOfWhatIsNotPromised) {
   EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
 }
 
-// A sample that is not the plane's, which comes first or last.
+// A fragment at depth 0 in a pixel that its triangle does not cover.
 TEST(EqualDepth, LeavesSamplesThatShouldNotBeThereAlone) {
   const Check check = checked(tilted(), [](const Case&, Fragments& drawn) { add(drawn, 0, 7, 7); });
   EXPECT_EQ(check.violation_count, 0U);

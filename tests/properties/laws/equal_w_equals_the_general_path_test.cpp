@@ -1,5 +1,6 @@
-// The law catches a division that is forgotten, or made where none is wanted, and values, depths
-// and coverage that differ between the two paths; it lets them differ by the sum of their bounds.
+// The law catches a division that is forgotten, or made although none is wanted, and values, depths
+// and coverage that differ between the two paths; it accepts differences up to the sum of both
+// bounds.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ Check checked(const Case& c, const Damage& damage, const std::string& specificat
   return check_of(kLaw, c, damage, specification);
 }
 
-/// The scaled triangles have two attributes more.
+/// True for the scaled triangles, which have two more attributes.
 bool is_general(const Case& c) { return c.attributes.size() > 3; }
 
 TEST(EqualW, DrawsTheSquareWithVerticesScaled) {
@@ -55,7 +56,7 @@ TEST(EqualW, ScalesClipDistancesAlike) {
   c.clip_distances = {-3.5F, 4.5F, -3.5F, 4.5F};
   const Check check = checked(c, {});
   EXPECT_EQ(check.violation_count, 0U);
-  EXPECT_EQ(check.judgement.counts.required, 40U);  // columns 3, whose zeros are inside, to 7
+  EXPECT_EQ(check.judgement.counts.required, 40U);  // columns 3 to 7; column 3's zeros are inside
 }
 
 TEST(EqualW, FindsCoverageOfOneOnly) {
@@ -67,7 +68,7 @@ TEST(EqualW, FindsCoverageOfOneOnly) {
   EXPECT_THAT(check.violations.front().note, HasSubstr("another power of two"));
 }
 
-// 0.51 ulp(8) of both, 1.02 · 2^-20.
+// The sum of both bounds is 1.02 · 2^-20: 0.51 ulp(8) for each.
 TEST(EqualW, FindsValuesBeyondBothBounds) {
   for (const float units : {1.0F, 2.0F}) {
     const Check check = checked(square(), [units](const Case& c, Fragments& drawn) {
@@ -96,7 +97,7 @@ TEST(EqualW, FindsAQuotientThatIsAnother) {
   EXPECT_EQ(nothing.violations.front().fragment_class, records::FragmentClass::not_a_number);
 }
 
-// Where the contract does not say where vertices are placed, values may be of other places.
+// If the contract leaves the placement of vertices open, values may belong to other places.
 TEST(EqualW, LeavesWhatIsPlacedAnywhereAlone) {
   const auto off = [](const Case& c, Fragments& drawn) {
     if (is_general(c)) value(drawn, 0, 1, 1, 0) += 1;

@@ -1,5 +1,5 @@
-// The law is held by `cpu`, broken by other filters and by colours beyond the bound, silent of
-// cases without coordinates and where no bound is promised.
+// `cpu` keeps the law; other filters, and colours beyond the bound, break it. The law does not
+// apply to cases without coordinates, or if no bound is promised.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "filtered-colours-stay-within-the-bound";
 
-/// How many of a hundred cases of the law a backend breaks.
+/// The number of the law's first hundred cases that a backend with this damage breaks.
 int broken_by(const PipelineDamage& damage) {
   DamagedBackend backend({}, "cpu");
   backend.pipeline_damage = damage;
@@ -61,14 +61,14 @@ TEST(FilteredColours, ShowAnotherFilter) {
   EXPECT_GT(swapped(Filter::trilinear, Filter::bilinear), 10);
 }
 
-// Bytes of framebuffers are far off what a filter may be.
+// Rounding to the bytes of a framebuffer is far beyond a filter's bound.
 TEST(FilteredColours, ShowRoundingToBytes) {
   EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.format = cases::ColorFormat::rgba8; }), 25);
 }
 
-// More than a few units of 2^-24 is too much where coordinates are small.
+// If coordinates are small, an error of more than a few units of 2^-24 is too large.
 TEST(FilteredColours, AreJudgedByTheBound) {
-  // So few pixels that the law judges them all.
+  // The case has so few pixels that the law judges all of them.
   Case c = square();
   c.framebuffer = {4, 4, 1};
   c.viewport.width = c.viewport.height = 4;

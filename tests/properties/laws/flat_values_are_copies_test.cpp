@@ -1,5 +1,5 @@
-// The law catches the other vertex's value and the other zero, of samples rightly drawn or not, and
-// leaves what is interpolated alone.
+// The law catches the other vertex's value and the zero of the other sign, also at samples that
+// should not be drawn; it ignores interpolated attributes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "flat-values-are-the-provoking-vertex";
 
-/// Attribute 2 is flat and −0 at vertex 0 only, and a subnormal at vertex 1.
+/// Attribute 2 is flat: −0 at vertex 0, a subnormal at vertex 1, and 0 elsewhere.
 Case flat() {
   Case c = square();
   c.attributes[2].interpolation = cases::Interpolation::flat;
@@ -37,7 +37,7 @@ TEST(FlatValues, AreTheFirstVertexsOrTheLast) {
     EXPECT_EQ(check.judgement.counts.required, 64U);
     const bool is_first = rules != cases::Rules::opengl;
     EXPECT_EQ(testing::Value(check.labels, testing::Contains("negative zero")), is_first);
-    // The first vertex of A is −0, the last one of B 0.
+    // The first vertex of A is −0, the last vertex of B is 0.
     const Check other =
         checked(c, [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 2) = 0x1p-149F; });
     EXPECT_EQ(other.violation_count, 1U);

@@ -1,5 +1,5 @@
-// The law catches faces and ties that do not turn with the mirror, names the place in the case as
-// it was, and leaves alone what has no mirror image.
+// The law catches faces and ties that do not follow the mirror, names places in the original case,
+// and does not apply to cases without a mirror image.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Check checked(const Case& c, backends::Backend& backend) { return check_of(kLaw,
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// The square's triangles in 12×8 pixels; another number, another mirror.
+/// The square's triangles in 12×8 pixels; another number makes the law choose another mirror.
 Case wide(int number) {
   Case c = square();
   c.framebuffer = {12, 8, 1};
@@ -34,7 +34,8 @@ Case wide(int number) {
   return c;
 }
 
-/// The first of the wide cases that is mirrored so, and is not by a negative height.
+/// The first of the wide cases that the law mirrors in the labelled way, and not by a negative
+/// height.
 Case mirrored_so(const std::string& label) {
   for (int number = 0; number < kNumbers; ++number) {
     bool is_negative = false;
@@ -63,7 +64,8 @@ TEST(Mirror, MirrorsUnderAllRules) {
         EXPECT_TRUE(check.is_applicable);
         EXPECT_EQ(check.violation_count, 0U);
         labels.insert(check.labels.begin(), check.labels.end());
-        // Clockwise as displayed where window y points down as clip y does.
+        // Under Vulkan, clip y points down like window y, so the triangles are clockwise on the
+        // screen.
         const bool is_kept = (rules == cases::Rules::vulkan) == (cull == cases::Cull::front);
         if (cull == cases::Cull::none || is_kept) {
           EXPECT_GE(check.judgement.counts.required + check.judgement.counts.permitted, 35U);
@@ -100,7 +102,7 @@ TEST(Mirror, MirrorsNegativeHeights) {
   }
 }
 
-// Pixel (1, 3) is (10, 3) with left and right mirrored, and (1, 4) upside down.
+// Pixel (1, 3) becomes (10, 3) when left and right are mirrored, and (1, 4) when up and down are.
 TEST(Mirror, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   struct Way {
     std::string label;
@@ -121,8 +123,9 @@ TEST(Mirror, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   }
 }
 
-// Front faces are counter-clockwise, whatever the case says: where the mirror turns them, others
-// are left; or the vertices come in the other order, and all is well.
+// This backend takes counter-clockwise faces for front faces, whatever the case says. If the mirror
+// changes the front face, the wrong triangles remain; if the mirror reverses the order of vertices
+// instead, the law holds.
 TEST(Mirror, FindsFacesThatDoNotTurn) {
   class Ccw : public DamagedBackend {
    public:
@@ -147,7 +150,7 @@ TEST(Mirror, FindsFacesThatDoNotTurn) {
   EXPECT_EQ(found, (std::set{false, true}));
 }
 
-// Upside down the diagonal's samples go by the other rule.
+// When up and down are mirrored, samples on an upper or lower edge must follow the other tie rule.
 TEST(Mirror, FindsTiesThatDoNotTurn) {
   class TopLeft : public DamagedBackend {
    public:
@@ -190,7 +193,7 @@ TEST(Mirror, SaysNothingOfWhatHasNoImage) {
   no_float.viewport.x = 0x1p-30F;
   no_float.viewport.y = 0x1p-30F;
   EXPECT_FALSE(checked(no_float, {}).is_applicable);
-  Case border = wide(0);  // on the centres of a column and of a row, which belong to one side only
+  Case border = wide(0);  // its sides run through sample centres
   border.viewport = {0.5F, 0.5F, 10.25F, 7.25F, 0, 1};
   EXPECT_FALSE(checked(border, {}).is_applicable);
   DamagedBackend backend({}, "cpu");

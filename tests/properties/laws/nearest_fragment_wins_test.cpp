@@ -1,5 +1,5 @@
-// The law catches a depth test that leaves another fragment than the nearest, or of equal ones a
-// later one, or other values.
+// The law catches a depth test that leaves a fragment other than the nearest, a later one of
+// several equally near ones, or other values.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "the-nearest-fragment-wins";
 
-/// The square's A three times, at these depths.
+/// Triangle A of the square three times, at these depths.
 Case layers(float first, float second, float third) {
   Case c = square();
   c.positions.clear();
@@ -35,7 +35,7 @@ Case layers(float first, float second, float third) {
 
 bool is_tested(const Case& c) { return c.depth_test == cases::DepthTest::less; }
 
-/// Triangle `left` is what is left at (1, 1).
+/// Leaves triangle `left` at pixel (1, 1) after the depth test.
 Damage leaving(std::uint32_t left, float depth) {
   return [=](const Case& c, Fragments& drawn) {
     if (!is_tested(c)) return;
@@ -68,7 +68,7 @@ TEST(NearestFragment, IsNotTheLastOne) {
   EXPECT_THAT(violation.note, HasSubstr("the nearest of 3 at 0.25"));
 }
 
-/// The square's layers, held to the tests of another depth buffer.
+/// Checks a case under the depth tests of another depth buffer.
 Check check_under(cases::DepthFormat format, const Case& c, const Damage& damage) {
   DamagedBackend backend(damage);
   backend.promised = backend.promise(c);
@@ -76,10 +76,10 @@ Check check_under(cases::DepthFormat format, const Case& c, const Damage& damage
   return check_law(*find_law(kLaw), c, backend, 0).value();
 }
 
-// Kills: the law comparing floats of a backend whose depth buffer has 24 bits, or those of a
-// double.
+// Kills: comparing depths as floats although the backend's depth buffer has 24 bits or holds
+// doubles.
 TEST(NearestFragment, IsToldByWhatTheBufferHolds) {
-  constexpr float kNear = 0.5F - 0x1p-25F;  // by less than a step of 1/(2^24 - 1)
+  constexpr float kNear = 0.5F - 0x1p-25F;  // nearer by less than a step of 1/(2^24 - 1)
   const Case c = layers(0.5F, kNear, 0.75F);
   const Damage leaves_first = leaving(0, 0.5F);
   EXPECT_EQ(check_under(cases::DepthFormat::float32, c, leaves_first).violation_count, 1U);
@@ -88,11 +88,11 @@ TEST(NearestFragment, IsToldByWhatTheBufferHolds) {
   const Case farther = layers(0.5F, 0.5F - 0x1p-22F, 0.75F);
   EXPECT_EQ(check_under(cases::DepthFormat::unorm24, farther, leaves_first).violation_count, 1U);
   EXPECT_EQ(check_under(cases::DepthFormat::unorm32, farther, leaves_first).violation_count, 1U);
-  // The nearer one first: rounding makes none less than it.
+  // If the nearer triangle is drawn first, rounding cannot make a later depth less than its depth.
   EXPECT_EQ(check_under(cases::DepthFormat::unorm24, layers(kNear, 0.5F, 0.75F), leaving(1, 0.5F))
                 .violation_count,
             1U);
-  // Doubles that are the same float may differ, either way.
+  // Depths that are the same float may be different doubles, so that either may be nearer.
   const Case equal = layers(0.5F, 0.5F, 0.75F);
   const Damage leaves_second = leaving(1, 0.5F);
   EXPECT_EQ(check_under(cases::DepthFormat::float64, equal, leaves_second).violation_count, 0U);
@@ -100,7 +100,8 @@ TEST(NearestFragment, IsToldByWhatTheBufferHolds) {
   EXPECT_EQ(check_under(cases::DepthFormat::float32, equal, leaves_second).violation_count, 1U);
 }
 
-// Kills: what lies at the buffer's beginning, required or forbidden whatever the case says.
+// Kills: fragments at the buffer's initial depth that are required, or forbidden, whatever the case
+// says.
 TEST(NearestFragment, IsNearerThanTheBeginningOfTheBuffer) {
   const Damage drops_all = [](const Case& c, Fragments& drawn) {
     const std::size_t attributes = drawn.attribute_count;
@@ -126,7 +127,7 @@ TEST(NearestFragment, IsNearerThanTheBeginningOfTheBuffer) {
             "forbidden: it is no nearer than what the depth buffer begins with");
 }
 
-// Where the test is "less or equal".
+// Finds a depth test by "less or equal".
 TEST(NearestFragment, IsTheFirstOfEqualOnes) {
   const Case c = layers(0.5F, 0.25F, 0.25F);
   const Check right = check_of(kLaw, c, {});
@@ -137,7 +138,7 @@ TEST(NearestFragment, IsTheFirstOfEqualOnes) {
   EXPECT_EQ(check.violations.front().exact, "forbidden: triangle 1 is as near, and drawn first");
 }
 
-// Two that tie behind the nearest are no tie.
+// Two equal depths behind the nearest fragment do not count as a tie.
 TEST(NearestFragment, IsEqualToNoneThatIsFarther) {
   const Check check = check_of(kLaw, layers(0.5F, 0.5F, 0.25F), {});
   EXPECT_THAT(check.labels, testing::Not(testing::Contains("equal nearest")));

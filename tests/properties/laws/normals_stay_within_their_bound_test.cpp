@@ -1,5 +1,5 @@
-// The law catches normals that are off by more than the contract leaves, that lean, face inwards or
-// are no numbers.
+// The law catches normals that are farther off than the contract allows, that lean, that face
+// inwards, or that are not numbers.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "normals-stay-within-their-bound";
 
-/// The square, its positions (0, 3, 4) and (0, 0, 2) first, by a model that stretches x.
+/// The square with (0, 3, 4) and (0, 0, 2) as its first positions, and a model that stretches x.
 Case stretched() {
   Case c = square();
   c.camera.emplace();
@@ -49,8 +49,8 @@ TEST(NormalsBound, HoldsOfCpu) {
   EXPECT_THAT(check.labels, testing::ElementsAre());
 }
 
-// 3/5 and 4/5: half an ulp of 2^-24 and few 2^-53 are allowed, and no float but the nearest is
-// that close.
+// The unit normal has 3/5 and 4/5: half an ulp of 2^-24 plus a few 2^-53 is allowed, and only the
+// nearest float is that close.
 TEST(NormalsBound, FindsOneUlpAndNamesTheNormal) {
   EXPECT_EQ(with(stretched(), {0, 0.6F, 0.8F}).violation_count, 0U);
   const Check check = with(stretched(), {0, std::nextafter(0.6F, 1.0F), 0.8F});
@@ -61,8 +61,8 @@ TEST(NormalsBound, FindsOneUlpAndNamesTheNormal) {
   EXPECT_EQ(violation.note, "y of the unit normal that (0, 3, 4), position 0, becomes");
 }
 
-// A zero that is none is off by its own size; 9 · 2^-53 are beyond 4 + 8 (1 + 2^-23) 2^-53 no more
-// than K = 1 allows.
+// A computed value in place of a zero is off by its own size. Allowed is (4 + 8 (1 + 2^-23)) 2^-53,
+// which is about 12 · 2^-53, because K = 1: 11.5 · 2^-53 is within, and 12.5 · 2^-53 is beyond.
 TEST(NormalsBound, LeavesTheBoundAndNoMore) {
   EXPECT_EQ(with(stretched(), {0x1.7p-50F, 0.6F, 0.8F}).violation_count, 0U);
   EXPECT_EQ(with(stretched(), {-0x1.7p-50F, 0.6F, 0.8F}).violation_count, 0U);
@@ -70,7 +70,7 @@ TEST(NormalsBound, LeavesTheBoundAndNoMore) {
   EXPECT_EQ(with(stretched(), {-0x1.9p-50F, 0.6F, 0.8F}).violation_count, 1U);
 }
 
-// The matrix itself in place of its cofactors: right of normals along the axes alone.
+// The matrix itself used in place of its cofactors is right only for normals along the axes.
 TEST(NormalsBound, FindsNormalsThatLean) {
   Case c = stretched();
   c.positions[0] = {1, 0, 1, 1};
@@ -96,8 +96,8 @@ TEST(NormalsBound, FindsWhatIsNoNumber) {
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::infinite);
 }
 
-// Pressed into the plane of these two tangents, either of them as a normal has no image: its terms
-// cancel, and what rounding leaves of them is no direction.
+// The model flattens everything into the plane of these two tangents. A normal equal to one of them
+// has no image: its terms cancel, and the rounding errors that remain are not a direction.
 TEST(NormalsBound, WantsZeroWhereThereIsNoDirection) {
   Case c = stretched();
   c.camera->model = {0.1F, 0.2F, 0.3F, 0, 0.7F, 0.5F, 0.9F, 0, 0, 0, 0, 0, 0, 0, 0, 1};

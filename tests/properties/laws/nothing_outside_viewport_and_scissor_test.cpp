@@ -1,5 +1,5 @@
-// The law catches a fragment beyond the viewport or the scissor, and whatever a picture has there;
-// it leaves the far border alone where the rules do.
+// The law catches a fragment outside the viewport or the scissor, and anything that a picture has
+// there; it accepts the far border if the rules leave it open.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Case inset() {
   return c;
 }
 
-/// What the law finds where there is one fragment more, at a pixel.
+/// Checks a case with one additional fragment at a pixel.
 Check with_fragment(const Case& c, int x, int y) {
   return check_of(kLaw, c, [=](const Case&, Fragments& drawn) { add(drawn, 0, x, y); });
 }
@@ -63,7 +63,7 @@ TEST(Outside, FindsFragmentsOfAViewportTurnedRound) {
   EXPECT_EQ(with_fragment(c, 3, 7).violation_count, 1U);
 }
 
-// The centres of column 5 lie on the far border, those of column 1 on the near one.
+// The centres of column 5 lie on the far border, and those of column 1 on the near border.
 TEST(Outside, LeavesTheFarBorderToTheRules) {
   for (const float width : {4.0F, -4.0F}) {
     Case c = inset();
@@ -79,7 +79,7 @@ TEST(Outside, LeavesTheFarBorderToTheRules) {
   }
 }
 
-// 1 + 2^-60 + 4: no double has it.
+// The far border is at 4.5 ± 2^-60, which no double can hold.
 TEST(Outside, KnowsBordersThatNoDoubleHas) {
   Case c = inset();
   c.rules = cases::Rules::d3d;
@@ -114,7 +114,7 @@ TEST(Outside, FindsWhatAPictureHasThere) {
   backend.picture_damage = [](const cases::Pipeline&, cases::Picture& picture) {
     picture.depth[7] = 0.25F;
     picture.color[picture.channels * 8 + 1] = -0.0F;
-    picture.depth[3 * 8 + 3] = 0.125F;  // inside: for other laws
+    picture.depth[3 * 8 + 3] = 0.125F;  // inside: left to other laws
   };
   const Check check = check_of(kLaw, inset(), backend);
   ASSERT_EQ(check.violation_count, 2U);

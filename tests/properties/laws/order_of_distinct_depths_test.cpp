@@ -1,4 +1,4 @@
-// The law catches a depth test that depends on the order of triangles, and lets equal depths be.
+// The law catches a depth test that depends on the order of triangles; it ignores equal depths.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "distinct-depths-are-drawn-in-any-order";
 
-/// The square's A twice: at depth 1/4 and then at 1/2.
+/// Triangle A of the square twice: at depth 1/4 and then at 1/2.
 Case layers() {
   Case c = square();
   c.positions.insert(c.positions.end(), {{-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}});
@@ -39,7 +39,7 @@ TEST(DistinctDepths, AreDrawnInAnyOrder) {
   EXPECT_THAT(check.labels, testing::ElementsAre("depth test", "distinct depths"));
 }
 
-// The farther one is left where it was drawn last.
+// The farther triangle remains in the order in which it is drawn last.
 TEST(DistinctDepths, FindTheTriangleThatOneOrderLeavesWrongly) {
   const Check check = check_of(kLaw, layers(), [](const Case& c, Fragments& drawn) {
     if (c.depth_test == cases::DepthTest::none || is_reversed(c)) return;
@@ -61,7 +61,7 @@ TEST(DistinctDepths, FindWhatOneOrderLosesOrAdds) {
   const Check check = check_of(kLaw, layers(), [](const Case& c, Fragments& drawn) {
     if (c.depth_test == cases::DepthTest::none) return;
     if (is_reversed(c)) {
-      drop(drawn, 1, 1, 1);  // the nearer one's index there
+      drop(drawn, 1, 1, 1);  // the index of the nearer triangle there
     } else {
       drop(drawn, 0, 2, 2);
     }

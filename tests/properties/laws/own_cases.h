@@ -1,6 +1,6 @@
 #pragma once
 
-// A law's own cases, those of seed 1, and what it finds of them.
+// A law's own cases, with seed 1, and what the law finds in them.
 
 #include <cstdint>
 #include <map>
@@ -18,13 +18,13 @@ inline Generated own_case(std::string_view law, std::uint64_t index) {
   return find_law(law)->generate(draw);
 }
 
-/// Of cases 0 to count − 1.
+/// The findings of a law in its cases 0 to count − 1.
 struct FoundInOwnCases {
-  int applicable = 0;                  ///< cases
-  int violated = 0;                    ///< cases
-  std::uint64_t required = 0;          ///< samples
-  std::map<std::string, int> reached;  ///< label → cases
-  std::set<std::string> strata;        ///< of cases of which something is required
+  int applicable = 0;                  ///< number of cases
+  int violated = 0;                    ///< number of cases
+  std::uint64_t required = 0;          ///< number of samples
+  std::map<std::string, int> reached;  ///< label → number of cases
+  std::set<std::string> strata;        ///< of the cases with required samples
 
   std::set<std::string> labels() const {
     std::set<std::string> all;

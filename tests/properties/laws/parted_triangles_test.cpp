@@ -1,4 +1,4 @@
-// Vertices that are made as mixes of others are exact.
+// Vertices that are made by mixing other vertices are exact.
 
 #include "properties/laws/internal/parted_triangles.h"
 

@@ -1,4 +1,4 @@
-// The law catches splits that are not of the error that was made.
+// The law catches splits that do not add up to the error that was made.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using records::Stratum;
 
 constexpr std::string_view kLaw = "the-parts-of-an-error-add-up-to-the-whole";
 
-/// What the law finds where the traces of the square are changed so.
+/// Checks the square with traces that `change` has changed.
 Check with_traces(const std::function<void(SampleTrace&)>& change) {
   DamagedBackend backend({}, "cpu");
   backend.trace_damage = [&change](const cases::SamplePlace&, std::optional<SampleTrace>& trace) {
@@ -36,8 +36,8 @@ TEST(PartsAddUp, HoldsOfCpuAndSumsItsParts) {
   const Check check = with_traces([](SampleTrace&) {});
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_EQ(check.judgement.counts.required, 8U);
-  // x = u and the constants are exact, so that no stage has a part of them; the constant 1 is
-  // copied, from nothing that is set up.
+  // x = u and the constants are exact, so that no stage has a part of their errors; the constant 1
+  // is copied and needs no set-up.
   const auto& stages = check.judgement.errors.at(AttributeKind::smooth).stages;
   ASSERT_EQ(stages.size(), 1U);
   const std::map<Stage, records::SignedSum>& ordinary = stages.at(Stratum::ordinary);
@@ -52,8 +52,8 @@ TEST(PartsAddUp, HoldsOfCpuAndSumsItsParts) {
 }
 
 TEST(PartsAddUp, SumsMagnitudesByStage) {
-  // An ulp of the scale, 8, is 2^-20: a quarter of one is too much before the rounding and too
-  // little in it.
+  // An ulp of the scale, 8, is 2^-20. A quarter ulp too much before rounding is compensated by a
+  // quarter ulp too little in rounding.
   const Check check =
       with_traces([](SampleTrace& trace) { *trace.attributes[0].evaluated += 0x1p-22; });
   EXPECT_EQ(check.violation_count, 0U);
@@ -118,8 +118,8 @@ TEST(PartsAddUp, PassesOnATraceThatFails) {
   EXPECT_EQ(check.error().reason, "no traces today");
 }
 
-// Snapping covers a sample where the positions that were handed on have 1/w <= 0, and with that no
-// value: the split of what any backend shows has no part `transform` there, and that is no fault.
+// Snapping makes the triangle cover a sample where the unsnapped positions have 1/w <= 0, and so no
+// value. The split that any backend gives there has no part `transform`, which is not a fault.
 TEST(PartsAddUp, HoldsBeyondTheHorizonOfASnappedTriangle) {
   const Result<cases::Case> source = cases::parse_case(
       R"({"format": "rastercheck-case", "version": 1, "name": "snapped beyond the horizon",

@@ -1,7 +1,7 @@
 #pragma once
 
 // A backend that draws pictures by the laws' own model, whatever it draws fragments with, and then
-// goes wrong in one way: in the fragments, in what the pipeline says, or in the picture.
+// goes wrong in one way: in the fragments, in the pipeline, or in the picture.
 
 #include <string>
 
@@ -15,7 +15,7 @@ class PictureBackend : public DamagedBackend {
   explicit PictureBackend(const std::string& specification = "cpu")
       : DamagedBackend({}, specification) {}
 
-  Damage fragment_damage;  ///< of pictures alone
+  Damage fragment_damage;  ///< for pictures only
 
   backends::PictureDrawer* picture_drawer() override { return this; }
 

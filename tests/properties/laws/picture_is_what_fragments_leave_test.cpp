@@ -1,5 +1,5 @@
-// The law is held by a backend that draws by the model, broken by one with a wrong pipeline or
-// wrong numbers, silent of backends without pictures.
+// A backend that draws by the model keeps the law; a backend with a wrong pipeline or wrong numbers
+// breaks it. The law does not apply to backends without pictures.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "a-picture-is-what-its-fragments-leave";
 
-/// How many of a hundred cases of the law a backend breaks.
+/// The number of the law's first hundred cases that the backend breaks.
 int broken(PictureBackend& backend) { return check_own_cases(kLaw, backend, 100).violated; }
 
 TEST(APicture, IsOfBackendsThatDrawPictures) {
@@ -91,7 +91,8 @@ TEST(APicture, ShowsEveryPartOfThePipeline) {
   EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.blend = cases::Blend::off; }), 20);
 }
 
-// Attributes are the channels where these are not vertex colours, so that of four both are alike.
+// Without vertex colours the attributes are the channels, so that four attributes give the same
+// picture either way. The damage is applied only to pictures with vertex colours.
 TEST(APicture, ShowsVertexColoursThatAreWrong) {
   const auto broken_by = [](const std::function<void(Picture&)>& damage) {
     PictureBackend backend;
@@ -119,7 +120,7 @@ TEST(APicture, ShowsVertexColoursThatAreWrong) {
             5);
 }
 
-// Alpha that is not clamped, and bytes that are rounded down.
+// Colours rounded down to bytes.
 TEST(APicture, ShowsArithmeticThatIsNearlyRight) {
   PictureBackend backend;
   backend.picture_damage = [](const Pipeline&, Picture& picture) {

@@ -1,4 +1,4 @@
-// The model does what its header says, by numbers worked out by hand.
+// The model does what its header says; the expected numbers are worked out by hand.
 
 #include "properties/laws/internal/picture_model.h"
 
@@ -18,7 +18,7 @@ using cases::DepthFunction;
 using cases::Pipeline;
 using testing::ElementsAre;
 
-/// One pixel.
+/// A case of one pixel.
 cases::Case pixel(std::size_t channels, int samples = 1) {
   cases::Case c;
   c.framebuffer = {1, 1, samples};
@@ -97,7 +97,7 @@ TEST(PictureModel, Adds) {
   cases::Fragments drawn;
   for (std::uint32_t t = 0; t < 3; ++t) add(drawn, t, 0.5F, {0.5F, -1});
   EXPECT_THAT(picture_of(pixel(2), drawn, always(Blend::additive)).color, ElementsAre(1.5F, -3));
-  // 128/255 twice, as 1/2 is midway between 127 and 128; then clamped.
+  // 128/255 is added twice, because 127.5 rounds to the even 128; then the sum is clamped.
   EXPECT_THAT(picture_of(pixel(2), drawn, always(Blend::additive, ColorFormat::rgba8)).color,
               ElementsAre(1, 0));
 }
@@ -106,10 +106,10 @@ TEST(PictureModel, BlendsOver) {
   cases::Fragments drawn;
   add(drawn, 0, 0.5F, {1, 0.5F, 0, 1});
   add(drawn, 1, 0.5F, {0, 1, 2, 0.25F});
-  // 1/4 s + 3/4 d, and of alpha 1/4 + 3/4.
+  // Colours become 1/4 s + 3/4 d, and alpha 1/4 + 3/4.
   EXPECT_THAT(picture_of(pixel(4), drawn, always(Blend::over)).color,
               ElementsAre(0.75F, 0.625F, 0.5F, 1));
-  // Alpha beyond [0, 1] counts as it is in floats: 2 s − d.
+  // In floats, alpha outside [0, 1] is not clamped: 2 s − d.
   cases::Fragments beyond;
   add(beyond, 0, 0.5F, {1, 1, 1, 1});
   add(beyond, 1, 0.5F, {1, 0.5F, 0, 2});
@@ -127,7 +127,7 @@ TEST(PictureModel, HoldsBytes) {
   EXPECT_EQ(held(-1), 0);
   EXPECT_EQ(held(std::numeric_limits<float>::quiet_NaN()), 0);
   EXPECT_EQ(held(std::numeric_limits<float>::infinity()), 1);
-  EXPECT_EQ(held(0.5F), 128 / 255.0F);  // 127.5 goes to even
+  EXPECT_EQ(held(0.5F), 128 / 255.0F);  // 127.5 rounds to the even 128
   EXPECT_EQ(held(1 / 255.0F), 1 / 255.0F);
   EXPECT_EQ(held(0.49F / 255), 0);
 }
@@ -142,13 +142,14 @@ TEST(PictureModel, ResolvesToTheMean) {
   EXPECT_EQ(floats.size, (cases::FramebufferSize{1, 1, 1}));
   EXPECT_THAT(floats.color, ElementsAre(0.75F));
   EXPECT_THAT(floats.depth, ElementsAre(0.25F));
-  // (255 + 128)/2 = 191.5 goes to 192.
+  // (255 + 128)/2 = 191.5 rounds to 192.
   pipeline.format = ColorFormat::rgba8;
   EXPECT_THAT(picture_of(pixel(1, 2), drawn, pipeline).color, ElementsAre(192 / 255.0F));
 }
 
 TEST(PictureModel, RoundsEveryOperationToDouble) {
-  // s + d = 1 + 2^-24 + 2^-60: a double drops the 2^-60 and a float then ties to 1.
+  // s + d = 1 + 2^-24 + 2^-60: a double drops the 2^-60, and the float is then a tie that rounds to
+  // 1.
   cases::Fragments drawn;
   add(drawn, 0, 0.5F, {1});
   add(drawn, 1, 0.5F, {0x1.000002p-24F});

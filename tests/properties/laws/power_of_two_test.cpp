@@ -1,4 +1,4 @@
-// The law catches what is held against a constant, to the bit.
+// The law catches, to the bit, drawings that compare coordinates with a constant.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ constexpr int kNumbers = 32;
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage); }
 
-/// Another number, other factors.
+/// The square; another number makes the law choose other factors.
 Case numbered(int number) {
   Case c = square();
   c.attribute_values[2] = static_cast<float>(number);
@@ -73,7 +73,7 @@ TEST(PowerOfTwo, ScalesClipDistancesOrLeavesThem) {
   EXPECT_EQ(are_scaled, (std::set{false, true}));
 }
 
-// What is closer to the eye than some constant is thrown away.
+// The backend discards triangles that are nearer to the eye than some constant.
 TEST(PowerOfTwo, FindsALeastW) {
   bool is_found = false;
   for (int number = 0; number < kNumbers; ++number) {

@@ -1,5 +1,5 @@
-// The law catches what is right one way up and wrong the other, names the place in the case as it
-// was, and leaves ties and what does not turn alone.
+// The law catches drawings that are right one way up and wrong after a turn, names places in the
+// original case, and ignores ties and cases that cannot be turned.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ constexpr std::string_view kLaw = "a-quarter-turn-turns-the-picture";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// Wider than high, so that sides show, and without ties: the square's triangle A in 12×8 pixels.
+/// The square's triangle A in 12×8 pixels: wider than high, so that exchanged sides show, and
+/// without ties.
 Case wide() {
   Case c = square();
   c.framebuffer = {12, 8, 1};
@@ -41,7 +42,8 @@ TEST(QuarterTurn, TurnsUnderAllRules) {
         const Check check = checked(c, {});
         EXPECT_TRUE(check.is_applicable);
         EXPECT_EQ(check.violation_count, 0U);
-        // Clockwise as displayed where window y points down as clip y does.
+        // Under Vulkan, clip y points down like window y, so the triangle is clockwise on the
+        // screen.
         const bool is_kept = (rules == cases::Rules::vulkan) == (cull == cases::Cull::front);
         if (cull == cases::Cull::none || is_kept) {
           EXPECT_GT(check.judgement.counts.required, 20U) << samples;
@@ -70,7 +72,7 @@ TEST(QuarterTurn, HasNoNegativeWidth) {
   EXPECT_GT(seen.viewport.width, 0);
 }
 
-// Pixel (i, j) = (1, 3) of the case is (8 − 1 − 3, 1) of the turned one.
+// Pixel (i, j) = (1, 3) of the case is pixel (8 − 1 − 3, 1) of the turned case.
 TEST(QuarterTurn, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   const Check check = checked(wide(), [](const Case&, Fragments& drawn) { drop(drawn, 0, 4, 1); });
   ASSERT_EQ(check.violation_count, 1U);
@@ -91,7 +93,7 @@ TEST(QuarterTurn, FindsValuesOfAnotherPlaceAndFragmentsOfNone) {
   EXPECT_THAT(check.violations.front().note, HasSubstr("turned by a quarter"));
 }
 
-// The samples on its diagonal are the triangle's one way up and not the other.
+// The triangle owns the samples on its diagonal in one orientation but not in the other.
 TEST(QuarterTurn, LeavesTiesAlone) {
   Case c = square();
   c.viewport = {0.5F, 0, 8, 8.25F, 0, 1};
@@ -110,7 +112,7 @@ TEST(QuarterTurn, SaysNothingOfWhatDoesNotTurn) {
   Case no_float = wide();
   no_float.viewport.y = 0x1p-30F;
   EXPECT_FALSE(is_applicable(no_float));
-  Case border = wide();  // on the centres of row 0, which belong to one side only
+  Case border = wide();  // its side runs through the sample centres of row 0
   border.viewport.y = 0.5F;
   border.viewport.height = 7.25F;
   EXPECT_FALSE(is_applicable(border));

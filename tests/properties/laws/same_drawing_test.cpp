@@ -1,4 +1,4 @@
-// Two drawings are the same, or where they differ is named.
+// Compares two drawings: they are the same, or the first difference is named.
 
 #include "properties/laws/internal/same_drawing.h"
 
@@ -23,7 +23,7 @@ Check compared(const Fragments& drawn) {
   return compare_drawings(square(), drawn_square(), drawn, "a note");
 }
 
-/// The drawing with its fragments from last to first.
+/// The drawing with its fragments in reverse order.
 Fragments turned_round(const Fragments& drawn) {
   Fragments turned = drawn;
   turned.derivatives.clear();

@@ -1,5 +1,5 @@
-// The law catches samples in another order, upside down and half a pixel off, and leaves what is
-// no window position alone.
+// The law catches samples in another order, upside down, or half a pixel off; it ignores attributes
+// that are not window positions.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(SamplePositions, AreThoseOfAllPatternsUnderAllRules) {
         Case c = positions(samples, location);
         c.rules = rules;
         c.fill_rule = cases::default_fill_rule(rules);
-        if (rules == cases::Rules::d3d) {  // whose y points down
+        if (rules == cases::Rules::d3d) {  // D3D's window y points down
           for (cases::ClipVertex& p : c.positions) p.y = -p.y;
         }
         const Check check = checked(c, {});
@@ -68,7 +68,7 @@ TEST(SamplePositions, FindsOneFloatAndNamesIt) {
   EXPECT_EQ(violation.note, "not the window y where it is evaluated");
 }
 
-// Sample k takes the values of sample 3 − k: coverage inside is the same.
+// Sample k takes the values of sample 3 − k; inside the triangles this does not change coverage.
 TEST(SamplePositions, FindsAnotherOrder) {
   const Check check = checked(positions(4), [](const Case&, Fragments& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -99,14 +99,14 @@ TEST(SamplePositions, LetsCentroidsBeAnywhereInThePixel) {
 TEST(SamplePositions, SaysNothingOfOtherAttributes) {
   EXPECT_FALSE(checked(square(), {}).is_applicable);
   Case c = positions(1);
-  c.attribute_values[0] = 1;  // triangle A's
+  c.attribute_values[0] = 1;  // of triangle A only
   EXPECT_EQ(checked(c, {}).judgement.counts.required, 36U);
   c.attribute_values[2] = 7;
   EXPECT_FALSE(checked(c, {}).is_applicable);
   Case smooth = positions(1);
   for (cases::Attribute& a : smooth.attributes) a.interpolation = cases::Interpolation::smooth;
   EXPECT_TRUE(checked(smooth, {}).is_applicable);
-  smooth.positions[1] = {2, -2, 0.5F, 2};  // of both triangles
+  smooth.positions[1] = {2, -2, 0.5F, 2};  // a vertex of both triangles
   EXPECT_FALSE(checked(smooth, {}).is_applicable);
 }
 

@@ -1,5 +1,5 @@
-// The law catches values that are held to a range, off by more than both bounds, or copied without
-// their change, and coverage and depth that depend on them; and lets pass what rounding is.
+// The law catches values that are clamped to a range, off by more than both bounds, or copied
+// without the change, and coverage and depth that depend on attributes. It accepts rounding errors.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,14 +28,14 @@ Check checked(const Case& c, const Damage& damage, const std::string& specificat
   return check_of(kLaw, c, damage, specification);
 }
 
-/// The square; another number, another change.
+/// The square; another number makes the law choose another change.
 Case numbered(int number) {
   Case c = square();
   c.attribute_values[1] = static_cast<float>(number);
   return c;
 }
 
-/// What becomes of attribute 0, which is 0 at vertex 0 and 8 at vertex 1.
+/// The change of attribute 0, α r + β; it was 0 at vertex 0 and 8 at vertex 1.
 struct Change {
   float alpha = 0;
   float beta = 0;
@@ -51,7 +51,7 @@ bool is_changed(const Case& c) {
   return change.alpha != 1 || change.beta != 0;
 }
 
-/// A number whose change is, or is not, a scaling alone.
+/// A case whose change is a scaling alone, or is not.
 Case changed_so(bool is_scaled_only) {
   for (int number = 0; number < kNumbers; ++number) {
     Change change;
@@ -82,7 +82,7 @@ TEST(ScaledAttributes, AreScaledAndMoved) {
   EXPECT_GT(alphas.size(), 8U);
 }
 
-// As colours are: negative values are drawn as 0.
+// Clamps values to 0 and above, as for colours.
 TEST(ScaledAttributes, FindValuesThatAreHeldToARange) {
   int found = 0;
   for (int number = 0; number < kNumbers; ++number) {
@@ -112,7 +112,7 @@ TEST(ScaledAttributes, FindALastBitWhereNothingIsAdded) {
   EXPECT_THAT(check.labels, Contains("scaled"));
 }
 
-// The unit of both bounds is that of the largest value at a vertex.
+// Both bounds are measured in the ULP of the largest value at a vertex.
 TEST(ScaledAttributes, AreWithinBothBoundsWhereSomethingIsAdded) {
   const Case c = changed_so(false);
   const auto off_by = [&](double share) {
@@ -122,7 +122,7 @@ TEST(ScaledAttributes, AreWithinBothBoundsWhereSomethingIsAdded) {
       const float most = std::max(std::abs(beta), std::abs(8 * alpha + beta));
       const double unit = std::ldexp(1.0, std::ilogb(most) - 23);
       const double bounds = 0.51F * (unit + double{std::abs(alpha)} * 0x1p-20);
-      // Not beyond by rounding, to float32, of what is added.
+      // Rounding to float32 must not carry the value beyond the bounds.
       const double exact = double{alpha} * 5.5 + double{beta};
       auto moved = static_cast<float>(exact + share * bounds);
       if (share < 1 && moved - exact > bounds) moved = std::nextafter(moved, -1e6F);
@@ -172,7 +172,8 @@ TEST(ScaledAttributes, SayNothingOfValuesThatCannotBeScaled) {
   for (std::size_t v = 0; v < 4; v += 2) {
     for (std::size_t a = 0; a < 3; ++a) c.attribute_values[3 * v + a] = 0x1p-149F;
   }
-  // Both ends of the range: no α but ±1 is left. Another depth, other choices.
+  // The values are at both ends of float32's range, so that α can only be ±1. Another depth makes
+  // the law choose differently.
   int negated = 0;
   for (int number = 0; number < kNumbers; ++number) {
     c.positions[0].z = static_cast<float>(number) / 64;

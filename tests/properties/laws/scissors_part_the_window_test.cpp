@@ -1,5 +1,5 @@
-// The law catches a scissor whose end is inclusive, one that leaves something out, and values that
-// depend on it, to the bit.
+// The law catches a scissor with an inclusive end, a scissor that leaves something out, and values
+// that depend on the scissor, to the bit.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,8 +42,8 @@ TEST(Scissors, PartTheSquareIntoFour) {
             (cases::Scissor{first.width, first.height, 8 - first.width, 8 - first.height}));
 }
 
-// A column more than was asked for, as where the end is taken for inclusive: outside of the part,
-// and the other part's.
+// The first part is one column wider than asked for, as if its end were inclusive: this column is
+// outside the part and belongs to the other part.
 TEST(Scissors, FindAnInclusiveEnd) {
   class Inclusive : public DamagedBackend {
    public:

@@ -1,5 +1,5 @@
-// The law catches samples that both triangles of a pair draw, or neither, and says nothing of pairs
-// that its promise leaves out.
+// The law catches samples that both triangles of a pair draw, or that neither draws; it does not
+// apply to pairs that its promise leaves out.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "a-shared-edge-covers-each-sample-once";
 
-// (3, 4) lies on the diagonal and is drawn by triangle 1.
+// (3, 4) lies on the diagonal, and triangle 1 draws it.
 TEST(SharedEdge, FindsASampleDrawnByNeither) {
   const Check check =
       check_of(kLaw, square(), [](const Case&, Fragments& drawn) { drop(drawn, 1, 3, 4); });
@@ -36,14 +36,14 @@ TEST(SharedEdge, FindsASampleDrawnByBoth) {
   EXPECT_THAT(only(check).note, HasSubstr("triangle 0 draws it as well"));
 }
 
-// Which of the two has it is the backend's business, under a contract without a tie rule.
+// Under a contract without a tie rule, the backend may give the sample to either triangle.
 TEST(SharedEdge, LetsTheOtherTriangleHaveIt) {
   const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     drop(drawn, 1, 3, 4);
     add(drawn, 0, 3, 4);
   });
   EXPECT_EQ(check.violation_count, 0U);
-  EXPECT_EQ(check.judgement.counts.required, 56U);  // all but those on the other diagonal
+  EXPECT_EQ(check.judgement.counts.required, 56U);  // all but the diagonal's
 }
 
 TEST(SharedEdge, JudgesTrianglesAloneUnderADepthTest) {
@@ -67,7 +67,7 @@ TEST(SharedEdge, SaysNothingOfPairsThatItsPromiseLeavesOut) {
   Case folded = square();
   folded.positions[3] = {-0.75F, -0.5F, 0.25F, 1};
   EXPECT_FALSE(is_applicable(folded));
-  Case concave = square();  // vertex 1 drawn in beyond the other diagonal
+  Case concave = square();  // vertex 1 lies inside, beyond the other diagonal
   concave.positions[1] = {-0.9F, 0.8F, 0.25F, 1};
   EXPECT_FALSE(is_applicable(concave));
   Case clipped = square();

@@ -1,5 +1,5 @@
-// The law catches what parts of a triangle lose, draw twice, or draw with other values than the
-// whole, and lets values differ by the sum of their bounds.
+// The law catches samples that the parts of a triangle lose, draw twice, or draw with other values
+// than the whole; it lets values differ by the sum of both bounds.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Check checked(const Case& c, const Damage& damage, const std::string& specificat
   return check_of(kLaw, c, damage, specification);
 }
 
-/// Of the square's two triangles.
+/// True if the square's two triangles are split.
 bool is_parted(const Case& c) { return c.triangles.size() > 2; }
 
 TEST(Splitting, OfTheSquareDrawsIt) {
@@ -67,7 +67,7 @@ TEST(Splitting, FindsWhatAPartLosesOrDrawsTwice) {
   EXPECT_EQ(check.violations.back().note, "drawn in parts");
 }
 
-// Attribute 0 goes up to 8, and two bounds of 0.51 are 1.02 ulp(8).
+// Attribute 0 is at most 8, and two bounds of 0.51 are 1.02 ulp(8).
 TEST(Splitting, FindsValuesBeyondBothBounds) {
   for (const float units : {1.0F, 2.0F}) {
     const Check check = checked(square(), [units](const Case& c, Fragments& drawn) {
@@ -83,8 +83,8 @@ TEST(Splitting, FindsValuesBeyondBothBounds) {
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::not_a_number);
 }
 
-// Snapped to whole pixels, say, what lies within 3 reach of the outline is anyone's; in the middle
-// of a triangle it is not.
+// For snapped triangles, a sample near the outline may be lost, but a sample in the middle of a
+// triangle may not.
 TEST(Splitting, LeavesTheOutlineOfSnappedTrianglesAlone) {
   Case c = square();
   c.coverage = cases::Snapping{4};
@@ -101,7 +101,7 @@ TEST(Splitting, LeavesTheOutlineOfSnappedTrianglesAlone) {
   c.positions[2] = {-1, 0.998F, 0.25F, 1};
   EXPECT_EQ(checked(c, {}).violation_count, 0U);
   Case moved = c;
-  moved.viewport.x = 0.45F;  // the left edge next to the centres of column 0
+  moved.viewport.x = 0.45F;  // the left edge is next to the centres of column 0
   EXPECT_EQ(checked(moved, dropping(0, 2)).violation_count, 0U);
 }
 

@@ -1,4 +1,4 @@
-// The law catches strips and fans that are other triangles than the API makes of them.
+// The law catches strips and fans that are drawn as other triangles than the API specifies.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using testing::IsSupersetOf;
 
 constexpr std::string_view kLaw = "strips-and-fans-are-their-triangles";
 
-/// What the law finds of so many of its own cases, drawn by a backend that goes wrong so.
+/// The findings of the law in its own cases, drawn by a damaged backend.
 struct Found {
   std::uint64_t violations = 0;
   std::set<std::string> notes;
@@ -74,7 +74,8 @@ TEST(StripsAndFans, FindOneTopologyTakenForAnother) {
   for (const std::string& note : found.notes) EXPECT_THAT(note, HasSubstr("a fan"));
 }
 
-/// Makes the triangles of strips by itself, in some order of vertices; the rest is as it should be.
+/// Makes the triangles of strips itself, with a given order of vertices; it draws everything else
+/// correctly.
 class StripsBy : public DamagedBackend {
  public:
   using TriangleOf = cases::Triangle (*)(std::span<const std::uint32_t> run, std::size_t i);
@@ -112,7 +113,8 @@ TEST(StripsAndFans, FindOddTrianglesWoundTheOtherWay) {
   EXPECT_THAT(*found.notes.begin(), HasSubstr(" of vertices "));
 }
 
-// As OpenGL has them: right for a third of the cases, for the others wound as they should be.
+// The provoking vertex of OpenGL: right for the third of the cases with OpenGL's rules. In the
+// other cases the triangles have the right winding but the wrong provoking vertex.
 TEST(StripsAndFans, FindAnotherProvokingVertex) {
   StripsBy backend([](std::span<const std::uint32_t> run, std::size_t i) {
     const bool is_odd = i % 2 == 1;
@@ -146,7 +148,7 @@ TEST(StripsAndFans, FindAMissingFragmentAndNameItsTriangle) {
   Case c = square();
   Check check = check_of(kLaw, c, backend);
   for (int i = 0; i < 100 && !is_plain_strip; ++i) {
-    for (cases::ClipVertex& p : c.positions) p.z /= 2;  // other indices
+    for (cases::ClipVertex& p : c.positions) p.z /= 2;  // makes the law choose other indices
     check = check_of(kLaw, c, backend);
   }
   ASSERT_TRUE(is_plain_strip);

@@ -1,5 +1,5 @@
-// The law is held by `cpu`, broken by coordinates, texels and wraps that are wrong, silent of cases
-// without coordinates.
+// `cpu` keeps the law; wrong coordinates, texels or wrap modes break it. The law does not apply to
+// cases without coordinates.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "texels-are-those-of-the-exact-coordinates";
 
-/// How many of a hundred cases of the law a backend breaks.
+/// The number of the law's first hundred cases that a backend with this damage breaks.
 int broken_by(const PipelineDamage& damage) {
   DamagedBackend backend({}, "cpu");
   backend.pipeline_damage = damage;

@@ -1,4 +1,4 @@
-// The law catches a trace that is not of what was drawn.
+// The law catches a trace that does not match what was drawn.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "the-traced-value-is-the-drawn-value";
 
-/// The first fragment of triangle 0, which the law asks about.
+/// True for the first fragment of triangle 0, which the law asks about.
 bool is_first(const cases::SamplePlace& at) { return at == cases::SamplePlace{}; }
 
 Check checked(const cases::Case& c, TraceDamage damage) {
@@ -31,7 +31,8 @@ Check checked(const cases::Case& c, TraceDamage damage) {
   return check_of(kLaw, c, backend);
 }
 
-/// What the law finds where the trace of the square's first fragment is changed so.
+/// The violation that the law finds if the trace of the square's first fragment is changed in this
+/// way.
 records::Violation only_of_first(const std::function<void(SampleTrace&)>& change) {
   const Check check =
       checked(square(), [&change](const cases::SamplePlace& at, std::optional<SampleTrace>& trace) {
@@ -69,7 +70,7 @@ TEST(TracedIsDrawn, FindsAnotherAttributeAndTheOtherZero) {
             "the trace has another number of attributes");
 }
 
-/// What the law notes of the trace of the square's first fragment, changed so.
+/// The law's note if the trace of the square's first fragment is changed in this way.
 std::string note_of_first(const std::function<void(SampleTrace&)>& change) {
   return only_of_first(change).note;
 }
@@ -147,7 +148,7 @@ TEST(TracedIsDrawn, FindsWeightsOfAnotherPlaceWhereNothingWasDrawn) {
   EXPECT_GT(check.violation_count, 0U);
 }
 
-// Kills: a law that compares with what a depth test left.
+// Kills: a law that compares with the picture that the depth test left.
 TEST(TracedIsDrawn, LeavesTheDepthTestOut) {
   cases::Case c = square();
   c.depth_test = cases::DepthTest::less;

@@ -1,5 +1,6 @@
-// The law catches samples that two triangles of a mesh draw, or none, also at a vertex and on
-// either side of a plane that cuts all of them, and says nothing of what is no triangulation.
+// The law catches samples that two triangles of a mesh draw, or that none draws, also at a vertex
+// and on either side of a plane that cuts all triangles. It does not apply to cases that are not
+// triangulations.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "a-triangulation-of-the-screen-covers-each-sample-once";
 
-/// Four cells around the centre of pixel (4, 4), 4 pixels beyond the screen on each side:
+/// Four cells around the centre of pixel (4, 4), which reach 4 pixels beyond the screen on each
+/// side:
 ///
 ///   0 1 2
 ///   3 4 5     two triangles each, cut from the upper left to the lower right
@@ -45,7 +47,7 @@ Check checked(const Case& c, const Damage& damage, const std::string& specificat
   return check_of(kLaw, c, damage, specification);
 }
 
-/// The triangle that drew a pixel.
+/// The first triangle that drew this pixel.
 std::uint32_t drawn_by(const Fragments& drawn, int x, int y) {
   std::uint32_t triangle = 0;
   while (find(drawn, triangle, x, y) == drawn.size()) ++triangle;
@@ -72,7 +74,7 @@ TEST(Triangulation, CoversTheScreen) {
 
 TEST(Triangulation, FindsWhatTwoDrawAndWhatNoneDraws) {
   const Check check = checked(screen(), [](const Case&, Fragments& drawn) {
-    drop(drawn, drawn_by(drawn, 4, 4), 4, 4);  // at the vertex in the middle
+    drop(drawn, drawn_by(drawn, 4, 4), 4, 4);  // the vertex in the middle
     add(drawn, (drawn_by(drawn, 1, 6) + 1) % 8, 1, 6);
     add(drawn, 3, 8, 0);
   });
@@ -89,7 +91,7 @@ TEST(Triangulation, FindsWhatTwoDrawAndWhatNoneDraws) {
   EXPECT_EQ(classes[FragmentClass::extra], 2);
 }
 
-// x/w > 0, as a clip distance and as a depth: columns 4 to 7.
+// The half with x/w > 0, as a clip distance and as a depth: columns 4 to 7.
 TEST(Triangulation, OfAHalfCoversThat) {
   Case distances = screen();
   distances.clip_distance_count = 1;
@@ -115,7 +117,8 @@ TEST(Triangulation, OfAHalfCoversThat) {
 TEST(Triangulation, OfTiesLeftOpenIsHeldWhereTwoMeet) {
   constexpr const char* kTextbook = "method:rational-linear";
   EXPECT_EQ(checked(screen(), {}, kTextbook).violation_count, 0U);
-  // Pixel (2, 2) is on the diagonal between two, (4, 4) where six meet.
+  // Pixel (2, 2) lies on the diagonal between two triangles, and pixel (4, 4) where six triangles
+  // meet.
   const auto twice = [](int at) {
     return
         [at](const Case&, Fragments& drawn) { add(drawn, drawn_by(drawn, at, at) ^ 1U, at, at); };
@@ -127,7 +130,7 @@ TEST(Triangulation, OfTiesLeftOpenIsHeldWhereTwoMeet) {
 TEST(Triangulation, SaysNothingOfWhatIsNone) {
   const auto is_applicable = [](const Case& c) { return checked(c, {}).is_applicable; };
   EXPECT_TRUE(is_applicable(screen()));
-  EXPECT_FALSE(is_applicable(square()));  // its outline is the viewport's
+  EXPECT_FALSE(is_applicable(square()));  // its outline is the viewport's border
   Case hole = screen();
   hole.triangles.pop_back();
   EXPECT_FALSE(is_applicable(hole));

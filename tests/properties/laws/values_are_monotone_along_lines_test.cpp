@@ -1,5 +1,5 @@
-// The law catches a value that turns back along a line, whichever way it went, and lets floats
-// alternate that the bound leaves open.
+// The law catches a value that turns back along a line, in either direction; it lets neighbouring
+// floats alternate if the bound allows it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ constexpr std::string_view kLaw = "values-are-monotone-along-a-line";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// Attribute 0 grows along rows and both diagonals, and along columns.
+/// Attribute 0 grows along rows, columns and both diagonals.
 Case growing() {
   Case c = square();
   for (std::size_t i = 0; i < 4; ++i) c.attribute_values[i * 3] = static_cast<float>(i % 2 * 8);
@@ -35,7 +35,7 @@ TEST(Monotone, HoldsOfTheSquare) {
   EXPECT_THAT(check.labels, testing::ElementsAre("attribute", "certain way", "depth"));
 }
 
-// Up or down, whatever the direction of the line.
+// Values that grow or fall, along lines in every direction.
 TEST(Monotone, FindsAValueThatTurnsBack) {
   for (const float sign : {1.0F, -1.0F}) {
     Case c = growing();
@@ -52,14 +52,14 @@ TEST(Monotone, FindsAValueThatTurnsBack) {
   }
 }
 
-// A line whose ends are alike has no way: attribute 1 is 1 everywhere.
+// A line with equal values at its ends has no direction: attribute 1 is 1 everywhere.
 TEST(Monotone, FindsWhatLeavesTheEndsOfALevelLine) {
   const auto violations = [](float actual) {
     return checked(square(),
                    [actual](const Case&, Fragments& drawn) { value(drawn, 0, 2, 2, 1) = actual; })
         .violation_count;
   };
-  EXPECT_EQ(violations(1 + 0x1p-23F), 0U);  // an ulp: the other side of a middle
+  EXPECT_EQ(violations(1 + 0x1p-23F), 0U);  // one ulp is allowed
   EXPECT_EQ(violations(1 + 0x1p-21F), 1U);
   EXPECT_EQ(violations(1 - 0x1p-21F), 1U);
   EXPECT_EQ(violations(std::numeric_limits<float>::quiet_NaN()), 1U);

@@ -1,5 +1,5 @@
-// The law catches values a float beyond those of the vertices, whatever the scale ULP of the
-// largest, depths too, and lets a contract's bound have what it has besides the rounding.
+// The law catches values, and depths, that are one float beyond those of the vertices, however
+// large the scale ULP is. It allows the part of a contract's bound that exceeds the rounding.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ constexpr std::string_view kLaw = "values-stay-in-the-range-of-their-vertices";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// Attribute 0 from −1024 to 0, so that its ulp is 2^-13.
+/// Attribute 0 runs from −1024 to 0, so that its scale ULP is 2^-13.
 Case below_zero() {
   Case c = square();
   for (std::size_t i = 0; i < 4; ++i) c.attribute_values[i * 3] *= -128;
@@ -52,7 +52,7 @@ TEST(RangeOfVertices, LetsValuesBeAnywhereBetween) {
   EXPECT_EQ(check.violation_count, 0U);
 }
 
-// cpu promises 0.51 scale ULP: 0.01 besides the rounding, of 2^-13.
+// cpu promises 0.51 scale ULP: 0.01 more than the rounding, in units of 2^-13.
 TEST(RangeOfVertices, LeavesWhatTheBoundHasBesidesTheRounding) {
   const auto violations = [](float actual) {
     return checked(below_zero(),
@@ -63,7 +63,7 @@ TEST(RangeOfVertices, LeavesWhatTheBoundHasBesidesTheRounding) {
   EXPECT_EQ(violations(0x1p-19F), 1U);
 }
 
-// Of a bound that several roundings share, all of it.
+// If several roundings share a bound, all of it is allowed.
 TEST(RangeOfVertices, LeavesTheWholeOfAGreaterBound) {
   DamagedBackend backend({}, "cpu");
   cases::Contract contract = backend.contract(square());

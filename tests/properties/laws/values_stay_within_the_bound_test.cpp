@@ -1,5 +1,5 @@
-// The law catches values an ulp beyond the bound, the other zero and what is no number, and leaves
-// coverage alone.
+// The law catches values one ulp beyond the bound, zeros of the wrong sign, and values that are not
+// numbers; it ignores coverage.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "values-stay-within-the-bound";
 
-// One ulp of a value of one is one scale ULP of an attribute that is one everywhere.
+// For an attribute that is one everywhere, one ulp of the value is one scale ULP.
 TEST(ValuesStayWithinTheBound, FindsOneUlp) {
   const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     value(drawn, 1, 6, 5, 1) = std::nextafter(1.0F, 2.0F);

@@ -1,5 +1,5 @@
-// The law holds a backend to the specifications that it names, and has nothing to say of one that
-// names none.
+// The law compares a backend with the specifications that it names as equal, and does not apply if
+// it names none.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

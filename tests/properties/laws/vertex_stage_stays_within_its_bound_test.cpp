@@ -1,5 +1,5 @@
-// The law catches clip positions that are off by more than the contract leaves, and those that are
-// no numbers.
+// The law catches clip positions that are farther off than the contract allows, or that are not
+// numbers.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "the-vertex-stage-stays-within-its-bound";
 
-/// The square by a camera that moves it by 3 and back, all of it exactly.
+/// The square seen by a camera that moves it by 3 and back, exactly.
 Case seen_square() {
   Case c = square();
   c.camera.emplace();
@@ -47,7 +47,8 @@ TEST(VertexStageBound, HoldsOfCpu) {
   EXPECT_EQ(check.judgement.counts.required, 4U);
 }
 
-// z of vertex 3 is 1/4, and nothing cancels: half an ulp and 8 (1 + 2^-23) 2^-53 / 4 are allowed.
+// z of vertex 3 is 1/4 and nothing cancels: an error of half an ulp plus 8 (1 + 2^-23) 2^-53 / 4 is
+// allowed.
 TEST(VertexStageBound, FindsOneUlpAndNamesVertexAndTriangle) {
   const auto damage = [](const Case&, std::vector<ClipVertex>& clip) {
     clip[3].z = std::nextafter(clip[3].z, 1.0F);
@@ -63,7 +64,8 @@ TEST(VertexStageBound, FindsOneUlpAndNamesVertexAndTriangle) {
   EXPECT_EQ(violation.note, "clip z of vertex 3, errors in its ulp");
 }
 
-// x of vertex 0 is 0 + 3 − 3: |V| |M| |p| is 6, so that 48 · 2^-53 are allowed and few more.
+// x of vertex 0 is 0 + 3 − 3: |V| |M| |p| is 6, so that an error of 48 · 2^-53 is allowed, and
+// little more.
 TEST(VertexStageBound, LeavesWhatCancellationCostsAndNoMore) {
   Case c = seen_square();
   c.positions[0].x = 0;
@@ -89,7 +91,7 @@ TEST(VertexStageBound, FindsWhatIsNoNumber) {
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::infinite);
 }
 
-// From half an ulp below 2^128 on infinity is right, of that sign only.
+// From half an ulp below 2^128 on, an infinity of the same sign is right.
 TEST(VertexStageBound, TakesInfinityForWhatIsBeyondFloat32) {
   Case c = seen_square();
   c.camera->model[3] = 0;
@@ -103,7 +105,7 @@ TEST(VertexStageBound, TakesInfinityForWhatIsBeyondFloat32) {
         .violation_count;
   };
   EXPECT_EQ(at(-std::numeric_limits<float>::infinity()), 1U);
-  // 2^104 below, half of which is its own.
+  // The largest float is 2^104 below, and its own rounding accounts for only half of this.
   EXPECT_EQ(at(std::numeric_limits<float>::max()), 1U);
   c.positions[0].y = 0x1.fffffep126F;
   EXPECT_EQ(at(std::numeric_limits<float>::infinity()), 1U);

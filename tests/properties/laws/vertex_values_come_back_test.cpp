@@ -1,4 +1,4 @@
-// The law catches a vertex's value that does not come back, names the place, and says nothing where
+// The law catches a vertex's value that does not come back, names the place, and does not apply if
 // nothing is promised.
 
 #include <gmock/gmock.h>
@@ -22,9 +22,10 @@ using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "values-at-vertices-come-back";
 
-/// 8×8 pixels, a triangle with the corners (1.5, 1.5), (5.5, 1.5) and (1.5, 5.5), each the centre
-/// of a pixel, w = 1, 4 and 2. Ties go to top and left edges: of the three the first is drawn. The
-/// second attribute is a millionth of the others' there.
+/// 8×8 pixels and a triangle with the corners (1.5, 1.5), (5.5, 1.5) and (1.5, 5.5), each at the
+/// centre of a pixel, with w = 1, 4 and 2. Ties go to top and left edges, so only the first
+/// corner's sample is drawn. At the first corner the second attribute is a millionth of its values
+/// elsewhere.
 Case corner() {
   Case c;
   c.framebuffer = {8, 8, 1};
@@ -51,7 +52,7 @@ TEST(VertexValues, ComeBackFromCpu) {
                                    "vertex zero"));
 }
 
-// Far less than an ulp of the largest of the three values.
+// One ulp of the small value is far less than an ulp of the largest of the three values.
 TEST(VertexValues, FindsOneUlpOfTheirOwn) {
   const Check check = checked(corner(), [](const Case&, Fragments& drawn) {
     float& small = value(drawn, 0, 1, 1, 1);
@@ -94,7 +95,7 @@ TEST(VertexValues, AreExactlyAtTheSample) {
   Case beside = corner();
   beside.positions[0].x = std::nextafter(beside.positions[0].x, -1.0F);
   EXPECT_FALSE(is_applicable(beside));
-  Case fractional = corner();  // nowhere a sample
+  Case fractional = corner();  // no vertex is at a sample
   fractional.viewport.x = 0x1p-20F;
   EXPECT_FALSE(is_applicable(fractional));
 }
@@ -103,7 +104,7 @@ TEST(VertexValues, OfCentresAreNotAtSamples) {
   Case c = corner();
   c.framebuffer.samples = 4;
   c.positions[0] = {-0.65625F, -0.71875F, 0.25F, 1};  // sample 0 of pixel (1, 1), (6, 2)/16
-  c.positions[1].y = -3.5F;                           // above it: then the corner owns it
+  c.positions[1].y = -3.5F;                           // above it: the corner is drawn
   EXPECT_TRUE(checked(c, {}).is_applicable);
   for (cases::Attribute& attribute : c.attributes) attribute.location = cases::Location::center;
   EXPECT_FALSE(checked(c, {}).is_applicable);
@@ -119,7 +120,7 @@ TEST(VertexValues, AreNotJudgedWhereSomeWIsNegativeAndTheyAreFree) {
   EXPECT_FALSE(checked(c, {}).is_applicable);
 }
 
-// What a grid of whole pixels moves away from the sample need not come back.
+// If a grid of whole pixels moves the vertex away from the sample, its value need not come back.
 TEST(VertexValues, AreJudgedWhereTheVertexStays) {
   Case c = corner();
   c.coverage = cases::Snapping{8};

@@ -1,6 +1,6 @@
 #pragma once
 
-// What tests of laws ask of violations.
+// Shared checks of violations for the tests of laws.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 namespace rastercheck::properties {
 
-/// The only violation that a law found.
+/// The only violation that the law found.
 inline records::Violation only(const Check& check) {
   EXPECT_TRUE(check.is_applicable);
   EXPECT_EQ(check.violation_count, 1U);

@@ -1,4 +1,4 @@
-// The law holds every way of drawing to the first one, and has nothing to say of a backend that
+// The law compares every way of drawing with the first one, and does not apply to a backend that
 // draws in one way only.
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ Check checked(DamagedBackend& backend, const Case& c = square()) {
   return check_law(*find_law(kLaw), c, backend, 0).value();
 }
 
-/// A backend whose other way goes wrong with the fragments that it draws.
+/// A backend whose second way damages the fragments that it draws.
 class OtherWay : public DamagedBackend {
  public:
   explicit OtherWay(const Damage& damage) : DamagedBackend({}, "cpu") {
@@ -52,7 +52,7 @@ TEST(Ways, MissNothing) {
   EXPECT_EQ(check.violations[0].note, "drawn by layers, compared with append");
 }
 
-// Kills: a fragment that comes twice, with the values that it should have.
+// Kills: a fragment that is drawn twice, both times with the right values.
 TEST(Ways, DrawNothingTwice) {
   OtherWay backend([](const Case&, Fragments& drawn) {
     const Fragments once = drawn;
@@ -77,7 +77,7 @@ TEST(Ways, DrawNothingTwice) {
   EXPECT_EQ(check.violations[0].note, "drawn more than once by layers");
 }
 
-// Kills: a difference that the contract permits and one that it does not, told alike.
+// Kills: the same note for differences that the contract permits and for those that it does not.
 TEST(Ways, SayWhetherEitherIsPermitted) {
   OtherWay backend([](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) += 0x1p-20F; });
   const Check beyond = checked(backend);
@@ -93,7 +93,7 @@ TEST(Ways, SayWhetherEitherIsPermitted) {
   EXPECT_THAT(within.violations[0].note, HasSubstr("; the contract permits either"));
 }
 
-// Either way may flush them, and zeros have no sign.
+// Either way may flush subnormal numbers, and the sign of a zero does not count.
 TEST(Ways, MayFlushSubnormalNumbers) {
   Case c = square();
   c.attribute_values.assign(c.attribute_values.size(), 0x1p-140F);

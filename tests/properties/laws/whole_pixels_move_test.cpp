@@ -1,5 +1,5 @@
-// The law catches what is right in one place of the window and wrong in another, names the pixel in
-// the case as it was, and moves grids of whole pixels by even numbers.
+// The law catches drawings that are right at one place of the window and wrong at another, names
+// pixels in the original case, and moves grids of whole pixels by even numbers.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,14 +23,15 @@ constexpr std::string_view kLaw = "whole-pixels-move-the-picture";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// The square, whose attribute 2 is a number of its own at a vertex: another number, another move.
+/// The square with a number as attribute 2 of a vertex: another number makes the law choose another
+/// move.
 Case numbered(int number) {
   Case c = square();
   c.attribute_values[2] = static_cast<float>(number);
   return c;
 }
 
-/// What is asked of a backend: the case as it was and the moved one.
+/// The cases that the backend has to draw: the original and the moved one.
 std::vector<Case> asked(const Case& c) {
   std::vector<Case> seen;
   checked(c, [&seen](const Case& drawn, Fragments&) { seen.push_back(drawn); });
@@ -71,7 +72,7 @@ TEST(WholePixels, MoveTheSquare) {
     const Check check = checked(numbered(number), {});
     EXPECT_TRUE(check.is_applicable);
     EXPECT_EQ(check.violation_count, 0U);
-    EXPECT_GE(check.judgement.counts.required, 16U);  // ties are the same triangle's
+    EXPECT_GE(check.judgement.counts.required, 16U);  // ties go to the same triangle
   }
 }
 
@@ -93,7 +94,7 @@ TEST(WholePixels, FindWhatIsMissingInThePlaceOfTheCaseAsItWas) {
             "drawn " + std::to_string(du) + " columns and " + std::to_string(dv) + " rows farther");
 }
 
-// A sample on the diagonal is B's, wherever the picture is.
+// A sample on the diagonal belongs to B, wherever the picture is.
 TEST(WholePixels, FindTiesThatGoElsewhere) {
   const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_moved(c)) return;
@@ -113,7 +114,7 @@ TEST(WholePixels, FindFragmentsOfNoPixel) {
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::extra);
 }
 
-// Window x of sample (5, 5) is 5.5, whose neighbours are half an ulp of 8 away.
+// Window x of sample (5, 5) is 5.5, and the neighbouring floats are half an ulp of 8 away.
 TEST(WholePixels, JudgeValuesThatDifferByTheContract) {
   const auto off_by = [](int floats) {
     return checked(square(), [floats](const Case& c, Fragments& drawn) {

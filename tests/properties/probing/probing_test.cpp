@@ -1,5 +1,5 @@
-// What is known of a backend is what a probe finds. What is known: `cpu` in each of its modes,
-// which draws what a case asks for, and `cpu` bent in one way, by hand.
+// A probe finds what is known of a backend: of `cpu` in each of its modes, which draws what a case
+// asks for, and of `cpu` changed in one way ("bent") by hand.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ AskedDrawing ask(const Coverage& coverage, TieRule fill_rule = TieRule::top_left
   return {coverage, basis, fill_rule};
 }
 
-/// What was measured of something; of several rows of one name the first.
+/// The measured value of this row; if several rows have the name, of the first.
 std::string measured(const records::Probe& probe, const std::string& what) {
   for (const records::Measured& row : probe.rows) {
     if (row.what == what) return row.measured;
@@ -63,7 +63,7 @@ std::string measured(const records::Probe& probe, const std::string& what) {
 constexpr std::int64_t kPixel = std::int64_t{1} << kFineBits;
 
 TEST(FineGrid, GoesToTheNearestPoint) {
-  const std::int64_t unit = kPixel / 4;  // of 2 bits
+  const std::int64_t unit = kPixel / 4;  // of a 2-bit grid
   const std::int64_t midway = 5 * unit + unit / 2;
   EXPECT_EQ(rounded(midway - 1, 2, GridRounding::half_up), 5 * unit);
   EXPECT_EQ(rounded(midway, 2, GridRounding::half_up), 6 * unit);
@@ -78,8 +78,8 @@ TEST(FineGrid, GoesToTheNearestPoint) {
 }
 
 TEST(FineGrid, KnowsWhereSamplesLie) {
-  // The corner (0, 0) to (2, 0) to (0, 2): its hypotenuse runs through the centres of (1, 0), (0,
-  // 1).
+  // The triangle (0, 0), (2, 0), (0, 2): its hypotenuse runs through the centres of pixels (1, 0)
+  // and (0, 1).
   FineTriangle triangle;
   triangle.x = {0, 2 * kPixel, 0};
   triangle.y = {0, 0, 2 * kPixel};
@@ -155,14 +155,14 @@ TEST(Probe, FindsThatFloatsAreLessPrecise) {
   const records::Probe probe = probed("cpu:precision=float32", ask(Coverage()));
   ASSERT_TRUE(probe.terms.smooth.has_value());
   EXPECT_GT(probe.terms.smooth->constant, 0.51F);
-  EXPECT_LT(probe.terms.smooth->constant, 2 * 6.84F + 1);  // twice what it may be at most
+  EXPECT_LT(probe.terms.smooth->constant, 2 * 6.84F + 1);  // about twice the promised bound
   EXPECT_EQ(probe.terms.depth, cases::ValueBound{0.51F});
 }
 
 // ---- cpu, bent.
 
 struct Bending {
-  /// What is drawn in place of a case; nothing where none is.
+  /// The case that is drawn in place of the given one; nullopt if none is drawn.
   std::function<std::optional<Case>(Case)> before = [](Case c) { return c; };
   std::function<void(Fragments&)> after = [](Fragments& /*drawn*/) {};
 };
@@ -209,7 +209,7 @@ TEST(ProbeOfBent, FindsAGridThatNobodyAskedFor) {
   EXPECT_EQ(probe.terms.basis, cases::Term<Basis>(Basis::snapped));
 }
 
-/// Moves every vertex by that many pixels in x, with a viewport of 64 pixels.
+/// Moves every vertex by this many pixels in x, for a viewport of 64 pixels.
 Case moved(Case c, float pixels) {
   for (cases::ClipVertex& p : c.positions) p.x += pixels / 32 * p.w;
   return c;
@@ -220,13 +220,14 @@ TEST(ProbeOfBent, FindsThePositionError) {
   bending.before = [](Case c) { return moved(std::move(c), 0.2F / 256); };
   const records::Probe probe = probe_of(bending, ask(Snapping{8}));
   EXPECT_THAT(measured(probe, "subpixel grid"), StartsWith("8 bits"));
-  // In powers of two, and from positions a few fractions of a unit apart: 1/8 at least.
+  // The error is found in powers of two, from positions that are a few fractions of a unit apart:
+  // at least 1/8.
   EXPECT_THAT(measured(probe, "position error"),
               ::testing::AnyOf("0.125 grid units", "0.25 grid units"));
 }
 
-/// Draws a case's first attribute by arithmetic of its own: a function of the case, its triangle
-/// and the middle of a pixel.
+/// Replaces the values of the first attribute by those of `value`, a function of the case, its
+/// triangle and the middle of a pixel.
 Bending valued(
     std::function<std::optional<float>(const Case&, const cases::Triangle&, float, float)> value) {
   auto seen = std::make_shared<Case>();
@@ -246,7 +247,8 @@ Bending valued(
   return bending;
 }
 
-/// Evaluates a float32 plane about (px, py) of a right triangle at w = 1, legs along the axes.
+/// Evaluates a float32 plane relative to (px, py), for a right triangle with w = 1 and legs along
+/// the axes.
 std::optional<float> by_plane(const Case& c, const cases::Triangle& t, float x, float y, float px,
                               float py) {
   if (c.framebuffer.width != 1024) return std::nullopt;
@@ -271,7 +273,8 @@ TEST(ProbeOfBent, FindsWherePlanesAreEvaluated) {
   };
   EXPECT_EQ(measured(probe_of(valued(about_origin), ask(Coverage())), kRow),
             "as about the window's origin");
-  // The corner of a tile of 64 pixels: 32 away on average, where 16 or 64 is as near.
+  // Relative to the corner of a tile of 64 pixels, which is 32 pixels away on average; 16 and 64
+  // are equally near to this.
   const auto about_tile = [](const Case& c, const cases::Triangle& t, float x, float y) {
     return by_plane(c, t, x, y, std::floor(x / 64) * 64, std::floor(y / 64) * 64);
   };
@@ -280,7 +283,7 @@ TEST(ProbeOfBent, FindsWherePlanesAreEvaluated) {
       ::testing::AnyOf("as about a point 16 pixels away", "as about a point 64 pixels away"));
 }
 
-// Kills: a reciprocal taken for a division.
+// Kills: mistaking a multiplication by the reciprocal for a division.
 TEST(ProbeOfBent, FindsHowValuesAreDivided) {
   constexpr const char* kRow = "division by 1/w";
   const auto divided_by = [](float (*divide)(float r, float w)) {
@@ -352,7 +355,7 @@ TEST(ProbeOfBent, FindsPicturesThatChange) {
 TEST(ProbeOfBent, FindsHowFarValuesAreOff) {
   Bending bending;
   bending.after = [](Fragments& drawn) {
-    // 2^-20 of itself: 8 to 16 ulp, or less where a vertex has a greater value.
+    // The error is 2^-20 of the value: 8 to 16 ulp, or less if a vertex has a greater value.
     for (float& value : drawn.attributes) value *= 1 + 0x1p-20F;
   };
   const records::Probe probe = probe_of(bending, ask(Coverage()));

@@ -8,10 +8,10 @@ namespace {
 constexpr TargetSize kEight{8, 8, 1};
 constexpr std::string_view kMethod = "clipless-homogeneous";
 
-// Seed 000 A 6.1–A 6.8: view space (−1, −1, 1), (2, −2, 2), (−4, 4, 4) with w = z, in the window
-// (0, 0), (8, 0), (0, 8), so 1/w = 1 − u/16 − 3v/32. φ = x + 2y + 3z is 0, 4, 16 at the vertices
-// and φ/w = x/w + 2 y/w + 3 = (u/4 − 1) + 2 (v/4 − 1) + 3 = u/4 + v/2. Kills: the parameters' plane
-// or that of 1 not divided out.
+// Appendix 5, A 6.1–A 6.8: view space (−1, −1, 1), (2, −2, 2), (−4, 4, 4) with w = z, at (0, 0),
+// (8, 0), (0, 8) in the window, so that 1/w = 1 − u/16 − 3v/32. φ = x + 2y + 3z is 0, 4, 16 at the
+// vertices and φ/w = x/w + 2 y/w + 3 = (u/4 − 1) + 2 (v/4 − 1) + 3 = u/4 + v/2. Kills: a value
+// taken from the plane of the parameter or of 1 alone, without their quotient.
 TEST(CliplessHomogeneous, DrawsWhatIsLinearInViewSpace) {
   for (const Convention convention : {Convention::opengl, Convention::vulkan, Convention::d3d}) {
     State state = small_state(8, 8, convention);
@@ -26,10 +26,9 @@ TEST(CliplessHomogeneous, DrawsWhatIsLinearInViewSpace) {
   }
 }
 
-// Columns (0, 0, 1), (16, 0, 0), (0, 32, 4) have the adjugate's rows (0, −64, 512), (32, 0, 0),
-// (0, 16, 0): inside where u >= 0 and 0 <= v <= 8. r = 2, 8, 24 gives 1024 + 256 u + 256 v over
-// 512 + 32 u − 48 v.
-// Kills: a division by w_i.
+// The matrix with the columns (0, 0, 1), (16, 0, 0), (0, 32, 4) has an adjugate with the rows (0,
+// −64, 512), (32, 0, 0), (0, 16, 0), so that the inside is u >= 0 and 0 <= v <= 8. r = 2, 8, 24
+// gives 1024 + 256 u + 256 v over 512 + 32 u − 48 v. Kills: a division by w_i.
 TEST(CliplessHomogeneous, TakesAVertexAtInfinity) {
   State state = small_state(8, 8);
   SmallMesh mesh;
@@ -43,9 +42,10 @@ TEST(CliplessHomogeneous, TakesAVertexAtInfinity) {
   });
 }
 
-// The first test's triangle 8 pixels to the right, its second vertex behind the eye. With u counted
-// from there e = (1 − u/8 − v/8, −u/16, v/32), all of it >= 0 where u <= 0 and 0 <= v <= 8 − u. r =
-// 2, 8, 24 gives 2 − u/4 − v/4 − u/2 + 3v/4 over 1 − u/8 − v/8 − u/16 + v/32. Kills: |w| for w.
+// The first test's triangle moved 8 pixels to the right, with its second vertex behind the eye.
+// With u counted from u = 8, e = (1 − u/8 − v/8, −u/16, v/32), all three >= 0 where u <= 0 and 0 <=
+// v <= 8 − u. r = 2, 8, 24 gives 2 − u/4 − v/4 − u/2 + 3v/4 over 1 − u/8 − v/8 − u/16 + v/32.
+// Kills: |w| used for w.
 TEST(CliplessHomogeneous, AVertexBehindTheEyeIsNoDifferent) {
   State state = small_state(8, 8);
   SmallMesh mesh;
@@ -60,8 +60,8 @@ TEST(CliplessHomogeneous, AVertexBehindTheEyeIsNoDifferent) {
   });
 }
 
-// Adjugate: 9 times two products and a difference. Planes: two sums for each coefficient, and three
-// products where it is not that of 1.
+// The adjugate takes 9 times two products and a difference. Each coefficient of a plane takes two
+// sums, and three products unless the plane is that of 1.
 TEST(CliplessHomogeneous, CountsItsOperations) {
   const OperationCounts counts = operations_of(kMethod);
   EXPECT_EQ(counts.per_vertex, Operations{});

@@ -1,4 +1,4 @@
-// edge-then-span and edge-then-span-plane by hand.
+// edge-then-span and edge-then-span-plane, checked against values computed by hand.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace rastercheck::rasterizer::edge_then_span_test {
 namespace {
 
-/// Of a row.
+/// The number of edges that bound a row.
 constexpr std::size_t kEdges = 2;
 
 constexpr TargetSize kEight{8, 8, 1};
@@ -31,7 +31,7 @@ State with_one_attribute() {
   return state;
 }
 
-/// Window positions (0, 0), (8, 0), (0, 8) with these w and values.
+/// A triangle at the window positions (0, 0), (8, 0), (0, 8) with these w and values.
 SmallMesh corner(const State& state, const std::vector<float>& w, const std::vector<float>& r) {
   SmallMesh mesh;
   mesh.positions = {at(state, 0, 0, w[0]), at(state, 8, 0, w[1]), at(state, 0, 8, w[2])};
@@ -40,7 +40,7 @@ SmallMesh corner(const State& state, const std::vector<float>& w, const std::vec
   return mesh;
 }
 
-// Along spans: q = 1 and 1/2, so s = t/2 / (1 − t/2) = u/(16 − u).
+// Along spans q is 1 and 1/2 at the ends, so s = t/2 / (1 − t/2) = u/(16 − u).
 TEST(EdgeThenSpan, AlongARowIsTheSharesFormula) {
   const State state = with_one_attribute();
   for (const std::string_view name : kNames) {
@@ -49,7 +49,8 @@ TEST(EdgeThenSpan, AlongARowIsTheSharesFormula) {
   }
 }
 
-// Along edges: q = 1 and 1/4, so s = t/4 / (1 − 3 t/4) = v/(32 − 3 v); both ends of a row have it.
+// Along edges q is 1 and 1/4 at the ends, so s = t/4 / (1 − 3 t/4) = v/(32 − 3 v); both ends of a
+// row have this value.
 TEST(EdgeThenSpan, AlongEdgesIsTheSharesFormula) {
   const State state = with_one_attribute();
   for (const std::string_view name : kNames) {
@@ -58,7 +59,7 @@ TEST(EdgeThenSpan, AlongEdgesIsTheSharesFormula) {
   }
 }
 
-// Kills: q along edges by s, or not interpolated. With w = 1, 2, 4: 1/w = 1 − u/16 − 3 v/32.
+// Kills: q interpolated along edges by s, or not at all. With w = 1, 2, 4: 1/w = 1 − u/16 − 3 v/32.
 TEST(EdgeThenSpan, AlongBothCarriesQAcross) {
   const State state = with_one_attribute();
   for (const std::string_view name : kNames) {
@@ -75,7 +76,7 @@ TEST(EdgeThenSpan, ConstantsComeOutExactlyOfShares) {
   EXPECT_EQ(fragments.attributes, std::vector<float>(fragments.size(), 0.1F));
 }
 
-// Kills: shares beyond 1, or no numbers, where q of an end is nothing beside the other's.
+// Kills: shares beyond 1, or NaN, where q at one end is negligible beside q at the other.
 TEST(EdgeThenSpan, SharesStayBetweenTheEnds) {
   const State state = with_one_attribute();
   const Fragments fragments =
@@ -87,8 +88,8 @@ TEST(EdgeThenSpan, SharesStayBetweenTheEnds) {
   }
 }
 
-// A vertex behind the eye has a window position, its mirror's: (0, 16) here, below w = 1 at (0, 8)
-// and (8, 8), so that all above v = 8 is drawn. 1/w = 3 − v/4, r/w = (8 − v)/8.
+// A vertex behind the eye has a window position too, here (0, 16), below the vertices with w = 1 at
+// (0, 8) and (8, 8). Everything above v = 8 is drawn. 1/w = 3 − v/4, r/w = (8 − v)/8.
 TEST(EdgeThenSpan, PlanesHoldBehindTheEye) {
   const State state = with_one_attribute();
   SmallMesh mesh = corner(state, {1, 1, 1}, {0, 0, 1});
@@ -98,9 +99,9 @@ TEST(EdgeThenSpan, PlanesHoldBehindTheEye) {
   expect_values(fragments, [](double, double v) { return (8 - v) / (24 - 2 * v); });
 }
 
-// Kills: no number where the window positions lie in line but for what rounding takes away. Between
-// the first and the third vertex, at (1, 0) and (1, 2) with w = 1, r is v/2; the second lies behind
-// the eye, beside that line by 2^-69.
+// Kills: NaN where the window positions are so nearly in line that rounding loses the difference.
+// Between the first and the third vertex, at (1, 0) and (1, 2) with w = 1, r is v/2. The second
+// vertex lies behind the eye, 2^-69 beside that line.
 TEST(EdgeThenSpan, PlanesHoldWhereTheDeterminantIsRoundedAway) {
   State state = small_state(2, 2);
   state.attributes = {{}};
@@ -122,7 +123,7 @@ TEST(EdgeThenSpan, PlanesPromiseNothingOfAVertexWithoutAPlace) {
   EXPECT_GE(method.promise(state, mesh.mesh(), kEight).smooth.per_condition, 0x1p24);
 }
 
-// By hand: a share takes 4 additions, 2 products and 2 divisions with its q; a parameter a
+// By hand: a share with its q takes 4 additions, 2 products and 2 divisions; a parameter takes a
 // difference, a product and a sum.
 TEST(EdgeThenSpan, OperationsAreThoseOfTheSlides) {
   const OperationCounts shares = find_method("edge-then-span")->operations();
@@ -130,8 +131,9 @@ TEST(EdgeThenSpan, OperationsAreThoseOfTheSlides) {
   EXPECT_EQ(shares.per_vertex, (Operations{0, 0, 1}));
   EXPECT_EQ(shares.per_row, (Operations{kEdges * 8, kEdges * 4, kEdges * 2}));
   EXPECT_EQ(shares.per_pixel, (Operations{8, 4, 2}));
-  // Rows: 3 · 3 additions, 3 · 2 products; det 2; 9 coefficients of 2 additions, 3 products and a
-  // division. At a pixel 3 planes and 2 divisions.
+  // The adjugate's rows take 3 · 3 additions and 3 · 2 products, the determinant 2 additions, and
+  // each of 9 coefficients 2 additions, 3 products and a division. A pixel takes 3 planes and 2
+  // divisions.
   const OperationCounts planes = find_method("edge-then-span-plane")->operations();
   EXPECT_EQ(planes.per_polygon, (Operations{9 + 2 + 18, 6 + 27, 9}));
   EXPECT_EQ(planes.per_vertex, (Operations{0, 2, 3}));

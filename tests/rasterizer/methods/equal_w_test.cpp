@@ -14,7 +14,7 @@ namespace {
 constexpr TargetSize kEight{8, 8, 1};
 constexpr std::string_view kMethod = "equal-w";
 
-// r = 0, 1, 2 at (0, 0), (8, 0), (0, 8): u/8 + v/4. The divisor is 64 w².
+// r is 0, 1, 2 at (0, 0), (8, 0), (0, 8), so r = u/8 + v/4. The divisor is 64 w².
 TEST(EqualW, IsExactOnSimpleTriangles) {
   for (const float w : {1.0F, 2.0F, 0.25F}) {
     State state = small_state(8, 8);
@@ -33,8 +33,8 @@ TEST(EqualW, IsExactOnSimpleTriangles) {
   }
 }
 
-// e = (1 − (u + v)/8, u/8, v/8) over (w_1, w_2, w_3), one w being 2, the others 1; r = 2, 8, 24.
-// Kills: two w compared, and not the third.
+// e = (1 − (u + v)/8, u/8, v/8) divided by (w_1, w_2, w_3), of which one is 2 and the others are 1;
+// r = 2, 8, 24. Kills: a comparison of two w that leaves out the third.
 TEST(EqualW, DividesWhereOneWDiffers) {
   for (std::size_t odd = 0; odd < 3; ++odd) {
     State state = small_state(8, 8);
@@ -52,7 +52,7 @@ TEST(EqualW, DividesWhereOneWDiffers) {
   }
 }
 
-/// A triangle around the window's middle with one w; slivers among them.
+/// A triangle around the window's middle with equal w; some are slivers.
 std::array<PointVertex, 3> random_triangle(Random& random) {
   std::array<PointVertex, 3> vertices;
   const double w = std::abs(random.number(24, -20, 20));
@@ -66,7 +66,7 @@ std::array<PointVertex, 3> random_triangle(Random& random) {
   return vertices;
 }
 
-/// D and K of the method's comment, of vertices whose coordinates have no error.
+/// D and K as in the method's comment, for vertices with exact coordinates.
 struct Conditioning {
   long double determinant = 0;
   long double k = 0;
@@ -87,8 +87,8 @@ Conditioning conditioning(const std::array<PointVertex, 3>& vertices, double u, 
   return result;
 }
 
-// The bound of the method's comment, (100 u K + 2 u) M. Long double finds K to some 2^-64 K².
-// Kills: a path of its own error; a bound that is never near.
+// The bound is (100 u K + 2 u) M, from the method's comment. Long double finds K to about 2^-64 K².
+// Kills: a way with a larger error; a bound that is never approached.
 TEST(EqualW, TheTwoWaysDifferByNoMoreThanTheyMay) {
   constexpr double kU = kDoubleRoundoff;
   Random random(1);
@@ -119,7 +119,7 @@ TEST(EqualW, TheTwoWaysDifferByNoMoreThanTheyMay) {
   EXPECT_GT(greatest, 0.01);
 }
 
-// What is drawn: at most one unit of the greatest value more than that.
+// Drawn values differ by at most one more unit of the greatest value.
 TEST(EqualW, DrawsWhatTheGeneralFormDraws) {
   Random random(2);
   std::size_t compared = 0;
@@ -145,8 +145,8 @@ TEST(EqualW, DrawsWhatTheGeneralFormDraws) {
   EXPECT_GT(compared, 1'000U);
 }
 
-// As clipless-homogeneous but for 1's plane, whose first two coefficients are not needed, and the
-// quotients, which are three for each attribute and none at a place.
+// As for clipless-homogeneous, with two differences: the plane of 1 does not need its first two
+// coefficients, and there are three quotients for each attribute but none at a place.
 TEST(EqualW, CountsItsOperations) {
   const OperationCounts counts = operations_of(kMethod);
   EXPECT_EQ(counts.per_vertex, Operations{});

@@ -20,7 +20,7 @@ inline Fragments drawn_by(std::string_view method, const State& state, const Sma
   return fragments;
 }
 
-/// A triangle of this many smooth attributes at sample locations; `values` is [vertex][attribute].
+/// A mesh with this many smooth attributes at sample locations; `values` is [vertex][attribute].
 inline SmallMesh with_attributes(State& state, SmallMesh mesh, std::size_t count,
                                  std::vector<float> values) {
   state.attributes.assign(count, Qualifier{});

@@ -1,5 +1,5 @@
-// Traces of samples drawn by the textbook methods: of each what it draws, and of each kind what it
-// tells besides.
+// Traces of samples drawn by the textbook methods: what each method draws, and what else each kind
+// of method tells.
 
 #include "rasterizer/methods/internal/method_tap.h"
 
@@ -15,8 +15,9 @@
 namespace rastercheck::rasterizer::method_tap_test {
 namespace {
 
-/// (0.5, 0.5), (6.5, 0.5), (0.5, 6.5) with w = 1, 2, 4 and a square behind it, in 8 x 8. Of each
-/// interpolation one attribute, and smooth ones at all locations.
+/// The triangle (0.5, 0.5), (6.5, 0.5), (0.5, 6.5) with w = 1, 2, 4, and a neighbour beyond its
+/// hypotenuse, in 8 x 8 pixels. They have one attribute for each interpolation, and smooth ones at
+/// all locations.
 SmallMesh two_triangles(State& state) {
   using enum Interpolation;
   SmallMesh mesh;
@@ -51,7 +52,7 @@ void expect_values_of(const Trace& trace, const Fragments& fragments, std::size_
   }
 }
 
-/// The place of a fragment, or how many there are.
+/// The index of the fragment at this place, or the number of fragments if there is none.
 std::size_t find(const Fragments& fragments, const SamplePlace& at) {
   std::size_t i = 0;
   while (i < fragments.size() && (fragments.triangle[i] != at.triangle || fragments.x[i] != at.x ||
@@ -61,7 +62,7 @@ std::size_t find(const Fragments& fragments, const SamplePlace& at) {
   return i;
 }
 
-// Kills: a trace of another triangle, sample or attribute than what was drawn.
+// Kills: a trace of another triangle, sample or attribute than the one drawn.
 TEST(MethodTap, IsShownWhatEachMethodDraws) {
   State state = small_state(8, 8);
   const SmallMesh mesh = two_triangles(state);
@@ -107,7 +108,7 @@ TEST(MethodTap, IsShownHomogeneousWindowCoordinatesByFormulas) {
   ASSERT_TRUE(trace.has_value());
   expect_vertices(*trace, mesh, true);
   EXPECT_TRUE(trace->lines && trace->edges);
-  // All but smooth values are those of draw_fragments, which knows no window coordinates.
+  // Values that are not smooth come from draw_fragments, which knows no window coordinates.
   EXPECT_FALSE(trace->attributes[0].is_from_vertices);
   EXPECT_TRUE(trace->attributes[1].is_from_vertices && trace->depth.is_from_vertices);
   EXPECT_TRUE(trace->attributes[1].numerator_at && trace->depth.numerator_at);
@@ -121,15 +122,15 @@ TEST(MethodTap, IsShownWindowPositionsByScans) {
   expect_vertices(*trace, mesh, false);
   EXPECT_EQ(trace->decision, Decision::by_span);
   EXPECT_FALSE(trace->frame || trace->lines || trace->edges);
-  // What clipping leaves of a triangle has corners that are no vertices.
+  // The part of a triangle that clipping leaves has corners that are not vertices.
   mesh.positions[2].z = -1;
   trace = trace_by("rational-linear", state, mesh, {8, 8, 1}, {1, 2, 1, 0});
   ASSERT_TRUE(trace && trace->is_drawn);
   EXPECT_FALSE(trace->corners.has_value());
 }
 
-// By hand, at (2.5, 1.5), a third of the way to vertex 1 and a sixth to vertex 2. Its value in
-// float32 is farther off.
+// By hand at (2.5, 1.5), a third of the way to vertex 1 and a sixth of the way to vertex 2. The
+// value rounded to float32 is farther off.
 TEST(MethodTap, IsShownWhatAFormulaMadeBeforeItIsRounded) {
   State state = small_state(8, 8);
   const SmallMesh mesh = two_triangles(state);
@@ -143,8 +144,8 @@ TEST(MethodTap, IsShownWhatAFormulaMadeBeforeItIsRounded) {
   }
 }
 
-// Pixel (3, 3) is cut by the hypotenuse of triangle 1: its centre lies on it, the sample at (3.375,
-// 3.125) inside, and the centre of pixel (4, 3) lies beyond.
+// The hypotenuse of triangle 1 cuts pixel (3, 3): the pixel's centre lies on it, and the sample at
+// (3.375, 3.125) inside. The centre of pixel (4, 3) lies beyond it.
 TEST(MethodTap, IsShownWhereCentresAndCentroidsAre) {
   State state = small_state(8, 8);
   const SmallMesh mesh = two_triangles(state);
@@ -161,13 +162,13 @@ TEST(MethodTap, IsShownWhereCentresAndCentroidsAre) {
     expect_at(3, 3.5, 3.5);
     expect_at(4, 3.375, 3.125);
   }
-  // Not on the span of the centre's row: by the plane of the clip positions.
+  // The centre is not on its row's span, so its value comes from the plane of the clip positions.
   const auto trace = trace_by("rational-linear", state, mesh, {8, 8, 4}, {1, 3, 3, 0});
   EXPECT_TRUE(trace->attributes[3].is_from_vertices);
   EXPECT_FALSE(trace->attributes[4].is_from_vertices);
 }
 
-// What scanline-linear does at centres depends on whether another triangle is clipped.
+// The value of scanline-linear at centres depends on whether another triangle is clipped.
 TEST(MethodTap, IsShownTheTriangleAmongTheOthers) {
   State state = small_state(8, 8);
   SmallMesh mesh = two_triangles(state);

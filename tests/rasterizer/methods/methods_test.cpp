@@ -15,7 +15,7 @@ bool is_registered(std::string_view name) {
   return false;
 }
 
-// Kills: the order of initialisation left to the linker; a name taken twice.
+// Kills: an order that depends on the linker's order of initialisation; a name used twice.
 TEST(Methods, AreSortedByNamesThatDiffer) {
   for (std::size_t i = 1; i < methods().size(); ++i) {
     EXPECT_LT(methods()[i - 1].name, methods()[i].name);

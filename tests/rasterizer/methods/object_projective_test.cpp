@@ -19,7 +19,7 @@ namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
 
-/// A draw of `clusters`, each of one attribute in the order of the attributes.
+/// A draw of `clusters`, one attribute each, in the order of the attributes.
 struct ClusterDraw {
   State state = small_state(4, 4);
   SmallMesh mesh;
@@ -43,7 +43,7 @@ struct ClusterDraw {
   }
 };
 
-/// The same fragments with one attribute of several.
+/// The same fragments with only one of their attributes.
 Fragments only(const Fragments& all, std::size_t attribute) {
   Fragments one = all;
   one.attributes.clear();
@@ -54,10 +54,10 @@ Fragments only(const Fragments& all, std::size_t attribute) {
   return one;
 }
 
-// Kills: w_r taken for 1, or for w; one w_r for all clusters. In the window's corners (0,0), (4,0),
-// (0,4), w = 1, 2, 1, three parameters with the values 0, 1, 0: of w_r = 1 rational-linear's
-// u/8 over (8 − u)/8; of w_r = w = 1, 2, 1 linear in the window, u/4; of w_r = 3, 1, 3
-// numerator u/8 and denominator 3 (4 − u)/4 + u/8 = (24 − 5u)/8.
+// Kills: 1 or w used for w_r; one w_r for all clusters. The window's corners (0,0), (4,0), (0,4)
+// have w = 1, 2, 1, and three parameters have the values 0, 1, 0 there. With w_r = 1, a parameter
+// is rational-linear's u/8 over (8 − u)/8. With w_r = w = 1, 2, 1, it is linear in the window, u/4.
+// With w_r = 3, 1, 3, its numerator is u/8 and its denominator 3 (4 − u)/4 + u/8 = (24 − 5u)/8.
 TEST(ObjectProjective, HasAWeightForEachCluster) {
   ClusterDraw draw;
   draw.state.attributes = {{}, {}, {}};
@@ -71,10 +71,11 @@ TEST(ObjectProjective, HasAWeightForEachCluster) {
   expect_values(only(drawn, 2), [](double u, double) { return u / (24 - 5 * u); });
 }
 
-// A wall z = w − 1 = 0…1 along x, lit by a slide projector: coordinates (s, t, q) affine on the
-// wall, s = 0, 2, 0 and q = 1, 4, 1 at the corners, the slide read at s/q. With w = 1, 2, 1 the
-// planes of s/w and q/w are u/4 and 1 + u/4 (from 1 to 4/2 over 4 pixels): s/q = u/(4 + u), where
-// rational-linear's mean of the corners' s/q = 0, 1/2, 0 would be (u/16)/((8 − u)/8) = u/(16 − 2u).
+// A wall whose z = w − 1 goes from 0 to 1 along x is lit by a slide projector. The coordinates (s,
+// t, q) are affine on the wall, with s = 0, 2, 0 and q = 1, 4, 1 at the corners, and the slide is
+// read at s/q. With w = 1, 2, 1 the planes of s/w and q/w are u/4 and 1 + u/4 (from 1 to 4/2 over 4
+// pixels): s/q = u/(4 + u). Rational-linear's mean of the corners' s/q = 0, 1/2, 0 would be
+// (u/16)/((8 − u)/8) = u/(16 − 2u).
 TEST(ObjectProjective, ShowsASlide) {
   ClusterDraw draw;
   draw.state.attributes = {{}};
@@ -90,8 +91,8 @@ TEST(ObjectProjective, ShowsASlide) {
 
 // A modelling transform with perspective, (x, y, z) to (x, y, z, 1 + x) = (x w_o, …, w_o), bends an
 // object's triangle (0,0), (1,0), (0,1) with w_o = 1, 2, 1; a camera without perspective shows it,
-// so that w = w_o. The object's own x has w_r = 1, the world's x = x/w_o has w_r = w_o, and on the
-// screen, u = 8 x/w_o, is affine.
+// so that w = w_o. The object's own x has w_r = 1. The world's x, which is x/w_o, has w_r = w_o and
+// is affine on the screen, where u = 8 x/w_o.
 TEST(ObjectProjective, FollowsAPerspectiveModel) {
   ClusterDraw draw;
   draw.state.attributes = {{}, {}};
@@ -104,7 +105,7 @@ TEST(ObjectProjective, FollowsAPerspectiveModel) {
   expect_values(only(drawn, 1), [](double u, double) { return u / 8; });
 }
 
-// Kills: signs of w_r that matter; a factor that does.
+// Kills: a result that depends on the sign of w_r, or on a common factor.
 TEST(ObjectProjective, DoesNotDependOnAFactorOfAllWeights) {
   ClusterDraw draw;
   draw.state.attributes = {{}};
@@ -117,10 +118,10 @@ TEST(ObjectProjective, DoesNotDependOnAFactorOfAllWeights) {
   }
 }
 
-// Corners (0, 0) and (0, 4) with w = 1, and (−4, 0) with w = −1, so that the triangle lies to the
-// right of u = 0 and reaches to infinity. λ_1 = −u/4 is affine and 1 at that corner: e_1 = λ_1/w_1
-// = u/4, e_0 + e_2 = 1 + u/4, and with w_r = 2, 1, 2 and the values 0, 1, 0 r = (u/4)/(2 (1 + u/4)
-// + u/4) = u/(8 + 3u).
+// The corners are (0, 0) and (0, 4) with w = 1, and (−4, 0) with w = −1, so that the triangle lies
+// to the right of u = 0 and reaches to infinity. λ_1 = −u/4 is affine and 1 at that corner: e_1 =
+// λ_1/w_1 = u/4, e_0 + e_2 = 1 + u/4. With w_r = 2, 1, 2 and the values 0, 1, 0, r = (u/4)/(2 (1 +
+// u/4) + u/4) = u/(8 + 3u).
 TEST(ObjectProjective, DrawsBehindTheEye) {
   ClusterDraw draw;
   draw.state.attributes = {{}};
@@ -159,7 +160,7 @@ TEST(ObjectProjective, RefusesWhatHasAPole) {
   EXPECT_EQ(error({{1, 1, 1, 1}}), ClusterError::w_r_count);
   // The second cluster's attribute is flat.
   EXPECT_EQ(error({{1, 1, 1}, {1, 1, 1}}), ClusterError::attribute);
-  // A third attribute there is none.
+  // There is no third attribute.
   draw.state.attributes[1] = {};
   EXPECT_EQ(error({{1, 1, 1}, {1, 1, 1}}), std::nullopt);
   EXPECT_EQ(error({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), ClusterError::attribute);
@@ -192,7 +193,8 @@ TEST(ObjectProjective, RefusesAnAttributeInTwoClustersAndNone) {
   EXPECT_EQ(fragments.size(), 0U);
 }
 
-// Kills: w_r of vertices that no triangle has being looked at, or of those that have being missed.
+// Kills: a check of w_r at vertices that no triangle uses; w_r that is not looked up by the
+// vertex's index.
 TEST(ObjectProjective, TakesWeightsByVertexIndex) {
   ClusterDraw draw;
   draw.state.attributes = {{}};
@@ -204,8 +206,8 @@ TEST(ObjectProjective, TakesWeightsByVertexIndex) {
   expect_values(draw.fragments(), [](double u, double) { return u / (24 - 5 * u); });
 }
 
-// Three rows of 6 products and 3 sums; three planes of 9 products and 6 sums; a vertex multiplies
-// two values; a place evaluates three planes and divides twice.
+// Three rows take 6 products and 3 sums each, and three planes 9 products and 6 sums each. A vertex
+// multiplies two values. A place evaluates three planes and divides twice.
 TEST(ObjectProjective, CountsItsOperations) {
   const OperationCounts counts = find_method("object-projective")->operations();
   EXPECT_EQ(counts.per_vertex, (Operations{0, 2, 0}));

@@ -20,7 +20,7 @@ State with_one_attribute() {
   return state;
 }
 
-/// The window corners, w = 1, with the attribute u.
+/// A polygon with these window corners, w = 1 and the attribute u.
 std::vector<PolygonVertex> polygon_of(const State& state, const std::vector<glm::vec2>& corners) {
   std::vector<PolygonVertex> polygon;
   polygon.reserve(corners.size());
@@ -42,7 +42,7 @@ std::optional<PolygonError> error_of(const State& state,
   return fault ? std::optional(fault->error) : std::nullopt;
 }
 
-// Two samples lie on its left edge, two on its right one.
+// Two samples lie on the polygon's left edge, two on its right edge.
 TEST(Polygon, CoversWhatIsInsideWhicheverWayItTurns) {
   const State state = with_one_attribute();
   std::vector<PolygonVertex> polygon =
@@ -57,7 +57,7 @@ TEST(Polygon, CoversWhatIsInsideWhicheverWayItTurns) {
   }
 }
 
-// Kills: the triangle taken for something else than the polygon of three corners.
+// Kills: a triangle drawn differently from the polygon with the same three corners.
 TEST(Polygon, OfThreeCornersIsTheTriangle) {
   const State state = with_one_attribute();
   SmallMesh mesh;
@@ -82,8 +82,8 @@ TEST(Polygon, OfThreeCornersIsTheTriangle) {
   }
 }
 
-// By hand: a square in perspective, w 1 on the left and 2 on the right, the attribute 0 and 1. As
-// in its triangles, r = u/(16 − u).
+// By hand: a square in perspective, with w = 1 and the attribute 0 on the left, and w = 2 and the
+// attribute 1 on the right. As in the square's triangles, r = u/(16 − u).
 TEST(Polygon, OfAPlaneIsInPerspective) {
   const State state = with_one_attribute();
   std::vector<PolygonVertex> polygon{{at(state, 0, 0, 1), {0}, {}},
@@ -96,8 +96,8 @@ TEST(Polygon, OfAPlaneIsInPerspective) {
   expect_values(fragments, [](double u, double) { return u / (16 - u); });
 }
 
-// A floor below the eye, from w = 4 before it to w = −1 behind, with the attribute (4 − w)/5. Its
-// far border is at v = 5, and w = 4/(v − 4).
+// A floor below the eye, from w = 4 before the eye to w = −1 behind it, with the attribute (4 −
+// w)/5. Its far border is at v = 5, and w = 4/(v − 4).
 TEST(Polygon, MayReachBehindTheEye) {
   const State state = with_one_attribute();
   const std::vector<PolygonVertex> polygon{{{-16, 1, 2, 4}, {0}, {}},
@@ -174,14 +174,16 @@ TEST(Polygon, RefusesCentresWhichMayHaveNoValue) {
   }
 }
 
-// Kills: convex by the turns of neighbours alone, which a star passes; corners in line refused.
+// Kills: convexity judged by the turns of neighbouring edges alone, which a star passes; a refusal
+// of corners in line.
 TEST(Polygon, RefusesWhatIsNotConvex) {
   const State state = with_one_attribute();
   EXPECT_EQ(error_of(state, polygon_of(state, {{0, 0}, {8, 0}, {2, 2}, {0, 8}})),
             PolygonError::not_convex);
   EXPECT_EQ(error_of(state, polygon_of(state, {{0, 0}, {8, 8}, {8, 0}, {0, 8}})),
             PolygonError::not_convex);
-  // Every second corner of a pentagon: it turns left everywhere, twice around.
+  // Every second corner of a pentagon: the polygon turns to the same side everywhere, and goes
+  // around twice.
   EXPECT_EQ(error_of(state, polygon_of(state, {{4, 0}, {6, 7}, {0, 3}, {8, 3}, {2, 7}})),
             PolygonError::not_convex);
   EXPECT_EQ(error_of(state, polygon_of(state, {{0, 0}, {4, 0}, {8, 0}, {8, 8}, {0, 8}})),

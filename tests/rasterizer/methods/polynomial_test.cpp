@@ -1,5 +1,5 @@
-// polynomial-quadratic and polynomial-cubic by hand, and what they are off by against the share of
-// the range that they promise.
+// polynomial-quadratic and polynomial-cubic, checked against values computed by hand, and their
+// errors compared with the share of the range that they promise.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace rastercheck::rasterizer::polynomial_test {
 namespace {
 
-/// Pixels of the one row; its span goes over all of it, but for a 2^-13th.
+/// The pixels of the only row. Its span covers all of it except for 2^-13 of the width.
 constexpr int kWidth = 1024;
 constexpr TargetSize kRow{kWidth, 1, 1};
 
@@ -24,7 +24,7 @@ State with_one_attribute() {
   return state;
 }
 
-/// w from 1 to `ratio` and the attribute from 0 to 1 along the row.
+/// A mesh with w from 1 to `ratio` and the attribute from 0 to 1 along the row.
 SmallMesh along_the_row(const State& state, float ratio) {
   SmallMesh mesh;
   mesh.positions = {at(state, 0, 0, 1), at(state, kWidth, 0, ratio), at(state, 0, 4096, 1)};
@@ -59,9 +59,10 @@ double worst_error(std::string_view method, float ratio) {
   return worst;
 }
 
-// By hand, of the whole span: w from 1 to 3 makes t/(3 − 2 t), which is 1/4 at 1/2: t² has all
-// three values. At thirds it is 1/7 and 2/5: (36 t³ − 18 t² + 17 t)/35 has all four. The row's span
-// is shorter by 2^-13, and values differ by no more than that times a slope of 3.
+// By hand, for the whole span: with w from 1 to 3, r = t/(3 − 2 t), which is 0, 1/4 and 1 at t = 0,
+// 1/2 and 1, and so is t². At t = 1/3 and 2/3, r is 1/7 and 2/5, and (36 t³ − 18 t² + 17 t)/35 has
+// all four values. The row's span is shorter by 2^-13, and the values differ by at most that times
+// a slope of 3.
 TEST(Polynomial, GoesThroughTheNodes) {
   const State state = with_one_attribute();
   const SmallMesh mesh = along_the_row(state, 3);
@@ -74,8 +75,9 @@ TEST(Polynomial, GoesThroughTheNodes) {
   }
 }
 
-// By hand, q = 1/(ρ − 1): ρ = 3 has q = 1/2. Quadratic: √3/36 / (1/2 · 1) = √3/18 < 1/2; cubic:
-// 1/81 / (1/2 · 5/6 · 7/6) = 8/315 < 2/9 / (5/6 · 7/6). ρ = 2^20 + 1 has the second ones.
+// By hand, with q = 1/(ρ − 1). The promise is the smaller of two bounds. For ρ = 3, q = 1/2, and
+// the first bound is the smaller: √3/36 / (1/2 · 1) = √3/18 < 1/2 for quadratic, and 1/81 / (1/2 ·
+// 5/6 · 7/6) = 8/315 < 2/9 / (5/6 · 7/6) for cubic. For ρ = 2^20 + 1 the second is the smaller.
 TEST(Polynomial, PromisesASmallShareOfTheRange) {
   const auto near = [](double expected) { return std::pair(expected, expected * (1 + 0x1p-19)); };
   const auto expect = [](double actual, const std::pair<double, double>& range) {
@@ -93,8 +95,9 @@ TEST(Polynomial, PromisesASmallShareOfTheRange) {
   EXPECT_EQ(share("polynomial-cubic", 0), 1);
 }
 
-// Kills: a promise that is broken, and one that says nothing. Shares of the range below are never
-// exceeded and, where pixels are dense enough to meet the worst place, never three times too large.
+// Kills: a promise that is broken; a promise that says nothing. The promised shares of the range
+// are never exceeded. Where pixels are dense enough to meet the worst place, they are never more
+// than three times too large.
 TEST(Polynomial, IsOffByNearlyWhatItPromises) {
   for (const std::string_view name : {"polynomial-quadratic", "polynomial-cubic"}) {
     for (const float ratio : {1.0625F, 1.5F, 2.0F, 4.0F, 16.0F, 256.0F, 0x1p20F}) {
@@ -107,17 +110,17 @@ TEST(Polynomial, IsOffByNearlyWhatItPromises) {
   }
 }
 
-// By hand, t from the far end, q = 1/255 from the pole: r goes nine tenths of its way within the
-// first 4% of the row. t/(t + q) · |(t − 1/2)(t − 1)|/(q + 1/2) is 0.801 at t = 0.035, and that of
-// the cubic 0.737 at t = 0.025. The span begins half a pixel, 2^-13 of the row, after the vertex,
-// and so has 1/(1 + 2^-13/q) = 0.970 of the way before it.
+// By hand, with t counted from the far end and the pole at t = −q, q = 1/255: r goes nine tenths of
+// its way within the first 4% of the row. The error of quadratic, t/(t + q) · |(t − 1/2)(t − 1)|/(q
+// + 1/2), is 0.801 at t = 0.035, and that of cubic is 0.737 at t = 0.025. The span begins 2^-13 of
+// the row after the vertex, so that only 1/(1 + 2^-13/q) = 0.970 of the way lies within the span.
 TEST(Polynomial, FailsNearThePole) {
   EXPECT_GE(worst_error("polynomial-quadratic", 256), 0.77);
   EXPECT_GE(worst_error("polynomial-cubic", 256), 0.71);
 }
 
 // Wolberg's polynomials are of use where w changes little: each halving of ρ − 1 divides the error
-// by nearly 4 and by nearly 8.
+// by nearly 4 for quadratic and by nearly 8 for cubic.
 TEST(Polynomial, ConvergesWithItsDegree) {
   const auto quotient = [](std::string_view name) {
     return worst_error(name, 1.25F) / worst_error(name, 1.125F);
@@ -126,17 +129,19 @@ TEST(Polynomial, ConvergesWithItsDegree) {
   EXPECT_NEAR(quotient("polynomial-cubic"), 8, 1.5);
 }
 
-// By hand. Quadratic: three nodes of two products and a sum for each of three parameters, six
-// divisions of them; then d_1, d_2 and two halves. At a pixel the place, and two products and two
-// sums for each attribute: nothing is divided.
+// By hand. Quadratic: each of three parameters takes three nodes of two products and a sum, and six
+// divisions give the values at the nodes; d_1, d_2 and the coefficients follow. A pixel takes its
+// place, and two products and two sums for each attribute, but no division.
 TEST(Polynomial, DividesPerRowAndNotPerPixel) {
   const OperationCounts quadratic = find_method("polynomial-quadratic")->operations();
   EXPECT_EQ(quadratic.per_vertex, (Operations{0, 0, 3}));
-  // Ends: 2 · (6, 6, 3). The width, 9 nodes, and 4 additions and a division for two attributes.
+  // The ends take 2 · (6, 6, 3). Then come the width, 9 nodes, and 4 additions and a division for
+  // each of two attributes.
   EXPECT_EQ(quadratic.per_row, (Operations{12 + 1 + 9 + 2 * 4, 12 + 18, 6 + 1 + 6 + 2}));
   EXPECT_EQ(quadratic.per_pixel, (Operations{1 + 4, 1 + 4, 0}));
   const OperationCounts cubic = find_method("polynomial-cubic")->operations();
-  // 12 nodes; d_1 to d_3 are 1, 2 and 4 additions, the coefficients 3 and 4 divisions.
+  // There are 12 nodes. d_1 to d_3 take 1, 2 and 4 additions; the coefficients take 3 additions and
+  // 4 divisions.
   EXPECT_EQ(cubic.per_row, (Operations{12 + 1 + 12 + 2 * 10, 12 + 24, 6 + 1 + 8 + 2 * 4}));
   EXPECT_EQ(cubic.per_pixel, (Operations{1 + 6, 1 + 6, 0}));
 }

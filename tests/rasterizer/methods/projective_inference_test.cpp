@@ -15,7 +15,7 @@ using Vector = Triple<double>;
 
 // Corners (0, 0), (8, 0), (0, 8) of the window, w = 1, 2, 4.
 constexpr std::array<Vector, 3> kPositions{Vector{0, 0, 1}, {16, 0, 2}, {0, 32, 4}};
-// (1, 1), (3, 1), (1, 5): det = 2 · 4.
+// The texture coordinates (1, 1), (3, 1), (1, 5), with det = 2 · 4.
 constexpr TextureTriangle<double> kTexture{{1, 3, 1}, {1, 1, 5}};
 
 // ∂P/∂s = (P_1 − P_0)/2, ∂P/∂t = (P_2 − P_0)/4, origin = P_0 less both.
@@ -48,8 +48,9 @@ TEST(ProjectiveInference, TakesTheWindowBackToTheTexture) {
   }
 }
 
-// Seed 002 §3.1: "133 arithmetic operations (multiplies and adds) per polygon, plus 12 arithmetic
-// operations per vertex". The method moves the texture's origin besides, and back at each place.
+// Heckbert & Moreton 1991, §3.1: "133 arithmetic operations (multiplies and adds) per polygon, plus
+// 12 arithmetic operations per vertex". Besides, the method moves the texture's origin, and moves
+// it back at each place.
 TEST(ProjectiveInference, TakesTheOperationsOfThePaper) {
   const auto number = [](double value) { return Counted(value); };
   TextureTriangle<Counted> texture;
@@ -84,7 +85,7 @@ TEST(ProjectiveInference, TakesTheOperationsOfThePaper) {
   EXPECT_EQ(counts.per_pixel, (Operations{6 + 2, 6, 2}));
 }
 
-/// kPositions with these attributes, [vertex][attribute].
+/// A mesh of kPositions with these attribute values, [vertex][attribute].
 SmallMesh with_values(State& state, std::size_t count, std::vector<float> values) {
   SmallMesh mesh;
   mesh.positions = {at(state, 0, 0, 1), at(state, 8, 0, 2), at(state, 0, 8, 4)};
@@ -92,7 +93,8 @@ SmallMesh with_values(State& state, std::size_t count, std::vector<float> values
   return with_attributes(state, mesh, count, std::move(values));
 }
 
-/// r with these values at the three vertices: weights 1 − (u + v)/8, u/16 and v/32.
+/// r at (u, v) for these values at the three vertices, whose weights are 1 − (u + v)/8, u/16 and
+/// v/32.
 double r_by_hand(double r0, double r1, double r2, double u, double v) {
   const double e0 = 1 - (u + v) / 8;
   return (r0 * e0 + r1 * u / 16 + r2 * v / 32) / (e0 + u / 16 + v / 32);
@@ -120,9 +122,9 @@ TEST(ProjectiveInference, DrawsAPairAndWhatIsLeft) {
   }
 }
 
-// The second is 2 r + 1 of the first, the third is constant, and pairs with neither neighbour; the
-// fourth and fifth lie on a line but for 2^-20.
-// Kills: a division by det = 0; a constant that is not given as it is.
+// The second attribute is 2 r + 1 if r is the first. The third is constant, and pairs with neither
+// neighbour. The fourth and fifth, taken as points, lie on a line except for 2^-20. Kills: a
+// division by det = 0; a constant that changes.
 TEST(ProjectiveInference, TakesAloneWhatIsNoTexture) {
   State state = small_state(8, 8);
   const float nearly = 1 + 0x1p-20F;
@@ -145,11 +147,11 @@ double promised(State& state, const std::vector<float>& values) {
 }
 
 // w = 1: |X| = |Y| = 8 and |w| = 1 at all vertices, R = 2/6. The promise is 2^-28 · 400 κ² R.
-//   (0, 0), (1, 0), (0, 1)  κ = 1, and wherever it is
+//   (0, 0), (1, 0), (0, 1)  κ = 1, also far from the origin
 //   (0, 0), (1, 1), (0, 1)  κ = 1 · 2/1
-//   r = 3, 7, 3             alone: κ = 4²/4²
-//   det = 2^-20             both alone, the first with κ = 2²/2
-//   all equal               nothing but roundings to float32
+//   r = 3, 7, 3             not paired: κ = 4²/4²
+//   det = 2^-20             neither paired, the first with κ = 2²/2
+//   all equal               only roundings to float32
 TEST(ProjectiveInference, PromisesWhatTheTextureIsGoodFor) {
   State state = small_state(8, 8);
   EXPECT_DOUBLE_EQ(promised(state, {0, 0, 1, 0, 0, 1}), 400.0 / 3);
@@ -160,8 +162,9 @@ TEST(ProjectiveInference, PromisesWhatTheTextureIsGoodFor) {
   EXPECT_EQ(promised(state, {3, 3, 3}), 0);
 }
 
-// The second attribute's values are far from 0, and the first's are those of a picture without it.
-// Kills: an origin of the texture that costs digits of both.
+// The second attribute's values are far from 0. The first attribute's values are the same as in a
+// picture where the second's are near 0. Kills: an origin of the texture that costs both attributes
+// digits.
 TEST(ProjectiveInference, WhereTheTextureIsCostsNothing) {
   State state = small_state(8, 8);
   const Fragments near =

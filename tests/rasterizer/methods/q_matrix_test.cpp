@@ -1,5 +1,6 @@
-// The triangle of these tests, seed 001's picture with numbers: eye C = (1, 2, 3), a = (1, 0, 0),
-// b = (0, 1, 1), c = (−4, −4, 4), corners (u, v; w) = (0, 0; 1), (8, 0; 2), (0, 8; 4):
+// The triangle of these tests, a numerical example of the figure in the Rasterization slides: eye
+// C = (1, 2, 3), a = (1, 0, 0), b = (0, 1, 1), c = (−4, −4, 4), corners (u, v; w) = (0, 0; 1), (8,
+// 0; 2), (0, 8; 4):
 //
 //   V1 = C + (−4, −4, 4) = (−3, −2, 7)        [V1−C V2−C V3−C] = columns (−4, −4, 4),
 //   V2 = C + 2 (4, −4, 4) = (9, −6, 11)         (8, −8, 8), (−16, 16, 48), det = 4096
@@ -39,7 +40,7 @@ Rows q_by_hand(double factor) {
           times(factor, {0, 0.03125, 0})};
 }
 
-/// The place in the file's first lines.
+/// Expects the place given in this file's first lines.
 void expect_the_place(const QMatrix<double>& q, double w) {
   const QMatrix<double>::Place place = q.at(3.5, 2.5);
   EXPECT_DOUBLE_EQ(place.k, 2.0 / 5);
@@ -56,14 +57,14 @@ TEST(QMatrix, OfTheClipForm) {
   expect_the_place(result.matrix, 64.0 / 35);
 }
 
-// Kills: w taken out of the third line of p. 7, as it is printed.
+// Kills: w derived from the third line of p. 7 as it is printed.
 TEST(QMatrix, OfTheCameraForm) {
   const QMatrixResult<double> result = q_matrix(kVertices, kImage);
   ASSERT_EQ(result.error, std::nullopt);
   EXPECT_EQ(result.matrix.determinant, 4096);
   EXPECT_EQ(result.matrix.rows, q_by_hand(4096));
   expect_the_place(result.matrix, 64.0 / 35);
-  // P = V1 + (12, −4, 4) 2/5 + (−12, 20, 44)/7, and C + (c + 7/2 a + 5/2 b) 64/35.
+  // P is V1 + (12, −4, 4) 2/5 + (−12, 20, 44)/7, and also C + (c + 7/2 a + 5/2 b) 64/35.
   const QMatrix<double>::Place place = result.matrix.at(3.5, 2.5);
   const Vector expected{3.0 / 35, -26.0 / 35, 521.0 / 35};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -76,7 +77,7 @@ TEST(QMatrix, OfTheCameraForm) {
   }
 }
 
-// Kills: the sign of det forgotten.
+// Kills: a sign of det that is ignored.
 TEST(QMatrix, IsPositiveInsideWhicheverWayTheTriangleFaces) {
   std::array<Vector, 3> columns = kColumns;
   std::swap(columns[1], columns[2]);
@@ -88,8 +89,8 @@ TEST(QMatrix, IsPositiveInsideWhicheverWayTheTriangleFaces) {
   EXPECT_EQ(q.at(3.5, 2.5).w, 512.0 / 280);
 }
 
-// Another length of a, b and c: Q is a multiple, w the inverse one; k and l stay. A negative length
-// looks the other way.
+// If a, b and c are multiplied by a factor, Q is multiplied by it and w is divided by it; k and l
+// stay. A negative factor looks the other way.
 TEST(QMatrix, OfAMultipleOfTheImagePlane) {
   for (const double factor : {4.0, 0.25, -1.0}) {
     const ImagePlane<double> image{kImage.eye, times(factor, kImage.a), times(factor, kImage.b),
@@ -101,7 +102,7 @@ TEST(QMatrix, OfAMultipleOfTheImagePlane) {
   }
 }
 
-// V3 moved to the midpoint of C and the middle of V1 and V2: (2, −1, 6).
+// V3 is moved to (2, −1, 6), the midpoint between C and the midpoint of V1 and V2.
 TEST(QMatrix, ADegenerateMappingIsAnErrorThatSaysSo) {
   std::array<Vector, 3> vertices = kVertices;
   vertices[2] = {2, -1, 6};
@@ -117,7 +118,7 @@ TEST(QMatrix, ADegenerateMappingIsAnErrorThatSaysSo) {
   }
 }
 
-// Kills: an infinity that a zero hides.
+// Kills: an infinity that goes unnoticed beside a zero.
 TEST(QMatrix, NumbersThatAreNotFiniteAreErrors) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -136,7 +137,7 @@ TEST(QMatrix, NumbersThatAreNotFiniteAreErrors) {
   }
 }
 
-/// Drawn: r = 2, 8, 24 at the corners.
+/// The triangle as a mesh, with r = 2, 8, 24 at the corners.
 SmallMesh drawn_triangle(State& state) {
   SmallMesh mesh;
   mesh.positions = {at(state, 0, 0, 1), at(state, 8, 0, 2), at(state, 0, 8, 4)};
@@ -144,7 +145,8 @@ SmallMesh drawn_triangle(State& state) {
   return with_attributes(state, mesh, 1, {2, 8, 24});
 }
 
-// Seed 001 p. 7, last line: coefficients −2/8 + 8/16 = 1/4 of u, −2/8 + 24/32 = 1/2 of v, 2.
+// r by the last line of p. 7 of the Rasterization slides: its coefficients are −2/8 + 8/16 = 1/4
+// for u, −2/8 + 24/32 = 1/2 for v, and the constant 2.
 double r_by_hand(double u, double v) { return (u / 4 + v / 2 + 2) / (1 - u / 16 - 3 * v / 32); }
 
 TEST(QMatrix, IsDrawnWith) {
@@ -158,9 +160,9 @@ TEST(QMatrix, IsDrawnWith) {
   }
 }
 
-// The second vertex behind the eye, its clip position negated, and with it the second row of Q:
-// e = (1 − u/8 − v/8, −u/16, v/32), all of it >= 0 where u <= 0 and 0 <= v <= 8 − u. To see that
-// the window is moved: u is its first coordinate less 8.
+// The second vertex is behind the eye: its clip position is negated, and so is the second row of Q.
+// So e = (1 − u/8 − v/8, −u/16, v/32), all three >= 0 where u <= 0 and 0 <= v <= 8 − u. The
+// triangle is moved 8 pixels to the right to make that part visible, and u is counted from there.
 TEST(QMatrix, AVertexBehindTheEyeIsNoDifferent) {
   State state = small_state(8, 8);
   SmallMesh mesh = drawn_triangle(state);
@@ -175,7 +177,7 @@ TEST(QMatrix, AVertexBehindTheEyeIsNoDifferent) {
 }
 
 // S = 224 (u + v) + 1792 and D = 512 − 32 u − 48 v: K is at most 3360/184 < 18.3 on the triangle.
-// Kills: float arithmetic that is not.
+// Kills: double arithmetic that passes for float.
 TEST(QMatrix, InFloatKeepsItsPromiseAndNoMore) {
   State state = small_state(8, 8);
   const SmallMesh mesh = drawn_triangle(state);
@@ -193,10 +195,10 @@ TEST(QMatrix, InFloatKeepsItsPromiseAndNoMore) {
   EXPECT_GT(inexact, 0);
 }
 
-// The triangle of the method's comment with r = 0, 1, 3. In the window it is halfway from the first
-// vertex to the other two, so b_1 = 1/2, v = 4 b_1 − 4 b_2 + 12 b_3, b_3 = v/16, r = 1/2 + v/8.
-// K = (6 v + 56)/32.
-// Kills: vertices scaled each by its own power of two, and nothing else.
+// The triangle of the method's comment with r = 0, 1, 3. The window lies halfway from the first
+// vertex to the other two, so that b_1 = 1/2, v = 4 b_1 − 4 b_2 + 12 b_3, b_3 = v/16, r = 1/2 +
+// v/8. K = (6 v + 56)/32. Kills: scaling each vertex only by its own power
+// of two.
 TEST(QMatrix, InFloatDoesNotLoseANeedle) {
   State state = small_state(8, 8);
   SmallMesh mesh;
@@ -212,8 +214,9 @@ TEST(QMatrix, InFloatDoesNotLoseANeedle) {
   }
 }
 
-// Adjugate: 9 times two products and a difference; det 3 products, two sums; 3 sums of columns;
-// two differences for each attribute. A place: D, k and l, and two of each for an attribute.
+// The adjugate takes 9 times two products and a difference, and det three products and two sums.
+// There are 3 sums of columns, and two differences for each attribute. A place takes D, k and l,
+// and two products and two sums for each attribute.
 TEST(QMatrix, CountsItsOperations) {
   for (const std::string_view method : {"q-matrix", "q-matrix-float"}) {
     const OperationCounts counts = operations_of(method);

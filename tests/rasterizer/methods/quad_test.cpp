@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::array<glm::vec2, 4> kSquare{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-/// The trapezoid (0,0), (4,0), (3,2), (1,2), w = 1: its turns are a = 4, 4, 8, 8 (twice the areas
-/// without one corner), and Heckbert's g = 0, h = 1 (Σ = (−2, 0), Δ1 = (1, −2), Δ2 = (−2, 0)).
+/// The trapezoid (0,0), (4,0), (3,2), (1,2), w = 1: its turns are a = 4, 4, 8, 8 (twice the area of
+/// the triangle that remains without one corner), and Heckbert's g = 0, h = 1 (Σ = (−2, 0), Δ1 =
+/// (1, −2), Δ2 = (−2, 0)).
 Quad trapezoid() { return {{{{0, 0, 0, 1}, {4, 0, 0, 1}, {3, 2, 0, 1}, {1, 2, 0, 1}}}, kSquare}; }
 
 glm::dvec2 divided(const glm::dvec3& p) { return {p.x / p.z, p.y / p.z}; }
@@ -41,30 +42,30 @@ TEST(Quad, HasWeightsThatMakeItsParametersAffineOnTheScreen) {
   const QuadResult inferred = infer(trapezoid());
   ASSERT_EQ(inferred.error, std::nullopt);
   EXPECT_EQ(inferred.map.w_r, (std::array{0.5, 0.5, 0.25, 0.25}));
-  // Both ways: the square's diagonals meet in (1/2, 1/2), the trapezoid's in (2, 4/3).
+  // In both directions: the square's diagonals meet in (1/2, 1/2), the trapezoid's in (2, 4/3).
   expect_near(divided(inferred.map.to_clip.matrix * glm::dvec3(0.5, 0.5, 1)), {2, 4.0 / 3});
   expect_near(divided(inferred.map.to_parameters.matrix * glm::dvec3(2, 4.0 / 3, 1)), {0.5, 0.5});
   expect_near(divided(inferred.map.to_parameters.matrix * glm::dvec3(3, 2, 1)), {1, 1});
 }
 
-// A rectangle of the plane z = w − 1, in perspective: w = 1 where v = 0, 3 where v = 1. Its
-// parameters are affine in clip space, and so have one w_r.
+// A rectangle in the plane z = w − 1, in perspective: w = 1 where v = 0, and w = 3 where v = 1. Its
+// parameters are affine in clip space, and so they have the same w_r at all corners.
 TEST(Quad, ThatIsSeenInPerspectiveHasOneWeight) {
   const Quad quad{{{{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, -1, 2, 3}, {-1, -1, 2, 3}}}, kSquare};
   const QuadResult inferred = infer(quad);
   ASSERT_EQ(inferred.error, std::nullopt);
   EXPECT_EQ(inferred.map.w_r, (std::array{0.5, 0.5, 0.5, 0.5}));
-  // Half way on the screen, y/w = −2/3, w is the harmonic mean 3/2.
+  // Halfway on the screen, at y/w = −2/3, w is the harmonic mean 3/2.
   expect_near(divided(inferred.map.to_parameters.matrix * glm::dvec3(0, -2.0 / 3, 1)), {0.5, 0.25});
 }
 
-// Kills: convexity asked of window positions, which corners behind the eye do not have.
+// Kills: convexity judged by window positions, which corners behind the eye do not have.
 TEST(Quad, MayReachBehindTheEye) {
   const Quad quad{{{{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, -1, -2, -1}, {-1, -1, -2, -1}}}, kSquare};
   const QuadResult inferred = infer(quad);
   ASSERT_EQ(inferred.error, std::nullopt);
   EXPECT_EQ(inferred.map.w_r, (std::array{0.5, 0.5, 0.5, 0.5}));
-  // w = 1 − 2 v: v = 1/4 has w = 1/2.
+  // w = 1 − 2 v, so that w = 1/2 at v = 1/4.
   expect_near(divided(inferred.map.to_parameters.matrix * glm::dvec3(0, -2, 1)), {0.5, 0.25});
 }
 
@@ -73,7 +74,7 @@ TEST(Quad, TakesCornersEitherWayAround) {
   std::swap(quad.positions[1], quad.positions[3]);
   std::swap(quad.parameters[1], quad.parameters[3]);
   EXPECT_EQ(infer(quad).map.w_r, (std::array{0.5, 0.25, 0.25, 0.5}));
-  // Mirrored parameters alone.
+  // Only the parameters are mirrored.
   Quad mirrored = trapezoid();
   for (glm::vec2& parameter : mirrored.parameters) parameter.x = -parameter.x;
   EXPECT_EQ(infer(mirrored).map.w_r, (std::array{0.5, 0.5, 0.25, 0.25}));
@@ -89,7 +90,7 @@ TEST(Quad, ThatHasNoMapSaysWhy) {
   for (const float bad : {std::numeric_limits<float>::infinity(), NAN}) {
     EXPECT_EQ(error([&](Quad& q) { q.positions[2].w = bad; }), QuadError::not_finite);
     EXPECT_EQ(error([&](Quad& q) { q.parameters[3].y = bad; }), QuadError::not_finite);
-    // z has no say.
+    // z does not matter.
     EXPECT_EQ(error([&](Quad& q) { q.positions[2].z = bad; }), std::nullopt);
   }
   EXPECT_EQ(error([](Quad& q) { q.positions[2] = {2, 1, 0, 1}; }), QuadError::not_convex);
@@ -105,7 +106,7 @@ TEST(Quad, ThatHasNoMapSaysWhy) {
             QuadError::parameters_not_convex);
   EXPECT_EQ(error([](Quad& q) { std::swap(q.parameters[2], q.parameters[3]); }),
             QuadError::parameters_not_convex);
-  // The corner 0 is 2^-70 off the line through its neighbours.
+  // Corner 0 is 2^-70 off the line through its neighbours.
   EXPECT_EQ(error([](Quad& q) {
               q.positions = {{{-0x1p-70F, 0, 0, 1}, {0, -1, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}};
             }),

@@ -44,7 +44,7 @@ TEST_P(RationalLinearCoverage, IsTheSameForEveryOrderOfTheVertices) {
   }
 }
 
-// Kills: the fill rule ignored, or taken without regard to where v points.
+// Kills: a fill rule that is ignored, or that ignores where v points.
 TEST_P(RationalLinearCoverage, TheFillRuleIsMeantAsDisplayed) {
   const Rows least{"##..", "##..", "....", "...."};
   const Rows greatest{"....", "##..", "##..", "...."};
@@ -61,13 +61,14 @@ TEST_P(RationalLinearCoverage, TheFillRuleIsMeantAsDisplayed) {
 
 TEST_P(RationalLinearCoverage, ASampleOnAVertexFollowsBothItsEdges) {
   const State state = small_state(4, 4);
-  // A left and a top edge meet at (1/2, 1/2); a left and a bottom one, or a top and a right one, do
-  // at the others.
+  // A left and a top edge meet at (1/2, 1/2). At the other vertices, a left and a bottom edge meet,
+  // or a top and a right edge.
   EXPECT_EQ(picture(state, triangle(state, {0.5F, 0.5F}, {2.5F, 0.5F}, {0.5F, 2.5F}), kFour),
             (Rows{"##..", "#...", "....", "...."}));
 }
 
-// Kills: a shared edge crossed at two places, or owned by both or by none.
+// Kills: a shared edge crossed at two different places; a shared edge that both triangles own, or
+// neither.
 TEST_P(RationalLinearCoverage, ASquareSplitByEitherDiagonalCoversEachSampleOnce) {
   for (const Convention convention : kConventions) {
     for (const int samples : {1, 2, 4, 8, 16}) {
@@ -76,7 +77,8 @@ TEST_P(RationalLinearCoverage, ASquareSplitByEitherDiagonalCoversEachSampleOnce)
         state.fill_rule = rule;
         const TargetSize size{8, 8, samples};
         for (const bool across : {false, true}) {
-          // Larger than the target, whose own border has samples on it.
+          // The square is larger than the target, because some samples lie on the target's own
+          // border.
           const SmallMesh mesh = rectangle(state, {-4, -4}, {12, 12}, across);
           EXPECT_EQ(times_drawn(fragments_of(state, mesh, size), size),
                     std::vector<int>(static_cast<std::size_t>(64 * samples), 1));
@@ -86,7 +88,7 @@ TEST_P(RationalLinearCoverage, ASquareSplitByEitherDiagonalCoversEachSampleOnce)
   }
 }
 
-// Kills: crossings that depend on which of the two triangles is asked; clipping likewise.
+// Kills: crossings, or clipping, that depend on which of the two triangles at an edge is drawn.
 TEST_P(RationalLinearCoverage, AFanAroundAPointCoversEachSampleOnce) {
   std::mt19937 random(20260801);
   const auto between = [&random](float low, float high) {
@@ -99,7 +101,7 @@ TEST_P(RationalLinearCoverage, AFanAroundAPointCoversEachSampleOnce) {
     SmallMesh mesh;
     mesh.positions = {at(state, between(2, 14), between(2, 14), between(0.5F, 4))};
     const unsigned spokes = 3 + static_cast<unsigned>(random() % 10);
-    // Far spokes too: they reach beyond the guard band, 1024 half widths.
+    // Some spokes are far, and reach beyond the guard band of 1024 half widths.
     const float radius = round % 4 == 0 ? 1e6F : 40;
     for (unsigned i = 0; i < spokes; ++i) {
       const double angle = 6.283185307179586 * i / spokes;
@@ -116,7 +118,7 @@ TEST_P(RationalLinearCoverage, AFanAroundAPointCoversEachSampleOnce) {
 
 TEST_P(RationalLinearCoverage, TheStandardPatternsAreCoveredSampleBySample) {
   const State state = small_state(1, 1);
-  // Left of 1/2: samples with x < 8/16.
+  // The rectangle covers the samples with x < 8/16.
   const SmallMesh mesh = rectangle(state, {0, 0}, {0.5F, 1});
   EXPECT_EQ(picture(state, mesh, {1, 1, 1}), (Rows{"."}));
   EXPECT_EQ(picture(state, mesh, {1, 1, 2}), (Rows{".#"}));
@@ -131,8 +133,8 @@ using RationalLinearClipping = EitherWay;
 
 INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearClipping, EitherWay::ways(), EitherWay::way_name);
 
-/// Vertices at window (2, 0) and (6, 0) before the eye; the third is behind it, at (4, −8): what is
-/// seen are the points below v = 0 between the lines from (4, −8) through the other two.
+/// Vertices at window (2, 0) and (6, 0) before the eye; the third is behind it, at (4, −8): the
+/// visible part lies below v = 0 between the lines from (4, −8) through the other two vertices.
 SmallMesh behind_the_eye(const State& state) {
   SmallMesh mesh;
   mesh.positions = {at(state, 2, 0), at(state, 6, 0), at(state, 4, -8, -1)};
@@ -158,7 +160,7 @@ TEST_P(RationalLinearClipping, ValuesGoOnBehindTheEye) {
   state.attributes = {{}};
   SmallMesh mesh = behind_the_eye(state);
   mesh.attributes = {0, 0, 1};
-  // With weights a, b, c of the vertices: v = 8c / (a + b − c) = 8c / (1 − 2c).
+  // For weights a, b, c of the vertices, v = 8c / (a + b − c) = 8c / (1 − 2c).
   const auto exact = [](double, double v) { return v / (8 + 2 * v); };
   expect_values(fragments_of(state, mesh, kEight), exact);
   state.depth_clamp = true;
@@ -176,14 +178,15 @@ TEST_P(RationalLinearClipping, WhatIsWhollyBehindTheEyeIsNotDrawn) {
   }
 }
 
-/// Columns or rows 0 to 3, those in `which` drawn.
+/// A picture of 4 x 4 samples with the columns drawn that `which` marks, or the rows if `along_v`.
 Rows stripes(bool along_v, const std::string& which) {
   Rows rows;
   for (std::size_t i = 0; i < 4; ++i) rows.push_back(along_v ? std::string(4, which[i]) : which);
   return rows;
 }
 
-// Kills: clip edges that follow the fill rule; near for far; OpenGL's depth for the others'.
+// Kills: clip edges that follow the fill rule; near confused with far; OpenGL's depth range used
+// for the other conventions.
 TEST_P(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
   for (const Convention convention : kConventions) {
     const State state = small_state(4, 4, convention);
@@ -200,7 +203,7 @@ TEST_P(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
   }
 }
 
-// Kills: a cut edge that forgets, when it is cut again, that it is one.
+// Kills: a cut edge that is no longer treated as one when it is cut again.
 TEST_P(RationalLinearClipping, SamplesOnADepthCutAreInsideHoweverItIsCutItself) {
   State state = small_state(4, 4);
   state.clip_distance_count = 1;
@@ -224,7 +227,7 @@ TEST_P(RationalLinearClipping, DepthClampKeepsWhatIsNearerOrFartherAndClampsItsD
   }
 }
 
-// Kills: clip distances closed everywhere, or open everywhere.
+// Kills: clip distances that keep samples at 0 in every convention, or in none.
 TEST_P(RationalLinearClipping, ADistanceAndItsNegativeShareNoSampleButInD3d) {
   for (const Convention convention : kConventions) {
     for (const bool along_v : {false, true}) {
@@ -258,7 +261,7 @@ TEST_P(RationalLinearClipping, EveryDistanceClips) {
     state.clip_distance_count = kMaxClipDistances;
     SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
     mesh.clip_distances.assign(4 * kMaxClipDistances, 1);
-    // Falls from 1 to −1 from left to right.
+    // The distance falls from 1 on the left to −1 on the right.
     mesh.clip_distances[1 * kMaxClipDistances + i] = -1;
     mesh.clip_distances[2 * kMaxClipDistances + i] = -1;
     EXPECT_EQ(picture(state, mesh, kFour), Rows(4, "##..")) << i;
@@ -281,7 +284,8 @@ TEST_P(RationalLinearClipping, ValuesStayWhereTheGuardBandCuts) {
 
 class RationalLinearConventions : public EitherWay {
  protected:
-  /// Whether the triangle window (0, 0), (4, 0), (0, 4), which turns from u to v, is drawn.
+  /// True if the triangle with window corners (0, 0), (4, 0), (0, 4), which turn from u to v, is
+  /// drawn.
   static bool is_drawn(const State& state) {
     const State plain = small_state(4, 4, state.convention);
     return fragments_of(state, triangle(plain, {0, 0}, {4, 0}, {0, 4}), kFour).size() > 0;
@@ -291,7 +295,7 @@ class RationalLinearConventions : public EitherWay {
 INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearConventions, EitherWay::ways(), EitherWay::way_name);
 
 TEST_P(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
-  // The corner of least x and y in NDC.
+  // A triangle in the corner with the least x and y in NDC.
   const SmallMesh mesh{{{-1, -1, 0, 1}, {0, -1, 0, 1}, {-1, 0, 0, 1}}, {}, {}, {{0, 1, 2}}};
   const Rows least_rows{"#.", ".."};
   const Rows greatest_rows{"..", "#."};
@@ -315,7 +319,7 @@ TEST_P(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {
   EXPECT_EQ(picture(state, mesh, kFour), (Rows{"#...", "##..", "###.", "####"}));
 }
 
-// Kills: facing without regard to where v points.
+// Kills: facing that ignores where v points.
 TEST_P(RationalLinearConventions, FacingIsMeantAsDisplayed) {
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
@@ -344,12 +348,13 @@ TEST_P(RationalLinearConventions, ANegativeViewportHeightTurnsFacing) {
   EXPECT_FALSE(is_drawn(state));
 }
 
-// Kills: facing from divided positions.
+// Kills: facing computed from divided positions.
 TEST_P(RationalLinearConventions, FacingHoldsWithAVertexBehindTheEye) {
   State state = small_state(8, 8);
   state.cull = Cull::back;
   const SmallMesh mesh = behind_the_eye(state);
-  // Seen from v = 0 downwards, (2, 0) to (6, 0) is the upper side: clockwise as displayed.
+  // The visible part lies below v = 0, so that the edge from (2, 0) to (6, 0) is its upper side:
+  // clockwise as displayed.
   state.front_face = FrontFace::cw;
   EXPECT_GT(fragments_of(state, mesh, kEight).size(), 0U);
   state.front_face = FrontFace::ccw;

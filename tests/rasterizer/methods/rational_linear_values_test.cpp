@@ -20,7 +20,8 @@ using RationalLinearValues = EitherWay;
 
 INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearValues, EitherWay::ways(), EitherWay::way_name);
 
-/// w = 1 at u = 0 and 2 at u = 4, the attribute 0 and 1: u/8 over (8 − u)/8.
+/// A triangle with w = 1 and the attribute 0 at u = 0, w = 2 and the attribute 1 at u = 4. The
+/// attribute is u/8 over (8 − u)/8.
 SmallMesh in_perspective(const State& state) {
   SmallMesh mesh;
   mesh.positions = {at(state, 0, 0, 1, 0), at(state, 4, 0, 2, 0.5F), at(state, 0, 4, 1, 0)};
@@ -39,7 +40,7 @@ TEST_P(RationalLinearValues, SmoothIsLinearOverLinear) {
   }
 }
 
-// Kills: sums of zeros of both signs at an extrapolated centre, and −0 · w with w < 0.
+// Kills: sums of zeros of both signs at an extrapolated centre; −0 · w with w < 0.
 TEST_P(RationalLinearValues, AZeroAtAllVerticesKeepsItsSign) {
   State state = small_state(4, 4);
   for (const Location location : {Location::sample, Location::center, Location::centroid}) {
@@ -73,7 +74,7 @@ TEST_P(RationalLinearValues, NoperspectiveStaysLinearInTheWindowWhereClipped) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::noperspective, Location::sample}};
   SmallMesh mesh = in_perspective(state);
-  // Depth falls from 1 to −1 along u: cut at u = 2.
+  // Depth falls from 1 to −1 along u, which cuts the triangle at u = 2.
   mesh.positions[0].z = 1;
   mesh.positions[1].z = -2;
   mesh.positions[2].z = 1;
@@ -112,7 +113,7 @@ TEST_P(RationalLinearValues, EveryAttributeHasItsOwnQualifier) {
   }
 }
 
-// Kills: a + (b − a) t with weights that do not add to one.
+// Kills: means with weights that do not add to one.
 TEST_P(RationalLinearValues, ConstantsComeOutExactly) {
   for (const float constant : {0.1F, -3e38F, 1e-45F, 1.0F / 3}) {
     State state = small_state(16, 16);
@@ -137,11 +138,12 @@ TEST_P(RationalLinearValues, ASampleOnAVertexHasItsValue) {
   EXPECT_EQ(value_at(fragments_of(state, mesh, kFour), 0, 0), 0.1F);
 }
 
-// Kills: sums in float32, where the parts overflow.
+// Kills: sums in float32, whose parts overflow.
 TEST_P(RationalLinearValues, WhatIsBeyondFloatComesOutInfinite) {
   State state = small_state(1, 1);
   state.attributes = {{Interpolation::noperspective, Location::center}};
-  // u + v < 9/16: sample 1 of two, (4, 4), is covered; at the centre the value is 16/9 of 3e38.
+  // The triangle is u + v < 9/16. Of two samples, it covers sample 1, at (4, 4) sixteenths. At the
+  // centre the value is 16/9 of 3e38.
   SmallMesh mesh = triangle(state, {0, 0}, {0.5625F, 0}, {0, 0.5625F});
   mesh.attributes = {0, 3e38F, 3e38F};
   const Fragments fragments = fragments_of(state, mesh, {1, 1, 2});
@@ -153,8 +155,9 @@ TEST_P(RationalLinearValues, WhatIsBeyondFloatComesOutInfinite) {
 
 class RationalLinearLocations : public EitherWay {
  protected:
-  /// The columns left of `edge`, w = 1, with the attribute u, in a target of 2 x 1 pixels with 4
-  /// samples. x of the samples in 1/16: 6, 14, 2, 10; so left of 5/4 is of pixel 1 only sample 2.
+  /// The fragments of the columns left of `edge`, with w = 1 and the attribute u, in a target of 2
+  /// x 1 pixels with 4 samples. The samples' x in sixteenths are 6, 14, 2, 10, so that only sample
+  /// 2 of pixel 1 lies left of 5/4.
   static Fragments left_part(Location location, float edge) {
     State state = small_state(2, 1);
     state.attributes = {{Interpolation::smooth, location}};
@@ -175,7 +178,7 @@ TEST_P(RationalLinearLocations, SampleIsWhereTheSampleLies) {
   EXPECT_EQ(value_at(fragments, 1, 0, 2), 18 / 16.0F);
 }
 
-// Kills: the centre held to the triangle.
+// Kills: a centre moved into the triangle.
 TEST_P(RationalLinearLocations, CenterExtrapolatesWhereTheCentreIsUncovered) {
   const Fragments fragments = left_part(Location::center, 1.25F);
   for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
@@ -193,11 +196,12 @@ TEST_P(RationalLinearLocations, CenterExtrapolatesInPerspective) {
   }
 }
 
-// Kills: the plane through what clipping left, here a line.
+// Kills: a plane through the part that clipping leaves, which is a line here.
 TEST_P(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::smooth, Location::center}};
-  // Its left edge, through the first sample of each pixel of column 0, touches the near plane.
+  // The left edge goes through the first sample of each pixel in column 0, and touches the near
+  // plane.
   SmallMesh mesh = triangle(state, {0.375F, 0}, {4.375F, 0}, {0.375F, 4});
   mesh.positions[1].z = -1;
   mesh.attributes = {0.375F, 4.375F, 0.375F};
@@ -206,16 +210,17 @@ TEST_P(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
   EXPECT_EQ(fragments.attributes, std::vector<float>(4, 0.5F));
 }
 
-// Kills: centroid as centre; the last covered sample for the first.
+// Kills: a centroid that is always the centre; the last covered sample used instead of the first.
 TEST_P(RationalLinearLocations, CentroidIsTheCentreOrTheFirstCoveredSample) {
-  // Each triangle of a rectangle counts by itself, so one triangle over all of pixel 0 is needed:
-  // its right side falls from u = 2 to u = 1.
+  // The two triangles of a rectangle are covered separately, so this test uses one triangle that
+  // covers all of pixel 0. In row 0, its right side goes from u = 2 to u = 1.
   State state = small_state(2, 1);
   state.attributes = {{Interpolation::smooth, Location::centroid}};
   SmallMesh mesh = triangle(state, {0, 0}, {2, 0}, {0, 2});
   mesh.attributes = {0, 2, 0};
   const Fragments fragments = fragments_of(state, mesh, {2, 1, 4});
-  // u + v < 2; (u, v) of pixel 1 in 1/16: (22, 2), (30, 6), (18, 10), (26, 14).
+  // The triangle is u + v < 2. The samples of pixel 1 are at (22, 2), (30, 6), (18, 10), (26, 14)
+  // sixteenths.
   ASSERT_EQ(picture(fragments, {2, 1, 4}), (Rows{"#####.#."}));
   for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
   EXPECT_EQ(value_at(fragments, 1, 0, 0), 22 / 16.0F);
@@ -227,7 +232,7 @@ TEST_P(RationalLinearLocations, CentroidTakesSamplesOutsideTheViewportForUncover
   state.attributes = {{Interpolation::smooth, Location::centroid}};
   state.viewport.origin = {0.5F, 0};
   SmallMesh mesh = triangle(state, {-2, 0}, {4, 0}, {-2, 6});
-  mesh.attributes = {-1.5F, 4.5F, -1.5F};  // the window's u, from 1/2 right of small_state's
+  mesh.attributes = {-1.5F, 4.5F, -1.5F};  // the window's u, which the viewport shifts by 1/2
   const Fragments fragments = fragments_of(state, mesh, {1, 1, 4});
   ASSERT_EQ(picture(fragments, {1, 1, 4}), (Rows{".#.#"}));
   EXPECT_EQ(value_at(fragments, 0, 0, 3), 14 / 16.0F);
@@ -266,7 +271,7 @@ TEST_P(RationalLinearDepth, DepthIsMappedFromTheConventionsRange) {
       for (glm::vec4& p : m.positions) p = {p.x * 4, p.y * 4, 1, 4};
       return m;
     }();
-    // z/w = 1/4, of −1…1 it is 5/8 of the way.
+    // z/w = 1/4 is 5/8 of the way from −1 to 1.
     const float expected = convention == Convention::opengl ? 0.5625F : 0.375F;
     EXPECT_EQ(fragments_of(state, mesh, {1, 1, 1}).depth, (std::vector<float>{expected}));
   }
@@ -293,8 +298,8 @@ TEST_P(RationalLinearDepth, DepthIsLinearInTheWindow) {
   }
 }
 
-// Kills: a mean of equal ends that is not always their value. The depth, 3/4 of 12000002 · 2^-24,
-// lies halfway between two floats, where any error shows.
+// Kills: a mean of two equal ends that differs from their value. The depth, 3/4 of 12000002 ·
+// 2^-24, lies halfway between two floats, where any error shows.
 TEST_P(RationalLinearDepth, APlaneOfEqualDepthHasOneDepth) {
   State state = small_state(16, 16);
   state.viewport.max_depth = 0.75F;
@@ -309,15 +314,16 @@ TEST_P(RationalLinearDepth, APlaneOfEqualDepthHasOneDepth) {
     EXPECT_EQ(fragments.depth, std::vector<float>(fragments.size(), 9000002 * 0x1p-24F));
   };
   expect_one_depth();
-  // Clipped, with one w.
+  // Clipped, with w = 1 at all vertices.
   for (glm::vec4& p : mesh.positions) p /= p.w;
   state.clip_distance_count = 2;
   mesh.clip_distances = {0.7F, -0.1F, -0.3F, 0.9F, 0.3F, 0.7F};
   expect_one_depth();
 }
 
-// Behind the eye and beyond the window, at every location: what is cut and what is extrapolated.
-// Both are within an ulp or two of what is exact; values are below 8, whose ulp is 2^-21.
+// A triangle that reaches behind the eye and beyond the window, with values at every location, also
+// cut and extrapolated ones. Both drawings are within one or two ulp of the exact values, which are
+// below 8, so that an ulp is at most 2^-21.
 TEST(RationalLinearMethod, DrawsWhatTheRasterizerDoesOfAClippedTriangle) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::smooth, Location::sample},

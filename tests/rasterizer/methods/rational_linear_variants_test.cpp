@@ -1,5 +1,5 @@
-// rational-linear and the methods that differ from it in a step: what they cost, and what float32
-// and additions along the rows do to values.
+// rational-linear and the methods that differ from it in one step: what they cost, and how float32
+// and additions along the rows change values.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace rastercheck::rasterizer::rational_linear_variants_test {
 namespace {
 
-/// Of a row.
+/// The number of edges that bound a row.
 constexpr std::size_t kEdges = 2;
 
 constexpr std::string_view kNames[] = {"rational-linear", "rational-linear-float",
@@ -30,16 +30,16 @@ Fragments drawn_by(std::string_view method, const State& state, const SmallMesh&
   return fragments;
 }
 
-/// The units that a promise counts in.
+/// The unit in which a promise counts errors.
 double scale_ulp(double greatest) {
   return std::ldexp(1.0, std::max(std::ilogb(greatest), -126) - 23);
 }
 
 OperationCounts operations_of(std::string_view name) { return find_method(name)->operations(); }
 
-// Seed 002 §4: n + 1 divisions per vertex, none per polygon, n divisions per pixel. By hand: three
-// parameters; the weights of a place take three differences, a mean of two ends two products, a sum
-// and a division.
+// Heckbert & Moreton 1991, §4: n + 1 divisions per vertex, none per polygon, n divisions per pixel.
+// By hand, for three parameters: the weights of a place take three differences; a mean of two ends
+// takes two products, a sum and a division.
 TEST(RationalLinearOperations, AreThoseOfThePaperAndOfTheMeans) {
   const OperationCounts counts = operations_of("rational-linear");
   EXPECT_EQ(counts.per_polygon, (Operations{0, 0, 0}));
@@ -48,7 +48,7 @@ TEST(RationalLinearOperations, AreThoseOfThePaperAndOfTheMeans) {
   EXPECT_EQ(counts.per_pixel, (Operations{3 + 3, 6, 3 + 2}));
 }
 
-// The weights are two quotients of differences, so that a mean divides nothing.
+// The weights are two quotients of differences, so that a mean needs no division.
 TEST(RationalLinearOperations, InFloat32DivideOnceForAPlace) {
   const OperationCounts counts = operations_of("rational-linear-float");
   EXPECT_EQ(counts.per_polygon, (Operations{0, 0, 0}));
@@ -57,8 +57,8 @@ TEST(RationalLinearOperations, InFloat32DivideOnceForAPlace) {
   EXPECT_EQ(counts.per_pixel, (Operations{3 + 3, 6, 2 + 2}));
 }
 
-// Seed 002 §3.1: "a per pixel cost of three additions, two divisions, and a texture access". A row
-// sets up its first sample, its width and three steps besides the ends.
+// Heckbert & Moreton 1991, §3.1: "a per pixel cost of three additions, two divisions, and a texture
+// access". Besides the ends, a row sets up its first sample, its width and three steps.
 TEST(RationalLinearOperations, OfIncrementsAreThreeAdditionsAndTwoDivisionsAPixel) {
   const OperationCounts counts = operations_of("rational-linear-incremental");
   EXPECT_EQ(counts.per_vertex, (Operations{0, 0, 3}));
@@ -66,8 +66,8 @@ TEST(RationalLinearOperations, OfIncrementsAreThreeAdditionsAndTwoDivisionsAPixe
   EXPECT_EQ(counts.per_pixel, (Operations{3, 0, 2}));
 }
 
-// w = 1 at u = 0 and 2 at u = 4, the attribute 0 and 1: u/8 over (8 − u)/8, all of it dyadic, so
-// that only the last division rounds.
+// With w = 1 and the attribute 0 at u = 0, w = 2 and the attribute 1 at u = 4, the attribute is u/8
+// over (8 − u)/8. All of these numbers are dyadic, so that only the last division rounds.
 TEST(RationalLinearVariants, AreExactWhereNothingRounds) {
   State state = small_state(4, 4);
   state.attributes = {{}};
@@ -85,7 +85,7 @@ TEST(RationalLinearVariants, AreExactWhereNothingRounds) {
   }
 }
 
-// Kills: r/w and 1/w put into float32 as they are, where they overflow and underflow.
+// Kills: r/w and 1/w stored in float32 without scaling, where they overflow and underflow.
 TEST(RationalLinearVariants, HoldForTheGreatestAndTheLeastNumbers) {
   State state = small_state(4, 4);
   state.attributes = {{}};
@@ -107,12 +107,11 @@ TEST(RationalLinearVariants, HoldForTheGreatestAndTheLeastNumbers) {
   }
 }
 
-/// The worst difference from rational-linear in scale ULP, over random triangles of a target of
-/// `width` x 4 pixels, w from 1 to `ratio`, and the greatest 1/w of each over that of its
-/// fragments.
+/// The worst difference from rational-linear in scale ULP, over random triangles in a target of
+/// `width` x 4 pixels, with w from 1 to `ratio`.
 struct Differences {
   double greatest = 0;
-  double greatest_beyond = -std::numeric_limits<double>::infinity();  ///< what is promised
+  double greatest_beyond = -std::numeric_limits<double>::infinity();  ///< over the promise
 };
 
 Differences differences(std::string_view method, int width, float ratio, std::size_t triangles) {
@@ -156,7 +155,7 @@ Differences differences(std::string_view method, int width, float ratio, std::si
   return found;
 }
 
-// Kills: parameters in double by another name; a promise that the horizon breaks.
+// Kills: parameters that are double after all; a promise that does not hold near the horizon.
 TEST(RationalLinearFloat, IsOffByUnitsAndNotMoreTowardsTheHorizon) {
   for (const float ratio : {1.5F, 0x1p20F}) {
     const Differences found = differences("rational-linear-float", 256, ratio, 300);
@@ -165,7 +164,7 @@ TEST(RationalLinearFloat, IsOffByUnitsAndNotMoreTowardsTheHorizon) {
   }
 }
 
-// Kills: an increment that is not added but multiplied, whose error does not grow.
+// Kills: steps that are multiplied instead of added, whose error does not grow.
 TEST(RationalLinearIncremental, DriftsWithTheWidth) {
   const Differences narrow = differences("rational-linear-incremental", 64, 4, 100);
   const Differences wide = differences("rational-linear-incremental", 8192, 4, 100);
@@ -175,7 +174,7 @@ TEST(RationalLinearIncremental, DriftsWithTheWidth) {
   EXPECT_GT(wide.greatest, 10 * narrow.greatest);
 }
 
-// Kills: values of a denominator that has drifted to nothing.
+// Kills: values divided by a denominator that has drifted to zero.
 TEST(RationalLinearIncremental, StaysInTheRangeOfTheVertices) {
   State state = small_state(4096, 4);
   state.attributes = {{}};
@@ -191,10 +190,10 @@ TEST(RationalLinearIncremental, StaysInTheRangeOfTheVertices) {
   EXPECT_LE(*greatest, 2);
 }
 
-// A viewport of 8 columns at the far end of a wide target, in a triangle that reaches all over it:
-// its rows are 8 steps long, those of centres too. What is promised of so few is 2 (23 + 16) and 1
-// scale ULP times g, here 1; the steps of the whole target, 4096, cost hundreds.
-// Kills: increments of centres that begin at the target's left side.
+// A viewport of 8 columns at the far end of a wide target, in a triangle that reaches across the
+// whole target. The viewport's rows, and the rows of centres, are 8 steps long. The promise for so
+// few steps is 2 (23 + 16) + 1 scale ULP times g, and g is 1 here. The 4096 steps of the whole
+// target would cost hundreds. Kills: increments for centres that begin at the target's left side.
 TEST(RationalLinearIncremental, BeginsWhereTheViewportDoes) {
   State state;
   state.viewport.origin = {4088, 0};

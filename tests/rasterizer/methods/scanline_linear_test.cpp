@@ -1,5 +1,6 @@
-// scanline-linear by hand, and what Heckbert and Moreton say of it (seed 002 §2.1): it is rotation
-// invariant on triangles, and on polygons of more sides only where parameters are screen-affine.
+// scanline-linear checked by hand, and what Heckbert & Moreton 1991, §2.1, say of it: it is
+// rotation invariant on triangles, but on polygons with more sides only if parameters are
+// screen-affine.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@
 namespace rastercheck::rasterizer::scanline_linear_test {
 namespace {
 
-/// Of a row.
+/// The number of edges that bound a row.
 constexpr std::size_t kEdges = 2;
 
 constexpr std::string_view kName = "scanline-linear";
@@ -30,7 +31,7 @@ State with_one_attribute(int size) {
   return state;
 }
 
-/// A corner in window coordinates, w = 1, and its value.
+/// A corner in window coordinates, with w = 1, and its value.
 struct Corner {
   float u = 0;
   float v = 0;
@@ -44,7 +45,7 @@ std::vector<PolygonVertex> polygon_of(const State& state, const std::vector<Corn
   return polygon;
 }
 
-/// The values of a polygon by pixel.
+/// The values of a polygon at each pixel.
 std::map<std::pair<int, int>, float> values_of(const State& state, const TargetSize& size,
                                                const std::vector<Corner>& corners) {
   Fragments fragments;
@@ -56,7 +57,8 @@ std::map<std::pair<int, int>, float> values_of(const State& state, const TargetS
   return values;
 }
 
-/// The camera turned by a quarter about the middle of a square window: (u, v) goes to (S − v, u).
+/// The corners after the camera turns by a quarter about the middle of a square window of `size`
+/// pixels S: (u, v) goes to (S − v, u).
 std::vector<Corner> turned(int size, std::vector<Corner> corners) {
   for (Corner& c : corners) c = {static_cast<float>(size) - c.v, c.u, c.r};
   return corners;
@@ -71,7 +73,7 @@ double change_when_turned(int size, const std::vector<Corner>& corners) {
   std::size_t compared = 0;
   for (const auto& [pixel, value] : before) {
     const auto found = after.find({size - 1 - pixel.second, pixel.first});
-    if (found == after.end()) continue;  // on an edge, which the fill rule gives to another side
+    if (found == after.end()) continue;  // on an edge that the fill rule gives to the other side
     ++compared;
     greatest = std::max(greatest, std::abs(double{value} - double{found->second}));
   }
@@ -81,7 +83,7 @@ double change_when_turned(int size, const std::vector<Corner>& corners) {
 
 // --- Triangles ----------------------------------------------------------------------------------
 
-// w = 1 at u = 0 and 2 at u = 4: the attribute is u/4 in the window, whatever w.
+// w is 1 at u = 0 and 2 at u = 4, but the attribute is u/4 in the window.
 TEST(ScanlineLinear, IsAffineInTheWindowOnATriangle) {
   State state = with_one_attribute(4);
   SmallMesh mesh;
@@ -93,7 +95,7 @@ TEST(ScanlineLinear, IsAffineInTheWindowOnATriangle) {
   expect_values(fragments, [](double u, double) { return u / 4; });
 }
 
-// Kills: uncovered centres in perspective where the rest is affine.
+// Kills: perspective values at uncovered centres, where the other values are affine.
 TEST(ScanlineLinear, ExtrapolatesWhatItClaims) {
   State state = with_one_attribute(4);
   state.attributes[0].location = Location::center;
@@ -106,9 +108,9 @@ TEST(ScanlineLinear, ExtrapolatesWhatItClaims) {
   expect_values(fragments, [](double u, double) { return u / 4; });
 }
 
-// By hand. Window positions (0, 0), (8, 0), (0, 8) with w 1, 1, 3 and r 0, 0, 8; the clip distance
-// 1, 1, −1 cuts halfway in clip space, at v = 6 with r = 4. So r = 2 v/3 between v = 0 and 6, where
-// the affine function is v and the perspective one 4 v/(12 − v).
+// By hand. Window positions (0, 0), (8, 0), (0, 8) with w = 1, 1, 3 and r = 0, 0, 8. The clip
+// distances 1, 1, −1 cut halfway in clip space, at v = 6 with r = 4. So r = 2 v/3 between v = 0 and
+// 6. The affine function would be v, and the perspective one 4 v/(12 − v).
 TEST(ScanlineLinear, IsNeitherAffineNorInPerspectiveWhereClipped) {
   State state = with_one_attribute(8);
   state.clip_distance_count = 1;
@@ -138,7 +140,7 @@ TEST(ScanlineLinear, ClaimsTheRangeOfTheVerticesOfADrawThatIsClipped) {
   EXPECT_EQ(method.promise(state, mesh.mesh(), {8, 8, 1}).claims, Claim::affine);
 }
 
-// By hand: two parameters, as rational-linear's but without 1/w, and no division but the means'.
+// By hand: two parameters, as for rational-linear but without 1/w, and divisions only in means.
 TEST(ScanlineLinear, DividesNothingByW) {
   const OperationCounts counts = find_method(kName)->operations();
   EXPECT_EQ(counts.per_polygon, (Operations{0, 0, 0}));
@@ -149,8 +151,9 @@ TEST(ScanlineLinear, DividesNothingByW) {
 
 // --- Rotation -----------------------------------------------------------------------------------
 
-/// Corners on a circle within a window of `size` pixels, in sixteenths of pixels, in order; where
-/// float32 and double hold all that is made of them but the values. Values in [−1, 1).
+/// Corners in order on a circle within a window of `size` pixels, in sixteenths of pixels, so that
+/// float32 and double hold everything computed from the corners exactly, except the values. Values
+/// are in [−1, 1).
 std::vector<Corner> random_polygon(std::mt19937& random, int size, std::size_t count) {
   std::vector<double> angles;
   for (std::size_t i = 0; i < count; ++i) {
@@ -169,7 +172,8 @@ std::vector<Corner> random_polygon(std::mt19937& random, int size, std::size_t c
   return corners;
 }
 
-// By hand, as in the method's comment: 72/11 and 7 at (4 1/2, 2 1/2).
+// By hand, as in the method's comment: the value at (4 1/2, 2 1/2) is 72/11 before the turn and 7
+// after it.
 TEST(ScanlineLinearRotation, ChangesAQuadByWhatIsCalculatedByHand) {
   const State state = with_one_attribute(8);
   const std::vector<Corner> quad{{0, 0, 0}, {8, 0, 8}, {4, 4, 8}, {0, 4, 0}};
@@ -179,11 +183,11 @@ TEST(ScanlineLinearRotation, ChangesAQuadByWhatIsCalculatedByHand) {
   EXPECT_EQ(after.at({5, 4}), 7);
 }
 
-// Two roundings to float32 of numbers below 1, each of half of 2^-24 and a little.
+// The error of two roundings to float32 of numbers below 1, each slightly more than half of 2^-24.
 constexpr double kTwoRoundings = 2 * 0x1.001p-25;
 
-// Values at four corners are affine by chance only. The floor of the greatest is the share of the
-// range in the calculation by hand, 5/88.
+// Values at four corners are affine only by chance. The greatest change must exceed the share 5/88
+// of the range, as calculated by hand; the range here is 2.
 TEST(ScanlineLinearRotation, ChangesEveryQuad) {
   std::mt19937 random(20260902);
   double greatest = 0;
@@ -195,7 +199,7 @@ TEST(ScanlineLinearRotation, ChangesEveryQuad) {
   EXPECT_GT(greatest, 2 * 5.0 / 88);
 }
 
-// Kills: interpolation from the left end alone; rows that begin at whole pixels.
+// Kills: interpolation from the left end only; rows that begin at whole pixels.
 TEST(ScanlineLinearRotation, ChangesNoTriangle) {
   std::mt19937 random(20260903);
   for (int i = 0; i < 200; ++i) {

@@ -31,8 +31,9 @@ State one_attribute(int size) {
   return state;
 }
 
-/// A right triangle with legs of `size` pixels, w and the attribute `value` at the end of the leg
-/// along u, 1 and 0 at the other two vertices: r = b_1, a function of u alone.
+/// A right triangle with legs of `size` pixels. The end of the leg along u has the given w and the
+/// attribute `value`; the other two vertices have w = 1 and the attribute 0. So r depends on u
+/// alone.
 SmallMesh leaning(const State& state, float size, float w, float value = 1) {
   SmallMesh mesh;
   mesh.positions = {at(state, 0, 0), at(state, size, 0, w), at(state, 0, size)};
@@ -41,36 +42,38 @@ SmallMesh leaning(const State& state, float size, float w, float value = 1) {
   return mesh;
 }
 
-// With w = 3 at u = 4 the middle of an edge there has w = 2 and lies at u = (0 · 1 + 4 · 3)/2/2 =
-// 3, where the attribute is 1/2: u/6 up to there, 1/2 + (u − 3)/2 beyond. (Exactly: u/(12 − 2u).)
-// Kills: new vertices halfway in the window, at u = 2; the lower piece's function in both pieces.
+// With w = 3 at u = 4, the middle of an edge to that vertex has w = 2 and lies at u = (0 · 1 + 4 ·
+// 3)/2/2 = 3, where the attribute is 1/2. So the attribute is u/6 up to u = 3, and 1/2 + (u − 3)/2
+// beyond. (In exact perspective it is u/(12 − 2u).) Kills: new vertices halfway in the window, at u
+// = 2; the lower piece's function in both pieces.
 TEST(Subdivide, InTwoBendsAtTheMiddlesOfTheEdges) {
   const State state = one_attribute(4);
   expect_values(drawn_by("subdivide-2", state, leaning(state, 4, 3), kFour),
                 [](double u, double) { return u <= 3 ? u / 6 : 0.5 + (u - 3) / 2; });
 }
 
-// r = b_1 + b_2 is 0, 1, 1 at the vertices, and at the middles of the edges 1/2 at (3, 0) and (0,
-// 2), 1 at (3, 1). Between these three r = u/3 + v/2 − 1/2; in the piece at (0, 0) it is u/6 + v/4.
+// r = b_1 + b_2 is 0, 1, 1 at the vertices. At the middles of the edges it is 1/2 at (3, 0) and (0,
+// 2), and 1 at (3, 1). In the piece between these three, r = u/3 + v/2 − 1/2; in the piece at (0,
+// 0) it is u/6 + v/4.
 TEST(Subdivide, GivesTheMiddlePieceItsOwnFunction) {
   const State state = one_attribute(4);
   SmallMesh mesh = leaning(state, 4, 3);
   mesh.attributes = {0, 1, 1};
   const Fragments fragments = drawn_by("subdivide-2", state, mesh, kFour);
-  // (5/2, 1/2) is beyond the line from (3, 0) to (0, 2), and (1/2, 1/2) is not.
+  // (5/2, 1/2) is beyond the line from (3, 0) to (0, 2), but (1/2, 1/2) is not.
   EXPECT_NEAR(value_at(fragments, 2, 0), 7.0 / 12, 0x1p-25);
   EXPECT_NEAR(value_at(fragments, 0, 0), 5.0 / 24, 0x1p-26);
 }
 
 // --- How far it is off ---------------------------------------------------------------------------
 
-/// (√ρ − 1)/(√ρ + 1) with ρ = 1 + (ratio − 1)/n, over n.
+/// (√ρ − 1)/(√ρ + 1)/n with ρ = 1 + (ratio − 1)/n.
 double share_of(double ratio, int n) {
   const double root = std::sqrt(1 + (ratio - 1) / n);
   return (root - 1) / (root + 1) / n;
 }
 
-/// The worst error on the triangle `leaning` with this w at the end, of its range.
+/// The worst error on the triangle `leaning` with this w at its end, as a share of the range.
 double worst_error(const std::string& method, float w) {
   constexpr int kSize = 128;
   const State state = one_attribute(kSize);
@@ -84,7 +87,7 @@ double worst_error(const std::string& method, float w) {
   return worst;
 }
 
-// Kills: a bound that is none; one that is far too large; pieces that are not used.
+// Kills: errors beyond the bound; a bound that is far too large; pieces that are not used.
 TEST(Subdivide, IsOffByTheBoundThatItPromises) {
   for (const float w : {1.0F, 1.5F, 4.0F, 9.0F, 100.0F}) {
     const SmallMesh mesh = leaning(one_attribute(4), 4, w);
@@ -101,7 +104,7 @@ TEST(Subdivide, IsOffByTheBoundThatItPromises) {
   }
 }
 
-// Near n = 8 a triangle with w from 1 to 3/2 is off by (1/2)/(4 n²) of the range, nearly.
+// Near n = 8, a triangle with w from 1 to 3/2 has an error of nearly (1/2)/(4 n²) of the range.
 TEST(Subdivide, TwiceAsManyPiecesAreOffByAFourth) {
   double before = worst_error("subdivide-4", 1.5F);
   for (const char* method : {"subdivide-8", "subdivide-16"}) {
@@ -121,23 +124,24 @@ TEST(Subdivide, PromisesOfMeshesTheMostOfTheirTriangles) {
   mesh.positions[4].w = 0;
   EXPECT_NEAR(share_promised("subdivide-2", mesh), 0.5, 0x1p-19);
   EXPECT_NEAR(share_promised("subdivide-16", mesh), 1.0 / 16, 0x1p-19);
-  // Wholly behind the eye, and not a number: not drawn.
+  // A triangle wholly behind the eye, or with a NaN, is not drawn.
   for (std::size_t i = 3; i < 6; ++i) mesh.positions[i].w = -1;
   EXPECT_NEAR(share_promised("subdivide-2", mesh), share_of(3, 2), 0x1p-19);
   mesh.positions[4].w = NAN;
   EXPECT_NEAR(share_promised("subdivide-2", mesh), share_of(3, 2), 0x1p-19);
 }
 
-// (0, 0) and (0, 4) with w = 1, and (−4, 0) with w = −1, where the attribute is 1: r = u/(4 + 2u).
-// The middles of the edges to it have w = 0 and r = 1/2, and all four pieces are cut: the two at
-// the corners in front have the mean of 0, 1/2, 0, the one in the middle that of 1/2, 0, 1/2.
+// The vertices are (0, 0) and (0, 4) with w = 1 and the attribute 0, and (−4, 0) with w = −1 and
+// the attribute 1, so that r = u/(4 + 2u). The middles of the edges to the last vertex have w = 0
+// and r = 1/2, so that all four pieces are cut. The two pieces at the corners in front have the
+// mean of 0, 1/2, 0, and the piece in the middle has the mean of 1/2, 0, 1/2.
 TEST(Subdivide, PiecesThatTheEyesPlaneCutsHaveOneValue) {
   const State state = one_attribute(4);
   SmallMesh mesh = leaning(state, -4, -1);
   mesh.positions[2] = at(state, 0, 4);
   const Fragments fragments = drawn_by("subdivide-2", state, mesh, kFour);
   EXPECT_EQ(fragments.size(), 16U);
-  // b_1 < 1/2 everywhere; b_2 = (v/4)/(1 + u/2), and the middle piece has b_1 + b_2 > 1/2, b_2 <
+  // b_1 < 1/2 everywhere; b_2 = (v/4)/(1 + u/2), and the middle piece has b_1 + b_2 > 1/2 and b_2 <
   // 1/2.
   EXPECT_EQ(value_at(fragments, 0, 0), 1.0F / 6);
   EXPECT_EQ(value_at(fragments, 3, 3), 1.0F / 3);
@@ -151,8 +155,8 @@ TEST(Subdivide, PiecesThatTheEyesPlaneCutsHaveOneValue) {
   }
 }
 
-// Kills: pieces continued beyond the triangle, whose hypotenuse u + v = 17/4 has samples on its
-// inner side in pixels whose centres lie beyond it.
+// Kills: pieces extended beyond the triangle. Its hypotenuse u + v = 17/4 has samples on the inner
+// side in pixels whose centres lie beyond it.
 TEST(Subdivide, ExtrapolatesByTheRationalFormula) {
   State state = one_attribute(4);
   state.attributes[0].location = Location::center;
@@ -169,20 +173,21 @@ TEST(Subdivide, ExtrapolatesByTheRationalFormula) {
 
 // --- The adaptive method -------------------------------------------------------------------------
 
-// Kills: splitting that stops early, or where it need not.
+// Kills: splitting that stops too early; splitting that is not needed.
 TEST(SubdivideAdaptive, IsOffByItsToleranceUnlessTheBudgetEnds) {
   constexpr double kTolerance = 1.0 / 256;
-  // n = 1: (√ρ − 1)/(√ρ + 1) = 1/514 with ρ = (515/513)², nothing to be split.
+  // For n = 1 and ρ = (515/513)², (√ρ − 1)/(√ρ + 1) = 1/514, so that nothing is split.
   const auto gentle = static_cast<float>(515.0 * 515 / (513.0 * 513));
   EXPECT_EQ(worst_error("subdivide-adaptive", gentle), worst_error("screen-linear", gentle));
   for (const float w : {1.5F, 4.0F, 9.0F}) {
     EXPECT_LE(worst_error("subdivide-adaptive", w), kTolerance + 0x1p-24);
     const SmallMesh mesh = leaning(one_attribute(4), 4, w);
     EXPECT_NEAR(share_promised("subdivide-adaptive", mesh), kTolerance, 0x1p-19 * kTolerance);
-    // What is split is above it, and falls to about a fourth.
+    // A piece is split if its error is above the tolerance, and the split divides the error by
+    // about 4.
     EXPECT_GT(worst_error("subdivide-adaptive", w), kTolerance / 4);
   }
-  // 32 pieces per edge at most.
+  // An edge has at most 32 pieces.
   for (const float w : {100.0F, 4096.0F}) {
     const double bound = share_of(w, 32);
     EXPECT_GT(bound, kTolerance);
@@ -195,8 +200,8 @@ TEST(SubdivideAdaptive, IsOffByItsToleranceUnlessTheBudgetEnds) {
 
 // --- Operations ----------------------------------------------------------------------------------
 
-// Four pieces per edge have 5 · 6/2 − 3 = 12 new vertices. Each has x, y, w and two attributes:
-// five means of three products, two sums and a division.
+// Four pieces per edge have 5 · 6/2 − 3 = 12 new vertices. Each has x, y, w and two attributes,
+// computed as five means of three products, two sums and a division.
 TEST(Subdivide, CountsOperationsOfAllPieces) {
   const OperationCounts one = find_method("screen-linear")->operations();
   const OperationCounts four = find_method("subdivide-4")->operations();
@@ -208,7 +213,8 @@ TEST(Subdivide, CountsOperationsOfAllPieces) {
   EXPECT_EQ(four.per_vertex, one.per_vertex);
   EXPECT_EQ(four.per_pixel, one.per_pixel);
   EXPECT_EQ(four.per_pixel.divisions, 0U);
-  // Of w = 1, 2, 4 pieces of 16 per edge are left where w is about 1, (4/1 − 1)/(4 · 8²) > 2^-8.
+  // For w = 1, 2, 4, pieces of 16 per edge remain where w is about 1, since (4/1 − 1)/(4 · 8²) >
+  // 2^-8.
   const auto polygon = [](const char* name) {
     return find_method(name)->operations().per_polygon.total();
   };

@@ -10,7 +10,7 @@
 namespace rastercheck::rasterizer::wide_float_test {
 namespace {
 
-// Kills: rounding towards zero, ties away from even, a carry lost.
+// Kills: rounding towards zero; ties rounded away from even; a lost carry.
 TEST(WideFloat, HasTheBitsOfFloatWithinItsRange) {
   Random random(1);
   for (int i = 0; i < 200'000; ++i) {
@@ -35,7 +35,7 @@ TEST(WideFloat, RoundsToTwentyFourBitsTiesToEven) {
   EXPECT_TRUE(std::signbit(static_cast<double>(WideFloat(-0.0))));
 }
 
-// Kills: a float inside.
+// Kills: values stored in float.
 TEST(WideFloat, GoesBeyondItsRange) {
   const WideFloat tiny = WideFloat(0x1.8p-149) * WideFloat(0x1.8p-149);
   EXPECT_EQ(static_cast<double>(tiny), 0x1.2p-297);

@@ -34,7 +34,7 @@ TEST(CropCells, HoldOldAgainstNewAndExact) {
   EXPECT_EQ(cells[1].change, kInfinite) << "drawn now only";
 }
 
-// Kills: a change where nothing is known of before.
+// Kills: showing a change although nothing is known about before.
 TEST(CropCells, SayNothingOfWhatWasNotKept) {
   const std::vector<CropCell> cells = crop_cells(records::sample_look());
   ASSERT_THAT(cells, SizeIs(2));
@@ -55,7 +55,7 @@ TEST(CropCells, TellTheSameBitsFromTheSameNumber) {
   EXPECT_FALSE(crop_cells(look)[0].error_before);
 }
 
-// Of depth, whose scale is that of the depth range, 0 to 1.
+// For depth, the scale is that of the depth range, 0 to 1.
 TEST(CropCells, AreOfTheValueThatIsLookedAt) {
   records::CloserLook look = records::sample_look();
   look.before = records::sample_specimen();
@@ -67,7 +67,7 @@ TEST(CropCells, AreOfTheValueThatIsLookedAt) {
   EXPECT_EQ(cells[0].change, 2);
 }
 
-// Kills: a pixel shown by a sample that did not change, or by the last one.
+// Kills: showing a pixel by a sample that did not change, or by the last sample.
 TEST(CropCells, ShowOfEachPixelTheSampleThatChangedMost) {
   records::CloserLook look = records::sample_look();
   look.inspection.samples[1].place.x = 3;

@@ -44,7 +44,8 @@ TEST(HistogramSvg, IsEmptyWithoutFiniteValues) {
   EXPECT_EQ(histogram_svg(histogram, "t"), "");
 }
 
-// 1/2 is the upper end of its octave, which it belongs to. Kills: octaves that are off by a bucket.
+// 1/2 is the upper end of its octave and belongs to that octave. Kills: octaves that are off by a
+// bucket.
 TEST(HistogramSvg, HasABarForEachOctaveBetweenTheEnds) {
   Histogram histogram;
   for (const double magnitude : {0.5, 0.26, 0.0626}) histogram.add(magnitude);
@@ -68,7 +69,7 @@ TEST(HistogramSvg, HasBarsForZeroAndForTheEnds) {
   EXPECT_EQ(titles[62], "error &gt; 2^40: 1 value");
 }
 
-// Heights are (log2(count) + 1) / (log2(most) + 1) of 100. Kills: a linear scale.
+// Heights are 100 (log2(count) + 1) / (log2(most) + 1). Kills: a linear scale.
 TEST(HistogramSvg, HeightsAreLogarithmic) {
   Histogram histogram;
   histogram.add_to_bucket(0, 1);
@@ -86,7 +87,7 @@ TEST(HistogramSvg, EscapesItsTitle) {
               HasSubstr("aria-label=\"a &quot;&lt;b&gt;&quot;\""));
 }
 
-/// Where the line at a limit is; nothing where there is none.
+/// The position of the line at a limit; empty if there is no line.
 std::optional<double> line_at(const Histogram& histogram, double limit) {
   const std::string svg = histogram_svg(histogram, "t", Limit{limit, "bound"});
   const std::regex line(R"re(<line class="limit" x1="([0-9.]+)")re");
@@ -95,7 +96,7 @@ std::optional<double> line_at(const Histogram& histogram, double limit) {
   return std::stod(match[1]);
 }
 
-// Three bars, (1/4, 1/2], (1/2, 1] and (1, 2], 34 units each, from 6 on.
+// Three bars, (1/4, 1/2], (1/2, 1] and (1, 2], each 34 units wide, starting at 6.
 TEST(HistogramSvg, HasALineAtTheLimit) {
   Histogram histogram;
   for (const double magnitude : {0.3, 0.6, 2.0}) histogram.add(magnitude);
@@ -133,7 +134,7 @@ Histogram histogram_of(const std::vector<double>& magnitudes) {
   return histogram;
 }
 
-/// Classes and heights of the bars of each octave, with what it says.
+/// The classes and heights of the bars of each octave, with their text.
 std::vector<std::string> pairs_of(const std::string& svg) {
   std::vector<std::string> pairs;
   const std::regex group("<g><title>([^<]*)</title>(.*)</g>");
@@ -151,8 +152,9 @@ std::vector<std::string> pairs_of(const std::string& svg) {
   return pairs;
 }
 
-// Heights: 100 units for the most, 4, which is log2 + 1 = 3 on the scale; so 1 is a third of it and
-// 2 two thirds. Kills: sides exchanged, or each with a scale or octaves of its own.
+// The greatest count, 4, has a height of 100 units. On the scale log2 + 1 it is 3, so a count of 1
+// has a third of the height, and 2 has two thirds. Kills: exchanging the sides; a scale or octaves
+// of its own for each side.
 TEST(OverlaySvg, HasBothOnOneScale) {
   const std::string svg =
       overlay_svg(histogram_of({0, 0.5, 0.5, 0.5, 0.5}), histogram_of({0.5, 2, 2}), "old & new");

@@ -34,7 +34,7 @@ TEST(InspectionData, HasWhatTheViewerReads) {
     "outlines": [[[1.0, 1.0], [7.0, 2.0], [2.0, 7.0]]], "left": 0, "top": 0, "width": 8,
     "height": 8, "shortened": false})"));
   ASSERT_EQ(samples.size(), 64U);
-  // The missing one, at (5/2, 11/2): by Q above e = 1/7, 9/70 and 51/70.
+  // The missing sample, at (5/2, 11/2). By the q-matrix above, e is 1/7, 9/70 and 51/70.
   EXPECT_EQ(samples[5 * 8 + 2], json::parse(R"([2, 5, 0, "required", "inside", 0, "0.707107",
                             ["0.142857", "0.128571", "0.728571", "1"],
                             [[-1, "181/280", 0.6464285714285715, null, null, null, null, "1",
@@ -56,7 +56,7 @@ TEST(InspectionData, OfCoverageNoValueIsChosen) {
   EXPECT_EQ(data_of(inspection)["q"], json());
 }
 
-// Whatever was looked for, there or not.
+// This holds whether or not the inspected sample is among the samples.
 TEST(InspectionData, IsCountedFromThePart) {
   records::Inspection inspection = sample_counterexample_inspection();
   inspection.left = 100;
@@ -72,7 +72,7 @@ TEST(InspectionData, IsCountedFromThePart) {
   EXPECT_EQ(data["left"], 100);
 }
 
-// Kills: an end of the script element within it, lines that JavaScript does not take for one.
+// Kills: ending the script element within its text; line breaks that are invalid in JavaScript.
 TEST(InspectionData, MayStandInAScriptElement) {
   records::Inspection inspection = sample_counterexample_inspection();
   const std::string name = "</script><!-- \xe2\x80\xa8 \xff";
@@ -83,7 +83,7 @@ TEST(InspectionData, MayStandInAScriptElement) {
   EXPECT_EQ(json::parse(data)["attributes"][0][0], "</script><!-- \xe2\x80\xa8 \xef\xbf\xbd");
 }
 
-/// One with numbers of 200 digits everywhere.
+/// An inspection with numbers of 200 digits everywhere.
 records::Inspection long_inspection() {
   records::Inspection inspection = sample_counterexample_inspection();
   for (records::InspectedSample& sample : inspection.samples) {
@@ -104,12 +104,12 @@ TEST(InspectionData, LeavesOutDigitsWhereAllAreTooMany) {
   const std::string shortened = data["samples"][8 + 1][8][1][1];
   EXPECT_EQ(shortened, std::string(30, '1') + "…" + std::string(29, '1') + "/" +
                            std::string(30, '3') + "…" + std::string(29, '3'));
-  // What was looked for has all of them.
+  // The inspected sample keeps all digits.
   const std::string kept = data["samples"][4 * 8 + 3][8][1][1];
   EXPECT_EQ(kept.size(), 401U);
 }
 
-// 8 pixels to either side of (20, 3), of 32 by 8.
+// 8 pixels on either side of (20, 3), of 32 by 8 pixels.
 TEST(InspectionData, LeavesOutWhatIsFarNext) {
   records::Inspection inspection = sample_counterexample_inspection();
   inspection.width = 32;

@@ -10,7 +10,7 @@ namespace {
 constexpr Color kPaper{255, 255, 255};
 constexpr Color kInk{0, 0, 0};
 
-/// A text in a small image as rows of "#" and ".".
+/// A text drawn in a small image, as rows of "#" and ".".
 std::string drawing_of(std::string_view text, int width, int height) {
   Image image = Image::filled(width, height, kPaper);
   write_text(image, 1, 1, text, kInk);
@@ -24,7 +24,7 @@ std::string drawing_of(std::string_view text, int width, int height) {
   return drawing;
 }
 
-// Kills: letters mirrored, upside down or without space between them.
+// Kills: letters that are mirrored, upside down, or without space between them.
 TEST(WriteText, DrawsLettersSideBySide) {
   EXPECT_EQ(drawing_of("P4", 13, 9),
             ".............\n"

@@ -23,7 +23,7 @@ TEST(DrawnLog2, IsAtMost009Below) {
   }
 }
 
-// Kills: a term too few, an exponent off by one.
+// Kills: a missing term; an exponent off by one.
 TEST(CurveLog2, IsTheLogarithm) {
   for (const double value : {0x1p-149, 0.001, 0.1, 0.75, 1.0, 1.4142135, 1.999999, 3.0, 1e9}) {
     EXPECT_NEAR(curve_log2(value), std::log2(value), 0x1p-40) << value;

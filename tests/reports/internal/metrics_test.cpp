@@ -38,7 +38,7 @@ const Metric& metric(const std::vector<MeteredEntry>& entries, std::string_view 
   throw std::out_of_range("no metric of that name");
 }
 
-// Kills: the greatest signed error for the worst one.
+// Kills: taking the greatest signed error as the worst one.
 TEST(MeteredEntries, TheWorstIsTheLargestMagnitude) {
   const auto entries = metered_entries(run_of(sizes_of(-3, 0.25)));
   ASSERT_EQ(entries.size(), 1U);
@@ -48,7 +48,7 @@ TEST(MeteredEntries, TheWorstIsTheLargestMagnitude) {
             (records::Enclosure{3, 3}));
 }
 
-// One of two values is off by more than a half.
+// One of two values is off by more than one half.
 TEST(MeteredEntries, MisroundedIsAShare) {
   const auto entries = metered_entries(run_of(sizes_of(-3, 0.25)));
   EXPECT_EQ(metric(entries, "misrounded").value, (records::Enclosure{0.5, 0.5}));

@@ -23,12 +23,13 @@ TEST(Findings, AnInspectionStandsWithItsCounterexample) {
   const std::string page = findings_of(sample_run());
   EXPECT_EQ(count_of(page, "<details class=\"finding\""), 3U);
   EXPECT_EQ(count_of(page, "viewer-place"), 2U);
-  // The first counterexample is open and has the first; the second has none and shows its text.
+  // The first counterexample is open and has the first viewer. The second has no viewer and shows
+  // its text.
   EXPECT_THAT(page, HasSubstr("<details class=\"finding\" id=\"inspection=0\" "
                               "data-inspection=\"0\" open>"));
   EXPECT_THAT(page, HasSubstr("<details class=\"finding\">"));
   EXPECT_EQ(count_of(page, "<pre class=\"unscripted\">"), 1U);
-  // And each has its case.
+  // Each finding has its case.
   EXPECT_EQ(count_of(page, "<summary>The case: state, vertices, triangles</summary>\n<pre>"), 3U);
   EXPECT_EQ(count_of(page, "<pre>"), 1U + 3U);
   EXPECT_THAT(page, HasSubstr("<p>Made smaller from “"));

@@ -26,7 +26,7 @@ TEST(Front, WhatIsViolatedComesFirst) {
 
 TEST(Front, HasTheFiguresOfTheWholeRun) {
   const std::string page = front(sample_run());
-  // Four rows of 1,000 cases, and of twice 3,012,040 samples each.
+  // Four rows with 1,000 cases each, and with 2 · 3,012,040 samples each.
   EXPECT_THAT(page, HasSubstr("<dt>cases checked</dt><dd><strong>4,000</strong>"));
   EXPECT_THAT(page, HasSubstr("<dt>samples judged</dt><dd><strong>24,096,320</strong>"));
 }
@@ -70,7 +70,7 @@ TEST(Front, SaysThatNothingWasLeftOut) {
   EXPECT_THAT(front(run), HasSubstr("<li>Nothing was left out.</li>"));
 }
 
-// Kills: a first screen without what was drawn, or with a scene where there was none.
+// Kills: a first screen without the scene's drawing, or with a scene although there was none.
 TEST(Front, ShowsTheScene) {
   const std::string page = front(sample_run());
   EXPECT_THAT(page, HasSubstr("<h2>The scene</h2>"));

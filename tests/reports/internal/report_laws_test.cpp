@@ -28,7 +28,7 @@ TEST(Laws, ALawHasAllItsBackends) {
   EXPECT_THAT(page, HasSubstr("<h3>coverage is exact <small>on method:float32</small></h3>"));
 }
 
-// Kills: a law that one cannot ask for, as its id is nowhere.
+// Kills: a law that a reader cannot select on the command line, because its id is not shown.
 TEST(Laws, AreIntroducedByTheirSentences) {
   const std::string page = laws(sample_run());
   EXPECT_THAT(page, HasSubstr("<span class=\"title\">coverage is &lt;that&gt; of the "
@@ -36,7 +36,7 @@ TEST(Laws, AreIntroducedByTheirSentences) {
   EXPECT_THAT(page, Not(HasSubstr("<code>values are within bounds</code>")));
 }
 
-// Kills: a bound of another law's violation.
+// Kills: using the bound of another law's violation.
 TEST(Laws, DrawTheBoundThatWasExceeded) {
   records::Run run = sample_run();
   run.counterexamples.resize(1);

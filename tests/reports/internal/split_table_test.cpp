@@ -19,7 +19,7 @@ TEST(SplitTable, EachBarBeginsWhereTheLastEnded) {
   split.parts = {{Stage::snap, {2, 2}}, {Stage::set_up, {-1, -1}}, {Stage::rounding, {0, 0}}};
   split.total = {1, 1};
   const std::string table = split_table(split);
-  // From 0 to 2 on 200 units.
+  // From 0 to 2, on 200 units.
   EXPECT_THAT(table, HasSubstr("<rect class=\"above\" x=\"0.0\" y=\"2\" width=\"200.0\""));
   EXPECT_THAT(table, HasSubstr("<rect class=\"below\" x=\"100.0\" y=\"2\" width=\"100.0\""));
   EXPECT_THAT(table, HasSubstr("<rect class=\"total\" x=\"0.0\" y=\"2\" width=\"100.0\""));
@@ -32,7 +32,7 @@ TEST(SplitTable, EachBarBeginsWhereTheLastEnded) {
                                "<td class=\"number\">+1</td>"));
 }
 
-// An error of 0, and one that no double bounds.
+// An error of 0, and an error that no double bounds.
 TEST(SplitTable, DrawsWithinItsBox) {
   ErrorSplit none;
   none.parts = {{Stage::rounding, {0, 0}}};

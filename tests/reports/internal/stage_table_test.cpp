@@ -19,7 +19,7 @@ TEST(StageTable, SharesAreOfSizeTimesNumber) {
                 {AttributeKind::smooth, Stratum::sliver, Stage::set_up, 5, {{0.5, 0.5}}}};
   const std::string table = stage_table(row);
   EXPECT_THAT(table, HasSubstr("<td>smooth</td><td>all</td>"));
-  // 2.5 and 7.5 of 10.
+  // The shares are 2.5 and 7.5 of 10.
   EXPECT_THAT(table, HasSubstr("<rect class=\"stage-3\" x=\"0.00\" width=\"25.00\""));
   EXPECT_THAT(table, HasSubstr("<rect class=\"stage-7\" x=\"25.00\" width=\"75.00\""));
   EXPECT_THAT(table, HasSubstr("data-name=\"set-up\">0.25</td>"));

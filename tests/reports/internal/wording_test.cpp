@@ -36,8 +36,8 @@ TEST(NumberText, HasCertainDigitsOrADash) {
   EXPECT_EQ(number_text(Enclosure{0.12345649, 0.12345651}), "0.12346");
 }
 
-// 2^(-9/8) = 0.45850202..., the border of a bucket. Kills: rounding to nearest, 0.458 or 0.459 by
-// luck.
+// 2^(-9/8) = 0.45850202..., the border of a bucket. Kills: rounding to nearest, which gives 0.458
+// or 0.459 by luck.
 TEST(AtMostText, RoundsUp) {
   EXPECT_EQ(at_most_text(std::nullopt), "–");
   EXPECT_EQ(at_most_text(Enclosure{0, 0}), "0");
@@ -59,8 +59,8 @@ RC_GTEST_PROP(AtMostText, IsNeverBelowAndNeverFarAbove, ()) {
   RC_ASSERT(shown <= value * 1.01);
 }
 
-// Kills: digits that are not certain; a bound rounded to nearest; the ends of an enclosure, to 17
-// digits, in a table.
+// Kills: digits that are not certain; a bound rounded to nearest; showing the ends of an enclosure,
+// with 17 digits, in a table.
 TEST(MeanText, HasCertainDigitsOrABound) {
   EXPECT_EQ(mean_text(std::nullopt), "–");
   EXPECT_EQ(mean_text(Enclosure{0, 0}), "0");
@@ -100,7 +100,7 @@ TEST(HasPrecision, IsTrueIfAnyRowHas) {
 TEST(Elided, KeepsBothEnds) {
   EXPECT_EQ(elided("1234567890123456", 16), "1234567890123456");
   EXPECT_EQ(elided("1234567890-abcdefghij", 16), "12345678…defghij");
-  // Seventeen characters of two bytes.
+  // Seventeen characters of two bytes each.
   std::string text;
   for (int i = 0; i < 17; ++i) text += "é";
   EXPECT_EQ(elided(text, 17), text);
@@ -116,7 +116,7 @@ LawSummary row_with(std::uint64_t checked, std::uint64_t violations) {
   return row;
 }
 
-// Kills: "all held" where some were not checked.
+// Kills: "all held" although some were not checked.
 TEST(VerdictSentence, CountsChecks) {
   EXPECT_EQ(verdict_sentence({}), "Nothing was checked.");
   EXPECT_EQ(verdict_sentence({row_with(0, 0)}), "Nothing was checked.");
@@ -128,7 +128,7 @@ TEST(VerdictSentence, CountsChecks) {
             "Violated: 1 of 3 checks; 1 not checked.");
 }
 
-// Kills: what is known of a driver taken for held, or for a violation.
+// Kills: counting a driver's known defects as held, or as violations.
 TEST(VerdictSentence, TellsKnownDefects) {
   LawSummary known = row_with(3, 0);
   known.cases.known = 2;

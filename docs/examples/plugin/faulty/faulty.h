@@ -1,6 +1,6 @@
 /*
- * little.c with one fault: include this, and define faulty_draw() or faulty_get(). Each file here
- * is a plugin that goes wrong in its own way; its opening comment has what RasterCheck says of it:
+ * little.c without its rastercheck_plugin_get(). Each file here includes this header and defines
+ * that function for a plugin with one fault. The comment at its top quotes RasterCheck's message:
  *
  *     rastercheck run --backend plugin:./crash.so --property 'coverage*' --seed 1
  */
@@ -10,7 +10,7 @@
 
 RASTERCHECK_PLUGIN_EXPORT const rastercheck_plugin* rastercheck_plugin_get(void);
 
-/* The plugin of another draw function. */
+/* Returns the plugin with another draw function. */
 static inline const rastercheck_plugin* little_with_draw(
     uint32_t (*other)(const rastercheck_draw* draw, rastercheck_output* out)) {
   static rastercheck_plugin faulty;
@@ -19,7 +19,7 @@ static inline const rastercheck_plugin* little_with_draw(
   return &faulty;
 }
 
-/* The plugin of another contract. */
+/* Returns the plugin with another contract. */
 static inline const rastercheck_plugin* little_with_contract(const rastercheck_contract* other) {
   static rastercheck_plugin faulty;
   faulty = *little_get();
@@ -27,8 +27,8 @@ static inline const rastercheck_plugin* little_with_contract(const rastercheck_c
   return &faulty;
 }
 
-/* Whether some vertices are farther apart than half the viewport's width: some draws only, as with
- * most real faults. */
+/* True if some vertices are farther apart than half the viewport's width. Most real faults also
+ * concern only some draws. */
 static inline bool is_wide(const rastercheck_draw* draw) {
   float low = INFINITY, high = -INFINITY;
   for (uint32_t i = 0; i < 3 * draw->triangle_count; ++i) {
@@ -39,7 +39,7 @@ static inline bool is_wide(const rastercheck_draw* draw) {
   return high - low > 1;
 }
 
-/* How many samples the framebuffer has. */
+/* The number of samples in the framebuffer. */
 static inline size_t sample_count(const rastercheck_draw* draw) {
   return (size_t)draw->width * draw->height * draw->samples;
 }

@@ -1,5 +1,5 @@
 /*
- * Lets an exception out, where C++ has them and C has none.
+ * Lets a C++ exception leave draw(), which is called from C.
  *
  * RasterCheck: “an exception left draw(): vector::_M_range_check”
  */

@@ -1,4 +1,5 @@
-// The laws of seed 001, "Rasterization Parameter Interpolation", on one camera and one triangle.
+// The laws of the Rasterization slides, "Rasterization Parameter Interpolation", on one camera and
+// one triangle.
 //
 //   eye C = (1, 2, 3), a = (1, 0, 0), b = (0, 1, 1), c = (−4, −4, 4): pixel (u, v) looks along
 //   c + u a + v b = (u − 4, v − 4, v + 4)
@@ -7,9 +8,9 @@
 //   V2 = C + 2(4,−4,4) = (9,−6,11)
 //   V3 = C + 4(−4,4,12) = (−15,18,51)
 //
-// The same as a projection. With d = P − C: d = (u−4, v−4, v+4) w, so w = (dz − dy)/8,
-// u w = dx + 4w, v w = dy + 4w; clip x = u w/4 − w = dx/4, clip y = v w/4 − w = dy/4.
-// All values below are at pixel (3, 2): u = 7/2, v = 5/2.
+// The same camera as a projection. With d = P − C: d = (u−4, v−4, v+4) w, so w = (dz − dy)/8, u w =
+// dx + 4w, v w = dy + 4w; clip x = u w/4 − w = dx/4, clip y = v w/4 − w = dy/4. All values below
+// are at pixel (3, 2): u = 7/2, v = 5/2.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@
 #include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle::seed_001_test {
+namespace rastercheck::oracle::rasterization_slides_test {
 namespace {
 
 const Field kU(7, 2);
@@ -45,7 +46,7 @@ FieldMatrix3 columns(const FieldVector3& a, const FieldVector3& b, const FieldVe
   return m;
 }
 
-/// Rows (λ_i of the window) / w_i: λ = 1 − (u + v)/8, u/8, v/8.
+/// The rows (λ_i of the window) / w_i, where λ = 1 − (u + v)/8, u/8, v/8.
 FieldMatrix3 q_by_hand() {
   FieldMatrix3 q;
   q << Field(-1, 8), Field(-1, 8), Field(1),  //
@@ -54,8 +55,8 @@ FieldMatrix3 q_by_hand() {
   return q;
 }
 
-/// The camera as a case: view moves C to the origin, projection is λ times the one above with
-/// z = w/2. Attributes: r = 2, 8, 24; "C", k and l; the position P.
+/// The camera as a case: view moves C to the origin, and the projection is λ times the one above,
+/// with z = w/2. Attributes: r = 2, 8, 24; "C", k and l; the position P.
 cases::Case camera_case(float lambda) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 8, 8, {{{-3, -2, 7, 1}, {9, -6, 11, 1}, {-15, 18, 51, 1}}},
@@ -72,9 +73,10 @@ cases::Case camera_case(float lambda) {
   return c;
 }
 
-// Seed 001 p. 4: a u + b v + c = r at (1, 0), (7, 1), (2, 6) with r = 2, 9, 5. Differences:
-// 6a + b = 7, a + 6b = 3, so a = 39/35, b = 11/35, c = r_0 − a = 31/35. The w are of no account.
-TEST(Seed001, ScreenSpaceInterpolationSolvesTheThreeByThreeSystem) {
+// Rasterization slides, p. 4: a u + b v + c = r at (1, 0), (7, 1), (2, 6) with r = 2, 9, 5.
+// Differences: 6a + b = 7, a + 6b = 3, so a = 39/35, b = 11/35, c = r_0 − a = 31/35. The values w
+// do not matter.
+TEST(RasterizationSlides, ScreenSpaceInterpolationSolvesTheThreeByThreeSystem) {
   // w (u/4 − 1, v/4 − 1) for w = 1, 2, 4.
   cases::Case c =
       small_case(cases::Rules::vulkan, 8, 8,
@@ -88,13 +90,13 @@ TEST(Seed001, ScreenSpaceInterpolationSolvesTheThreeByThreeSystem) {
   EXPECT_EQ(slopes.dv.to_string(), "11/35");
 }
 
-// Seed 001 p. 5: of the parameters it lists, "1/z is the only parameter linear in screen space, for
-// others it is an approximation". Corners (0,0), (8,0), (0,8), z = 1, 2, 4; pixel (0, 0) has screen
-// weights 14/16, 1/16, 1/16.
+// Rasterization slides, p. 5: of the parameters that the page lists, "1/z is the only parameter
+// linear in screen space, for others it is an approximation". Corners (0,0), (8,0), (0,8), z = 1,
+// 2, 4; pixel (0, 0) has screen weights 14/16, 1/16, 1/16.
 //   1/z in screen space 14/16 + 1/32 + 1/64 = 59/64, so the true z is 64/59
 //   z in screen space (14 + 2 + 4)/16 = 5/4
 //   1/z in the triangle plane (14/16 + 1/64 + 1/256)/(59/64) = 229/236
-TEST(Seed001, ReciprocalOfDepthIsLinearInScreenSpaceAndDepthIsNot) {
+TEST(RasterizationSlides, ReciprocalOfDepthIsLinearInScreenSpaceAndDepthIsNot) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 8, 8, {{{-1, -1, 0, 1}, {2, -2, 0, 2}, {-4, 4, 0, 4}}},
                  {{{1, 1, 1, 1}, {0.5f, 2, 2, 0.5f}, {0.25f, 4, 4, 0.25f}}});
@@ -107,10 +109,11 @@ TEST(Seed001, ReciprocalOfDepthIsLinearInScreenSpaceAndDepthIsNot) {
   EXPECT_EQ(drawn.text(3, 0, 0), "229/236");  // 1/z, triangle plane
 }
 
-// Seed 001 p. 6: P = V1 + (V2 − V1) k + (V3 − V1) l, and so for r. Here k = 2/5, l = 1/7:
+// Rasterization slides, p. 6: P = V1 + (V2 − V1) k + (V3 − V1) l, and likewise for r. Here k = 2/5,
+// l = 1/7:
 //   P = (−3,−2,7) + (12,−4,4) 2/5 + (−12,20,44)/7 = (3/35, −26/35, 521/35)
 //   r = 2 + 6 · 2/5 + 22/7 = 264/35
-TEST(Seed001, PointsAndParametersAreLinearInThePlaneOfTheTriangle) {
+TEST(RasterizationSlides, PointsAndParametersAreLinearInThePlaneOfTheTriangle) {
   const Drawn drawn(camera_case(1));
   int covered = 0;
   for (int y = 0; y < 8; ++y) {
@@ -131,17 +134,18 @@ TEST(Seed001, PointsAndParametersAreLinearInThePlaneOfTheTriangle) {
   EXPECT_EQ(drawn.text(6, 3, 2), "521/35");
 }
 
-// Seed 001 p. 7: Q = [V1−C V2−C V3−C]^-1 [a b c]. Proof by multiplying back, column by column:
+// Rasterization slides, p. 7: Q = [V1−C V2−C V3−C]^-1 [a b c]. Proof by multiplying back, column by
+// column:
 //   −1/8 (−4,−4,4) + 1/16 (8,−8,8) = (1,0,0)      −1/8 (−4,−4,4) + 1/32 (−16,16,48) = (0,1,1)
-TEST(Seed001, QMatrixOfTheCameraForm) {
+TEST(RasterizationSlides, QMatrixOfTheCameraForm) {
   const std::optional<FieldMatrix3> q = q_matrix(kVertices, kImage);
   ASSERT_TRUE(q);
   EXPECT_TRUE(*q == q_by_hand()) << *q;
 }
 
-// Seed 001 p. 7, the lines of w, k, l and C. Column sums of Q: −1/16, −3/32, 1.
+// Rasterization slides, p. 7, the lines of w, k, l and C. Column sums of Q: −1/16, −3/32, 1.
 //   1/w = 1 − 7/32 − 15/64 = 35/64     k = 7/32 w = 2/5     l = 5/64 w = 1/7     C = 1/4 w = 16/35
-TEST(Seed001, FormulasOfWKLAndC) {
+TEST(RasterizationSlides, FormulasOfWKLAndC) {
   const FieldMatrix3 q = q_matrix(kVertices, kImage).value();
   const FieldVector3 e = q * FieldVector3(kU, kV, 1);
   const Field w = Field(1) / (e[0] + e[1] + e[2]);
@@ -157,9 +161,10 @@ TEST(Seed001, FormulasOfWKLAndC) {
   EXPECT_EQ(drawn.text(3, 3, 2), "1/7");
 }
 
-// Seed 001 p. 7, last two lines. First: 2 · 16/35 + 8 · 2/5 + 24/7 = 264/35. Second: coefficients
-// −2/8 + 8/16 = 1/4 of u, −2/8 + 24/32 = 1/2 of v, constant 2; (7/8 + 5/4 + 2)/(35/64) = 264/35.
-TEST(Seed001, BothFormsOfRAgree) {
+// Rasterization slides, p. 7, last two lines. First: 2 · 16/35 + 8 · 2/5 + 24/7 = 264/35. Second:
+// coefficients −2/8 + 8/16 = 1/4 of u, −2/8 + 24/32 = 1/2 of v, constant 2; (7/8 + 5/4 + 2)/(35/64)
+// = 264/35.
+TEST(RasterizationSlides, BothFormsOfRAgree) {
   const FieldMatrix3 q = q_matrix(kVertices, kImage).value();
   const Eigen::Matrix<Field, 1, 3> numerator = Eigen::Matrix<Field, 1, 3>(2, 8, 24) * q;
   EXPECT_EQ(numerator[0], Field(1, 4));
@@ -171,13 +176,13 @@ TEST(Seed001, BothFormsOfRAgree) {
   EXPECT_EQ(Drawn(camera_case(1)).text(0, 3, 2), "264/35");
 }
 
-// Seed 001 p. 7: the second line, P = C + (c + u a + v b) w, holds; the third prints (u, v, w)
-// where (u w, v w, w) is meant, and the fourth repeats it.
+// Rasterization slides, p. 7: the second line, P = C + (c + u a + v b) w, holds; the third prints
+// (u, v, w) but means (u w, v w, w), and the fourth repeats the mistake.
 //   P − C = (−32/35, −96/35, 416/35)
 //   u a + v b + w c = (7/2 − 256/35, 5/2 − 256/35, 5/2 + 256/35)
-// Nor does the printed line lead to the line of w below it: (1 − k − l) + k + l = 1 with its right
-// side means −u/16 − 3v/32 + w = 1, w = 1 + 7/32 + 15/64 = 93/64, not 64/35.
-TEST(Seed001, ThirdLineLacksWOnUAndV) {
+// The printed line does not lead to the line of w below it either: applied to its right side, (1 −
+// k − l) + k + l = 1 means −u/16 − 3v/32 + w = 1, w = 1 + 7/32 + 15/64 = 93/64, not 64/35.
+TEST(RasterizationSlides, ThirdLineLacksWOnUAndV) {
   const Drawn drawn(camera_case(1));
   const FieldVector3 p(drawn.value(4, 3, 2), drawn.value(5, 3, 2), drawn.value(6, 3, 2));
   const FieldVector3 kl(drawn.value(1, 3, 2), drawn.value(2, 3, 2), drawn.value(3, 3, 2));
@@ -199,9 +204,9 @@ TEST(Seed001, ThirdLineLacksWOnUAndV) {
   EXPECT_EQ((Field(1) - sums[0] * kU - sums[1] * kV) / sums[2], Field(93, 64));
 }
 
-// Seed 001 p. 7 against RULES §1: where [a b c] inverts the map from V − C to (X, Y, w), the clip
-// form has the same Q. M = columns (0,0,1), (16,0,2), (0,32,4), det M = 512.
-TEST(Seed001, ClipFormIsTheCameraForm) {
+// Rasterization slides, p. 7 against RULES §1: if [a b c] inverts the map from V − C to (X, Y, w),
+// the clip form has the same Q. M = columns (0,0,1), (16,0,2), (0,32,4), det M = 512.
+TEST(RasterizationSlides, ClipFormIsTheCameraForm) {
   const Drawn drawn(camera_case(1));
   const FieldMatrix3 abc = columns(kImage.a, kImage.b, kImage.c);
   std::array<RingVector3, 3> m;
@@ -221,9 +226,10 @@ TEST(Seed001, ClipFormIsTheCameraForm) {
   }
 }
 
-// Seed 001 p. 7: another length of (a, b, c) makes Q a multiple, w the inverse multiple, and leaves
-// k, l, C and r. From the clip side: twice the projection is half the clip form's e.
-TEST(Seed001, MultipleOfTheImagePlaneLeavesTheParameters) {
+// Rasterization slides, p. 7: scaling (a, b, c) scales Q by the same factor and w by its inverse,
+// and does not change k, l, C and r. On the clip side, doubling the projection halves the clip
+// form's e.
+TEST(RasterizationSlides, MultipleOfTheImagePlaneLeavesTheParameters) {
   for (const Field& lambda : {Field(3), Field(2, 7), Field(-1)}) {
     const std::optional<FieldMatrix3> q = q_matrix(kVertices, scaled_image(lambda));
     ASSERT_TRUE(q);
@@ -242,8 +248,9 @@ TEST(Seed001, MultipleOfTheImagePlaneLeavesTheParameters) {
   EXPECT_EQ(twice.text(3, 3, 2), "1/7");
 }
 
-// Seed 001 p. 7 with λ < 0: the same lines of sight, but the triangle is behind the eye (w < 0).
-TEST(Seed001, NegativeMultipleIsBehindTheEyeAndCoversNothing) {
+// Rasterization slides, p. 7 with λ < 0: the same lines of sight, but the triangle is behind the
+// eye (w < 0).
+TEST(RasterizationSlides, NegativeMultipleIsBehindTheEyeAndCoversNothing) {
   const Drawn behind(camera_case(-1));
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) {
@@ -252,9 +259,9 @@ TEST(Seed001, NegativeMultipleIsBehindTheEyeAndCoversNothing) {
   }
 }
 
-// Seed 001 p. 7, RULES §1: facing is sign(det M_cam · det [a b c]), here of 8 · 512 and 8;
-// swapping two vertices turns it round.
-TEST(Seed001, FacingIsTheSignOfTheTwoDeterminants) {
+// Rasterization slides, p. 7, RULES §1: facing is sign(det M_cam · det [a b c]), here of 8 · 512
+// and 8; swapping two vertices reverses the facing.
+TEST(RasterizationSlides, FacingIsTheSignOfTheTwoDeterminants) {
   const FieldMatrix3 m_cam =
       columns(kVertices[0] - kImage.eye, kVertices[1] - kImage.eye, kVertices[2] - kImage.eye);
   EXPECT_EQ(columns(kImage.a, kImage.b, kImage.c).determinant(), Field(8));
@@ -265,9 +272,9 @@ TEST(Seed001, FacingIsTheSignOfTheTwoDeterminants) {
   EXPECT_EQ(Drawn(c).triangle.orientation(), -1);
 }
 
-// Seed 001 p. 7: the inverse exists unless the plane of the triangle holds the eye. V3 is moved to
-// the midpoint of C and the middle of V1 and V2, ((1,2,3) + (3,−4,9))/2 = (2,−1,6).
-TEST(Seed001, PlaneThroughTheEyeHasNoQMatrixAndCoversNothing) {
+// Rasterization slides, p. 7: the inverse exists unless the plane of the triangle contains the eye.
+// V3 is moved to the midpoint of C and the middle of V1 and V2, ((1,2,3) + (3,−4,9))/2 = (2,−1,6).
+TEST(RasterizationSlides, PlaneThroughTheEyeHasNoQMatrixAndCoversNothing) {
   std::array<FieldVector3, 3> vertices = kVertices;
   vertices[2] = FieldVector3(2, -1, 6);
   EXPECT_FALSE(q_matrix(vertices, kImage));
@@ -283,4 +290,4 @@ TEST(Seed001, PlaneThroughTheEyeHasNoQMatrixAndCoversNothing) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle::seed_001_test
+}  // namespace rastercheck::oracle::rasterization_slides_test

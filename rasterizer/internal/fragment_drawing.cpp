@@ -1,4 +1,4 @@
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/fragment_drawing.h"
 
 #include <algorithm>
 #include <memory>
@@ -19,20 +19,20 @@
 namespace rastercheck::rasterizer {
 namespace {
 
-/// Samples of a block.
+/// Masks of a block's samples.
 struct PartMasks {
-  Mask drawn = 0;      ///< of the part
-  Mask inside = 0;     ///< no weight is surely negative
+  Mask drawn = 0;      ///< samples drawn with this part
+  Mask inside = 0;     ///< samples where no weight is surely negative
   Mask at_vertex = 0;  ///< CoveredBlock::at_vertex
-  Mask certain = 0;    ///< whose smooth values double holds
-  /// Of these, whose weights float32 holds as well.
+  Mask certain = 0;    ///< double suffices for these samples' smooth values
+  /// Samples of `certain` whose weights also suit float32.
   Mask float_certain = 0;
 };
 
-template <typename Coverage, typename Tap, typename Output>
+template <typename Coverage, typename Tap>
 class Drawing {
  public:
-  Drawing(const DrawSetting& setting, const Mesh& mesh, Output& output, Tap& tap)
+  Drawing(const DrawSetting& setting, const Mesh& mesh, FragmentOutput& output, Tap& tap)
       : setting_(setting),
         state_(setting.state),
         mesh_(mesh),
@@ -50,20 +50,19 @@ class Drawing {
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       const Fate fate = set_up(i);
       count(fate, counts);
-      if (fate == Fate::drawn) draw_rows(coverage_.box());
+      if (fate == Fate::drawn) draw_rows();
     }
     return counts;
   }
 
-  /// Makes a triangle the one at hand, or says what became of it.
-  Fate set_up(std::size_t index);
-  /// Draws of the triangle at hand what lies within a box.
-  void draw_rows(const PixelBox& box);
-  /// The same of up to kBlockSize pixels of a row, of which just the `wanted` ones.
-  void draw_block(int y, int first, int count, Mask wanted);
-
  private:
-  void draw_row(int y, const PixelRange& columns);
+  /// Makes a triangle the current one; returns its fate.
+  Fate set_up(std::size_t index);
+  /// Draws the current triangle.
+  void draw_rows();
+  void draw_row(int y);
+  /// Draws up to kBlockSize pixels of a row.
+  void draw_block(int y, int first, int count);
   void evaluate(const BlockPlace& place, SampleBlock& block);
   void evaluate_part(const BlockPlace& place, const DrawnPart& part, PartMasks masks,
                      SampleBlock& out);
@@ -73,7 +72,7 @@ class Drawing {
   PlaneRow row_of(const Plane& plane, const BlockPlace& place, const DrawnPart& part) const {
     return plane_row(plane, *part.weights.frame, place.y + setting_.pattern[place.sample].y);
   }
-  /// What a Tap is shown.
+  /// The data that a Tap receives.
   WeighedBlock shown(const BlockPlace& place, const DrawnPart& part, Mask drawn) const {
     return {place, setting_.pattern[place.sample], part, drawn, weights_};
   }
@@ -84,28 +83,28 @@ class Drawing {
            (sample * kBlockSize + static_cast<std::size_t>(column)) * state_.attributes.size();
   }
 
-  // Of the block at hand; first, as they are aligned to cache lines.
+  // State of the current block. Declared first, because it is aligned to cache lines.
   BlockWeights weights_;
   FloatWeights float_smooth_;
   FloatWeights float_affine_;
   const DrawSetting& setting_;
   const State& state_;
   const Mesh& mesh_;
-  Output& output_;
+  FragmentOutput& output_;
   Tap& tap_;
   Coverage coverage_;
-  std::vector<SampleBlock> blocks_;       ///< [sample], of the block at hand
-  std::unique_ptr<SampleBlock> of_part_;  ///< where a triangle is drawn in several parts
-  /// [sample][column][attribute], of the block at hand; none without State::derivatives.
+  std::vector<SampleBlock> blocks_;       ///< [sample], of the current block
+  std::unique_ptr<SampleBlock> of_part_;  ///< for triangles drawn in several parts
+  /// [sample][column][attribute], of the current block; empty without State::derivatives.
   std::vector<Slopes> derivatives_;
 
-  // Of the triangle at hand.
+  // The current triangle.
   std::uint32_t triangle_ = 0;
   std::vector<DrawnPart> parts_;
 };
 
-template <typename Coverage, typename Tap, typename Output>
-Fate Drawing<Coverage, Tap, Output>::set_up(std::size_t index) {
+template <typename Coverage, typename Tap>
+Fate Drawing<Coverage, Tap>::set_up(std::size_t index) {
   const Fate fate = set_up_parts(state_, mesh_, index, state_.derivatives, coverage_, parts_);
   if (fate != Fate::drawn) return fate;
   triangle_ = static_cast<std::uint32_t>(index);
@@ -114,14 +113,14 @@ Fate Drawing<Coverage, Tap, Output>::set_up(std::size_t index) {
   return fate;
 }
 
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::draw_rows(const PixelBox& box) {
-  const PixelRange rows = intersection(coverage_.box().rows, box.rows);
-  for (int y = rows.begin; y < rows.end; ++y) draw_row(y, box.columns);
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::draw_rows() {
+  const PixelRange& rows = coverage_.box().rows;
+  for (int y = rows.begin; y < rows.end; ++y) draw_row(y);
 }
 
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::draw_row(int y, const PixelRange& columns) {
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::draw_row(int y) {
   PixelRange span{coverage_.box().columns.end, coverage_.box().columns.begin};
   for (std::size_t s = 0; s < blocks_.size(); ++s) {
     if (!setting_.bounds.sample_rows[s].contains(y)) continue;
@@ -130,22 +129,19 @@ void Drawing<Coverage, Tap, Output>::draw_row(int y, const PixelRange& columns) 
     span.begin = std::min(span.begin, of_sample.begin);
     span.end = std::max(span.end, of_sample.end);
   }
-  span = intersection(span, columns);
   for (int first = span.begin; first < span.end; first += kBlockSize) {
-    const int count = std::min(kBlockSize, span.end - first);
-    draw_block(y, first, count, columns_mask({first, first + count}, first));
+    draw_block(y, first, std::min(kBlockSize, span.end - first));
   }
 }
 
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::draw_block(int y, int first, int count, Mask wanted) {
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::draw_block(int y, int first, int count) {
   Mask touched = 0;
   for (std::size_t s = 0; s < blocks_.size(); ++s) {
     SampleBlock& block = blocks_[s];
     block.coverage = {};
     if (!setting_.bounds.sample_rows[s].contains(y)) continue;
     block.coverage = coverage_.cover(s, y, first, count, weights_);
-    block.coverage.keep(wanted);
     touched |= block.coverage.covered;
     const BlockPlace place{triangle_, s, y, first, count};
     tap_.covered(place, block.coverage, weights_);
@@ -156,8 +152,8 @@ void Drawing<Coverage, Tap, Output>::draw_block(int y, int first, int count, Mas
   output_.take({triangle_, y, first, touched, blocks_, derivatives_});
 }
 
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::evaluate(const BlockPlace& place, SampleBlock& block) {
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::evaluate(const BlockPlace& place, SampleBlock& block) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const DrawnPart& part = parts_[k];
     const Mask mask = coverage_.part_mask(block.coverage, k) & block.coverage.covered;
@@ -177,10 +173,10 @@ void Drawing<Coverage, Tap, Output>::evaluate(const BlockPlace& place, SampleBlo
   }
 }
 
-/// What all attributes of a part need of the weights.
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::weigh(const BlockPlace& place, const DrawnPart& part,
-                                           PartMasks& masks) {
+/// Computes the sums, masks and shares of the weights. All attributes of a part use them.
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::weigh(const BlockPlace& place, const DrawnPart& part,
+                                   PartMasks& masks) {
   const TriangleValues& values = part.values;
   const double least_sum = values.certificates.least_sum;
   const PlaneRow sum = row_of(values.sum, place, part);
@@ -199,9 +195,9 @@ void Drawing<Coverage, Tap, Output>::weigh(const BlockPlace& place, const DrawnP
   }
 }
 
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::evaluate_part(const BlockPlace& place, const DrawnPart& part,
-                                                   PartMasks masks, SampleBlock& out) {
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::evaluate_part(const BlockPlace& place, const DrawnPart& part,
+                                           PartMasks masks, SampleBlock& out) {
   const TriangleValues& values = part.values;
   const SampleOffset& offset = setting_.pattern[place.sample];
   weigh(place, part, masks);
@@ -226,11 +222,10 @@ void Drawing<Coverage, Tap, Output>::evaluate_part(const BlockPlace& place, cons
   }
 }
 
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
-                                                        const DrawnPart& part,
-                                                        std::size_t attribute,
-                                                        const PartMasks& masks, SampleBlock& out) {
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::evaluate_attribute(const BlockPlace& place, const DrawnPart& part,
+                                                std::size_t attribute, const PartMasks& masks,
+                                                SampleBlock& out) {
   const ValueLine& line = part.values.attributes[attribute];
   std::array<float, kBlockSize>& values = out.attributes[attribute];
   const auto show = [&] {
@@ -274,10 +269,10 @@ void Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
   });
 }
 
-/// Attributes that belong to the pixel and not to its samples: at the centre, or, centroid, at the
-/// first covered sample where not all are.
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::evaluate_pixels(int y, int first, Mask touched) {
+/// Evaluates the attributes that have one value per pixel: at the pixel's centre or, for centroid,
+/// at the first covered sample unless all samples are covered.
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::evaluate_pixels(int y, int first, Mask touched) {
   for (std::size_t a = 0; a < state_.attributes.size(); ++a) {
     const Location location = state_.attributes[a].location;
     if (location == Location::sample) continue;
@@ -311,10 +306,9 @@ void Drawing<Coverage, Tap, Output>::evaluate_pixels(int y, int first, Mask touc
   }
 }
 
-/// The screen derivatives of the attributes that belong to a sample.
-template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::derive(const BlockPlace& place, const DrawnPart& part,
-                                            Mask mask) {
+/// Computes the screen derivatives of the attributes that belong to a sample.
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::derive(const BlockPlace& place, const DrawnPart& part, Mask mask) {
   const SampleOffset& offset = setting_.pattern[place.sample];
   for_each_bit(mask, [&](int j) {
     const DerivativeSite site =
@@ -327,59 +321,18 @@ void Drawing<Coverage, Tap, Output>::derive(const BlockPlace& place, const Drawn
   });
 }
 
-template <typename Coverage>
-class TileDrawingBy : public TileDrawing {
- public:
-  TileDrawingBy(const DrawSetting& setting, const Mesh& mesh)
-      : setting_(setting),
-        mesh_(mesh),
-        output_(setting.state.depth_test, setting.state.attributes.size()),
-        coverage_(setting),
-        drawing_(setting, mesh, output_, tap_) {}
-
-  Fate locate(std::size_t triangle, PixelBox& box) override {
-    const std::optional<InputTriangle> input = input_triangle(setting_.state, mesh_, triangle);
-    if (!input) return Fate::not_finite;
-    const Fate fate = coverage_.locate(*input);
-    box = coverage_.box();
-    return fate;
-  }
-
-  void draw(std::uint32_t triangle, Tile& tile, Mask rows) override {
-    output_.begin(tile);
-    if (drawing_.set_up(triangle) != Fate::drawn) return;
-    const int first = tile.rows().begin;
-    for_each_bit(rows & columns_mask(tile.rows(), first), [&](int row) {
-      drawing_.draw_rows({tile.columns(), {first + row, first + row + 1}});
-    });
-  }
-
- private:
-  const DrawSetting& setting_;
-  const Mesh& mesh_;
-  TileOutput output_;
-  NoTap tap_;
-  Coverage coverage_;  ///< to locate triangles with
-  Drawing<Coverage, NoTap, TileOutput> drawing_;
-};
-
 template <typename Tap>
 DrawCounts draw_with(const State& state, const Mesh& mesh, const TargetSize& size,
                      Fragments& fragments, Tap& tap) {
   const DrawSetting setting(state, size);
   FragmentOutput output(fragments, state.attributes.size());
   if (state.snapping) {
-    return Drawing<GridCoverage, Tap, FragmentOutput>(setting, mesh, output, tap).draw();
+    return Drawing<GridCoverage, Tap>(setting, mesh, output, tap).draw();
   }
-  return Drawing<ExactCoverage, Tap, FragmentOutput>(setting, mesh, output, tap).draw();
+  return Drawing<ExactCoverage, Tap>(setting, mesh, output, tap).draw();
 }
 
 }  // namespace
-
-std::unique_ptr<TileDrawing> make_tile_drawing(const DrawSetting& setting, const Mesh& mesh) {
-  if (setting.state.snapping) return std::make_unique<TileDrawingBy<GridCoverage>>(setting, mesh);
-  return std::make_unique<TileDrawingBy<ExactCoverage>>(setting, mesh);
-}
 
 DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                      Fragments& fragments) {

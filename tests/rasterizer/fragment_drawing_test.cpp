@@ -1,4 +1,4 @@
-#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/fragment_drawing.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer::drawing_test {
+namespace rastercheck::rasterizer::fragment_drawing_test {
 namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
@@ -16,7 +16,7 @@ constexpr std::array kConventions{Convention::opengl, Convention::vulkan, Conven
 const Rows kNothing{"....", "....", "....", "...."};
 const Rows kAll{"####", "####", "####", "####"};
 
-/// A triangle that holds the whole viewport, whatever that is.
+/// A triangle that covers the whole viewport, whatever the viewport is.
 SmallMesh everywhere() {
   SmallMesh mesh;
   mesh.positions = {{-1, -1, 0, 1}, {4, -1, 0, 1}, {-1, 4, 0, 1}};
@@ -24,22 +24,22 @@ SmallMesh everywhere() {
   return mesh;
 }
 
-/// `everywhere` in a viewport.
+/// The picture of `everywhere` in a viewport.
 Rows viewport_picture(glm::vec2 origin, glm::vec2 size, const TargetSize& target = kFour) {
   State state;
   state.viewport = {origin, size, 0, 1};
   return picture(state, everywhere(), target);
 }
 
-// Edges through centres: left ones own them, top or bottom ones as the rule says, and where two
-// meet both have to.
+// Edges through sample centres: left edges own the samples, top or bottom edges do so by the rule,
+// and where two edges meet, both have to own the sample.
 TEST(ExactDraw, TiesAreTheFillRules) {
   const Rows with_level{"###.", "##..", "#...", "...."};
   const Rows without{"....", "##..", "#...", "...."};
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
     const SmallMesh mesh = triangle(state, {0.5F, 0.5F}, {3.5F, 0.5F}, {0.5F, 3.5F});
-    // The level edge is the top one where v points down, else the bottom one.
+    // The level edge is the top edge if v points down, and the bottom edge otherwise.
     const bool is_top = convention != Convention::opengl;
     state.fill_rule = FillRule::top_left;
     EXPECT_EQ(picture(state, mesh, kFour), is_top ? with_level : without);
@@ -48,16 +48,16 @@ TEST(ExactDraw, TiesAreTheFillRules) {
   }
 }
 
-// The same with the numbers of a viewport that rounds, where only exact sums see the ties.
+// Ties as above, in a viewport whose numbers are rounded, so that only exact sums detect the ties.
 TEST(ExactDraw, TiesAreSeenWhereDoublesRound) {
   State state;
   state.viewport = {{3.5F, -5}, {0x1p-100F, 20}, 0, 1};
   SmallMesh mesh;
   mesh.positions = {{-1, -1, 0, 1}, {-1, 1, 0, 1}, {3, 0, 0, 1}};
   mesh.triangles = {{0, 1, 2}};
-  // u = 3.5 is NDC −1: on the left edge, which owns it.
+  // u = 3.5 is NDC −1: the samples lie on the left edge, which owns them.
   EXPECT_EQ(picture(state, mesh, kFour), (Rows{"...#", "...#", "...#", "...#"}));
-  mesh.positions[2].x = -5;  // on the right edge now
+  mesh.positions[2].x = -5;  // now on the right edge
   EXPECT_EQ(picture(state, mesh, kFour), kNothing);
   mesh.positions[0].x = mesh.positions[1].x = std::nextafter(-1.0F, 0.0F);
   EXPECT_EQ(picture(state, mesh, kFour), (Rows{"...#", "...#", "...#", "...#"}));
@@ -81,7 +81,8 @@ TEST(ExactDraw, SharedDiagonalsOwnEachSampleOnce) {
   }
 }
 
-// w <= 0. Two corners at infinity make a quadrant, as do two behind the eye, mirrored.
+// Corners with w <= 0. Two corners at infinity make a quadrant; two corners behind the eye make the
+// mirrored one.
 TEST(ExactDraw, CornersBehindTheEyeAreOrdinary) {
   const State state = small_state(4, 4);
   SmallMesh mesh;
@@ -90,7 +91,7 @@ TEST(ExactDraw, CornersBehindTheEyeAreOrdinary) {
   const Rows quadrant{"....", "....", "..##", "..##"};
   EXPECT_EQ(picture(state, mesh, kFour), quadrant);
   State clamped = state;
-  clamped.depth_clamp = true;  // the near plane hides what is behind the eye at depth 0, not this
+  clamped.depth_clamp = true;  // otherwise the near plane would clip depth 0 behind the eye
   mesh.positions = {{0, 0, 0, 1}, {-1, 0, 0, -1}, {0, -1, 0, -1}};
   EXPECT_EQ(picture(clamped, mesh, kFour), (Rows{"##..", "##..", "....", "...."}));
   mesh.positions = {{0, 0, 0, -1}, {-1, 0, 0, -1}, {0, -1, 0, -1}};
@@ -108,17 +109,17 @@ TEST(ExactDraw, TheViewportHoldsItsLowBorderAndNotItsHighOne) {
   EXPECT_EQ(viewport_picture({11.5F, 11.5F}, {-9, -9}), from_center);
 }
 
-// 0.1F + 0.4F is a little above 1/2 and not a float.
+// 0.1F + 0.4F is slightly above 1/2, and is not a float.
 TEST(ExactDraw, TheHighBorderIsNotRounded) {
   const float width = 0.4F;
   EXPECT_EQ(viewport_picture({0.1F, 0}, {width, 4})[0], "#...");
   EXPECT_EQ(viewport_picture({0.1F, 0}, {std::nextafter(width, 0.0F), 4})[0], "....");
-  // Bit by bit: the border is 1/2 + 2^-149, of which a double keeps 1/2.
+  // The smallest difference: the border is 1/2 + 2^-149, which a double rounds to 1/2.
   EXPECT_EQ(viewport_picture({0x1p-149F, 0}, {0.5F, 4})[0], "#...");
   EXPECT_EQ(viewport_picture({-0x1p-149F, 0}, {0.5F, 4})[0], "....");
 }
 
-// Samples 12 and 15 of sixteen lie on the pixel's own borders u = i and v = j.
+// Samples 12 and 15 of the sixteen lie on the pixel's own borders u = i and v = j.
 TEST(ExactDraw, TheSmallestNumbersCountOnAPixelsBorder) {
   const TargetSize one{1, 1, 16};
   EXPECT_EQ(viewport_picture({0, 0}, {4, 4}, one)[0], "################");
@@ -143,7 +144,7 @@ TEST(ExactDraw, AViewportMayBeAsLargeAsNumbersGo) {
   EXPECT_EQ(viewport_picture({-1, -1}, {kMost, kMost}), kAll);
   EXPECT_EQ(viewport_picture({-kMost, -3e38F}, {kMost, kMost}), kNothing);
   EXPECT_EQ(viewport_picture({kMost, kMost}, {-kMost, -kMost}), kAll);
-  // The middle, NDC 0, is u = 0: all of the target is a hair to its right.
+  // The middle, NDC 0, is u = 0: the whole target lies slightly to its right.
   State state;
   state.viewport = {{-1.5e38F, -1.5e38F}, {3e38F, 3e38F}, 0, 1};
   SmallMesh mesh;
@@ -154,8 +155,8 @@ TEST(ExactDraw, AViewportMayBeAsLargeAsNumbersGo) {
   EXPECT_EQ(picture(state, mesh, kFour), kNothing);
 }
 
-// An edge at NDC −1/q exactly on u = 0, in viewports so wide that −1/q, rounded, is 2^40 pixels
-// off. Kills: boxes and spans of rows where the viewport's own numbers round.
+// An edge at NDC −1/q lies exactly on u = 0, in viewports so wide that rounding −1/q would move the
+// edge by 2^40 pixels. Kills: boxes and spans of rows computed with rounded viewport numbers.
 TEST(ExactDraw, EdgesAreWhereTheyAreInTheWidestViewports) {
   for (int q = 3; q < 200; q += 2) {
     const auto w = static_cast<float>(q);
@@ -209,8 +210,8 @@ TEST(ExactDraw, WhatCannotBeDrawnIsCountedAndTheRestDrawn) {
   EXPECT_EQ(counts, (DrawCounts{.discarded_not_finite = 13, .discarded_degenerate = 2}));
 }
 
-// Every pair of columns about the borders of blocks of 64. Kills: a mask shifted by its own width,
-// the last pixel of a block lost, a block's values taken for the next one's.
+// Every pair of columns around the borders of blocks of 64. Kills: a mask shifted by its own width;
+// the last pixel of a block lost; a block's values used for the next block.
 TEST(ExactDraw, BlocksMeet) {
   const TargetSize size{200, 2, 1};
   State state = small_state(256, 2);
@@ -246,8 +247,8 @@ TEST(ExactDraw, TheLargestTargetIsFilledToItsBorders) {
   }
 }
 
-// A thin triangle across all of the largest target, and its shared edge with the next: what the
-// span of a row leaves out must not be missing. Kills: a span cut short where the slope is small.
+// Thin triangles across the whole largest target, with shared edges: pixels that the span of a row
+// leaves out would be missing. Kills: a span that is cut short where the slope is small.
 TEST(ExactDraw, LongSliversLeaveNoHole) {
   State state = small_state(kMaxSize, 4);
   state.viewport.size.y = 4;
@@ -269,7 +270,7 @@ TEST(ExactDraw, TheScissorCutsPixels) {
   }
 }
 
-// Triangle, y, x, sample: one order however blocks and samples are visited.
+// Fragments are ordered by triangle, y, x, sample, however blocks and samples are visited.
 TEST(ExactDraw, FragmentsComeInOrder) {
   const TargetSize size{130, 3, 4};
   const State state = small_state(130, 3);
@@ -285,8 +286,8 @@ TEST(ExactDraw, FragmentsComeInOrder) {
   }
 }
 
-// Weights of more components than any other known, with attributes that no sum can hold. Kills:
-// an exact sum that runs over its room.
+// The weights with the most components known, with attributes that no sum can hold. Kills: an exact
+// sum that overflows its array.
 TEST(ExactDraw, AttributesThatAreNotFiniteDoNoHarm) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   State state;
@@ -309,4 +310,4 @@ TEST(ExactDraw, AttributesThatAreNotFiniteDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer::drawing_test
+}  // namespace rastercheck::rasterizer::fragment_drawing_test

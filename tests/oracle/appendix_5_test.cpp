@@ -1,5 +1,5 @@
-// The laws of seed 000, "Perspective Correct Interpolation & Interpolation of Linear Functions in
-// Homogeneous Space" (Appendix 5), on one triangle whose answers are short fractions.
+// The laws of Appendix 5, "Perspective Correct Interpolation & Interpolation of Linear Functions in
+// Homogeneous Space", on one triangle whose answers are short fractions.
 //
 // View space V0 = (−1,−1,1), V1 = (2,−2,2), V2 = (−4,4,4); screen (A 6.2) (−1,−1), (1,−1), (−1,1);
 // window (0,0), (8,0), (0,8). The linear function is φ = x + 2y + 5z (A 6.4): 2, 8, 24.
@@ -18,13 +18,14 @@
 #include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle::seed_000_test {
+namespace rastercheck::oracle::appendix_5_test {
 namespace {
 
-/// Samples with u + v < 8, that is x + y <= 6 (x + y = 7 is a tie of an edge that owns none).
+/// Samples with u + v < 8, which is x + y <= 6 (at x + y = 7 the sample lies on an edge that owns
+/// no ties).
 constexpr std::size_t kCoveredPixels = 28;
 
-/// A 6.1.
+/// The projection matrix of A 6.1.
 constexpr cases::Matrix4 kA61{1, 0, 0, 0,  //
                               0, 1, 0, 0,  //
                               0, 0, 1, 0,  //
@@ -52,8 +53,8 @@ cases::Case case_of_w(float w0, float w1, float w2) {
 Field screen_x(int x) { return (Field(x) + Field(1, 2)) / Field(4) - Field(1); }
 Field screen_y(int y) { return (Field(y) + Field(1, 2)) / Field(4) - Field(1); }
 
-// Seed 000, A 6.1: (x, y, z, 1) becomes (x, y, z, z). A 6.2: the screen position is (x/z, y/z).
-TEST(Seed000, ProjectionMovesViewDepthIntoWAndTheDivisionGivesTheScreenPosition) {
+// Appendix 5, A 6.1: (x, y, z, 1) becomes (x, y, z, z). A 6.2: the screen position is (x/z, y/z).
+TEST(Appendix5, ProjectionMovesViewDepthIntoWAndTheDivisionGivesTheScreenPosition) {
   const Drawn drawn(appendix_case());
   const std::array<RingVector4, 3> clip{RingVector4(-1, -1, 1, 1), RingVector4(2, -2, 2, 2),
                                         RingVector4(-4, 4, 4, 4)};
@@ -67,19 +68,19 @@ TEST(Seed000, ProjectionMovesViewDepthIntoWAndTheDivisionGivesTheScreenPosition)
   EXPECT_EQ(drawn.pixels().size(), kCoveredPixels);
 }
 
-// Seed 000, A 6.1: its last two rows are equal, so z/w = 1 wherever w ≠ 0. The matrix is singular;
-// what the appendix says of going back from clip to view space holds on a plane that misses the
-// eye, through A 6.4, not for the matrix alone.
-TEST(Seed000, PrintedProjectionKeepsNoDepth) {
+// Appendix 5, A 6.1: its last two rows are equal, so z/w = 1 wherever w ≠ 0. The matrix is
+// singular; the appendix's way back from clip to view space works only on a plane that misses the
+// eye, through A 6.4, and not by the matrix alone.
+TEST(Appendix5, PrintedProjectionKeepsNoDepth) {
   const Drawn drawn(appendix_case());
   for (const auto& [x, y] : drawn.pixels()) {
     EXPECT_EQ(drawn.triangle.depth(x, y, 0).value().lo.to_string(), "1");
   }
 }
 
-// Seed 000, A 6.3: φ = α sx + β sy + γ through 2, 8, 24 at (−1,−1), (1,−1), (−1,1):
+// Appendix 5, A 6.3: φ = α sx + β sy + γ through 2, 8, 24 at (−1,−1), (1,−1), (−1,1):
 //   2α = 6, 2β = 22, γ = 2 + 3 + 11   =>   φ = 3 sx + 11 sy + 16
-TEST(Seed000, InterpolationInScreenSpaceIsAffineInTheScreenPosition) {
+TEST(Appendix5, InterpolationInScreenSpaceIsAffineInTheScreenPosition) {
   const Drawn drawn(appendix_case());
   for (const auto& [x, y] : drawn.pixels()) {
     EXPECT_EQ(drawn.value(1, x, y), Field(3) * screen_x(x) + Field(11) * screen_y(y) + Field(16));
@@ -88,11 +89,11 @@ TEST(Seed000, InterpolationInScreenSpaceIsAffineInTheScreenPosition) {
   EXPECT_EQ(drawn.text(1, 3, 2), "23/2");  // −3/8 − 33/8 + 16
 }
 
-// Seed 000, after A 6.3: interpolating in screen space gives another value than along the
-// primitive.
+// Appendix 5, after A 6.3: interpolating in screen space gives a different value than interpolating
+// along the primitive.
 //   Pixel (0, 0): 1/w = 7/32 + 21/64 + 3/8 = 59/64, φ/w = −7/8 − 14/8 + 5 = 19/8, φ = 152/59
 //   Pixel (3, 2): 1/w = 1/32 + 9/64 + 3/8 = 35/64, φ/w = −1/8 − 6/8 + 5 = 33/8, φ = 264/35
-TEST(Seed000, InterpolationAlongThePrimitiveDiffersFromScreenSpace) {
+TEST(Appendix5, InterpolationAlongThePrimitiveDiffersFromScreenSpace) {
   const Drawn drawn(appendix_case());
   EXPECT_EQ(drawn.text(0, 0, 0), "152/59");
   EXPECT_EQ(drawn.text(0, 3, 2), "264/35");
@@ -100,9 +101,9 @@ TEST(Seed000, InterpolationAlongThePrimitiveDiffersFromScreenSpace) {
   EXPECT_NE(drawn.value(0, 3, 2), drawn.value(1, 3, 2));
 }
 
-// Seed 000, A 6.4 and A 6.7: φ = a x + b y + c z in view space, and with the same a, b, c
+// Appendix 5, A 6.4 and A 6.7: φ = a x + b y + c z in view space, and with the same a, b, c
 // φ = a x + b y + c w in homogeneous screen space, where (x, y, w) = (sx w, sy w, w).
-TEST(Seed000, SameCoefficientsHoldInViewSpaceAndInHomogeneousScreenSpace) {
+TEST(Appendix5, SameCoefficientsHoldInViewSpaceAndInHomogeneousScreenSpace) {
   const Drawn drawn(appendix_case());
   for (const auto& [px, py] : drawn.pixels()) {
     const Field phi = drawn.value(0, px, py);
@@ -116,8 +117,9 @@ TEST(Seed000, SameCoefficientsHoldInViewSpaceAndInHomogeneousScreenSpace) {
   EXPECT_EQ(drawn.text(4, 0, 0), "64/59");
 }
 
-// Seed 000, A 6.5 and A 6.6: the screen position of a fragment is (x/z, y/z) of its view position.
-TEST(Seed000, ViewPositionOfAFragmentProjectsBackToItsSample) {
+// Appendix 5, A 6.5 and A 6.6: the screen position of a fragment is (x/z, y/z) of its view
+// position.
+TEST(Appendix5, ViewPositionOfAFragmentProjectsBackToItsSample) {
   const Drawn drawn(appendix_case());
   for (const auto& [x, y] : drawn.pixels()) {
     EXPECT_EQ(drawn.value(2, x, y) / drawn.value(4, x, y), screen_x(x));
@@ -125,8 +127,8 @@ TEST(Seed000, ViewPositionOfAFragmentProjectsBackToItsSample) {
   }
 }
 
-// Seed 000, A 6.8: φ/w = a sx + b sy + c, with the coefficients of A 6.4: sx + 2 sy + 5.
-TEST(Seed000, QuotientOfALinearFunctionAndWIsAffineInTheScreenPosition) {
+// Appendix 5, A 6.8: φ/w = a sx + b sy + c, with the coefficients of A 6.4: sx + 2 sy + 5.
+TEST(Appendix5, QuotientOfALinearFunctionAndWIsAffineInTheScreenPosition) {
   const Drawn drawn(appendix_case());
   for (const auto& [x, y] : drawn.pixels()) {
     EXPECT_EQ(drawn.value(0, x, y) / drawn.value(4, x, y),
@@ -134,10 +136,10 @@ TEST(Seed000, QuotientOfALinearFunctionAndWIsAffineInTheScreenPosition) {
   }
 }
 
-// Seed 000, A 6.9: 1/w is affine in the screen position. It prints the letters of A 6.8, but they
-// are those of φ = 1, which is −x/4 − 3y/8 + 3z/8 on this plane: V0: 1/4 + 3/8 + 3/8,
-// V1: −1/2 + 3/4 + 3/4, V2: 1 − 3/2 + 3/2.
-TEST(Seed000, ReciprocalOfWIsAffineInTheScreenPosition) {
+// Appendix 5, A 6.9: 1/w is affine in the screen position. The appendix prints the letters of A
+// 6.8, but here they are the coefficients of φ = 1, which is −x/4 − 3y/8 + 3z/8 on this plane: V0:
+// 1/4 + 3/8 + 3/8, V1: −1/2 + 3/4 + 3/4, V2: 1 − 3/2 + 3/2.
+TEST(Appendix5, ReciprocalOfWIsAffineInTheScreenPosition) {
   const Drawn drawn(appendix_case());
   for (const auto& [x, y] : drawn.pixels()) {
     EXPECT_EQ(Field(1) / drawn.value(4, x, y),
@@ -145,9 +147,9 @@ TEST(Seed000, ReciprocalOfWIsAffineInTheScreenPosition) {
   }
 }
 
-// Seed 000, after A 6.9: "the same value of w" at all vertices is the signature of the case where
-// perspective correction does not matter; both give 3 sx + 11 sy + 16.
-TEST(Seed000, EqualWAtAllVerticesMakesSmoothAndNoperspectiveTheSame) {
+// Appendix 5, after A 6.9: "the same value of w" at all vertices is the signature of the case where
+// perspective correction does not matter; both interpolations give 3 sx + 11 sy + 16.
+TEST(Appendix5, EqualWAtAllVerticesMakesSmoothAndNoperspectiveTheSame) {
   for (const float w : {0.5f, 1.0f, 2.0f, 3.0f}) {
     const Drawn drawn(case_of_w(w, w, w));
     const auto pixels = drawn.pixels();
@@ -159,9 +161,9 @@ TEST(Seed000, EqualWAtAllVerticesMakesSmoothAndNoperspectiveTheSame) {
   }
 }
 
-// Seed 000, the converse: one other w is enough. Pixel (0, 0) has screen weights 14/16, 1/16, 1/16;
-// r = Σ r_i λ_i/w_i / Σ λ_i/w_i.
-TEST(Seed000, OneOtherWMakesSmoothAndNoperspectiveDiffer) {
+// Appendix 5, the converse: one vertex with another w is enough to make them differ. Pixel (0, 0)
+// has screen weights 14/16, 1/16, 1/16; r = Σ r_i λ_i/w_i / Σ λ_i/w_i.
+TEST(Appendix5, OneOtherWMakesSmoothAndNoperspectiveDiffer) {
   const Drawn first(case_of_w(2, 1, 1));  // 7 : 1 : 1, (14 + 8 + 24)/9
   EXPECT_EQ(first.text(0, 0, 0), "46/9");
   EXPECT_EQ(first.text(1, 0, 0), "15/4");
@@ -174,4 +176,4 @@ TEST(Seed000, OneOtherWMakesSmoothAndNoperspectiveDiffer) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle::seed_000_test
+}  // namespace rastercheck::oracle::appendix_5_test

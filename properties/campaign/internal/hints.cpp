@@ -1,0 +1,145 @@
+#include "properties/campaign/internal/hints.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "cases/fragments.h"
+#include "cases/some_fragments.h"
+#include "oracle/judge.h"
+#include "oracle/transform.h"
+#include "oracle/triangle_truth.h"
+#include "properties/campaign/internal/simple_changes.h"
+#include "properties/drawing.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Fragments;
+using records::DrawnPart;
+using records::FragmentClass;
+
+/// Judges the given parts of a drawing against a case.
+class Judging {
+ public:
+  explicit Judging(const DrawnParts& parts) : parts_(&parts) {}
+
+  WrongParts wrong_parts(const cases::Case& c, const cases::Contract& contract,
+                         const Fragments& drawn) const {
+    WrongParts wrong;
+    const oracle::SceneTruth scene(c, contract);
+    oracle::JudgeOptions options;
+    options.judges_values =
+        parts_->contains(DrawnPart::depth) || parts_->contains(DrawnPart::values);
+    options.self_check_one_in = 0;
+    options.shows_ordinary = false;
+    oracle::judge(scene, drawn, options,
+                  [&](const oracle::JudgedSample& sample, const oracle::TriangleTruth* /*truth*/) {
+                    take(sample, wrong);
+                  });
+    return wrong;
+  }
+
+  bool is_right(const cases::Case& c, const cases::Contract& contract,
+                const Fragments& drawn) const {
+    // Coverage and a few values take the least time to judge, and mostly suffice to find an error.
+    if (parts_->size() > 1 && parts_->contains(DrawnPart::coverage)) {
+      const DrawnParts coverage{DrawnPart::coverage};
+      if (!Judging(coverage).is_right(c, contract, drawn)) return false;
+    }
+    if (parts_->contains(DrawnPart::depth) || parts_->contains(DrawnPart::values)) {
+      constexpr std::size_t kFew = 16;
+      DrawnParts of_values = *parts_;
+      of_values.erase(DrawnPart::coverage);
+      const Fragments few = cases::thinned(drawn, kFew);
+      if (!Judging(of_values).wrong_parts(c, contract, few).is_none()) return false;
+    }
+    return wrong_parts(c, contract, drawn).is_none();
+  }
+
+ private:
+  void take(const oracle::JudgedSample& sample, WrongParts& wrong) const {
+    const bool is_right = sample.fragment_class == FragmentClass::correct;
+    if (!is_right && parts_->contains(DrawnPart::coverage)) wrong.coverage = true;
+    for (const oracle::JudgedValue& value : sample.values) {
+      if (value.fragment_class == FragmentClass::correct) continue;
+      if (!parts_->contains(part_of(value.kind))) continue;
+      if (value.attribute) {
+        wrong.attributes.insert(*value.attribute);
+      } else {
+        wrong.depth = true;
+      }
+    }
+  }
+
+  const DrawnParts* parts_;
+};
+
+/// Returns the drawn fragments moved to their places in the changed case.
+Fragments at_its_places(const SimpleChange& change, Fragments drawn) {
+  if (change.place_of == nullptr) return drawn;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const cases::SamplePlace place = change.place_of(change.source.framebuffer, drawn.place_of(i));
+    drawn.x[i] = static_cast<std::uint16_t>(place.x);
+    drawn.y[i] = static_cast<std::uint16_t>(place.y);
+    drawn.sample[i] = static_cast<std::uint8_t>(place.sample);
+  }
+  return drawn;
+}
+
+cases::Contract contract_of(const SimpleChange& change, const backends::Backend& backend,
+                            cases::TieRule tie_rule) {
+  cases::Contract contract = backend.contract(change.source);
+  if (change.names_grid) {
+    contract.coverage = change.source.coverage;
+    const bool is_open = contract.coverage && contract.basis == cases::Basis::unspecified;
+    if (!is_open) contract.basis = change.source.basis;
+    // The promised error counts in steps of another grid.
+    for (cases::TrianglePromise& promise : contract.triangles) promise.position_error = 0;
+  }
+  if (change.swaps_ties && tie_rule != cases::TieRule::unspecified) {
+    const bool is_top = tie_rule == cases::TieRule::top_left;
+    contract.tie_rule = is_top ? cases::TieRule::bottom_left : cases::TieRule::top_left;
+  }
+  return contract;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> hints_of(const cases::Case& source,
+                                                 backends::Backend& backend,
+                                                 const DrawnParts& parts,
+                                                 const IsToEnd& is_to_end) {
+  const Result<cases::ClipCase> c = oracle::to_clip_case(source, "");
+  if (!c) return std::nullopt;
+  const Result<backends::Drawn> drawn = draw(*c, backend);
+  if (!drawn) return std::nullopt;
+  const WrongParts wrong = Judging(parts).wrong_parts(*c, drawn->contract, drawn->fragments);
+  if (wrong.is_none()) return std::nullopt;
+  // Changes that look alike in these parts may differ in the whole drawing.
+  const DrawnParts whole{DrawnPart::coverage, DrawnPart::depth, DrawnPart::values};
+  const auto put_right_in = [&](const DrawnParts& some) {
+    Fragments right = drawn->fragments;
+    put_right(*c, drawn->contract, some, right);
+    return right;
+  };
+  const Fragments right = put_right_in(parts);
+  const Fragments wholly_right = parts == whole ? right : put_right_in(whole);
+  std::vector<std::string> hints;
+  visit_simple_changes(*c, wrong, [&](const SimpleChange& change) {
+    const bool is_there = std::find(hints.begin(), hints.end(), change.change) != hints.end();
+    if (is_there || (is_to_end && is_to_end())) return;
+    const cases::Contract contract = contract_of(change, backend, drawn->contract.tie_rule);
+    const auto explains = [&](const DrawnParts& some, const Fragments& right_in_these) {
+      const auto is_right = [&](const Fragments& fragments) {
+        return Judging(some).is_right(change.source, contract, at_its_places(change, fragments));
+      };
+      return is_right(drawn->fragments) && !is_right(right_in_these);
+    };
+    const bool is_hint =
+        explains(parts, right) || (parts != whole && explains(whole, wholly_right));
+    if (is_hint) hints.push_back(change.change);
+  });
+  return hints;
+}
+
+}  // namespace rastercheck::properties
