@@ -81,7 +81,8 @@ class Records {
       const float given = number(i);
       const bool is_one =
           given >= 1 && given <= static_cast<float>(triangles) && given == std::floor(given);
-      if (!is_one) return wrong_record(fmt::format("a flat number came out as {}", given));
+      if (!is_one)
+        return wrong_record(fmt::format("a flat triangle number was drawn as {}", given));
       ++begins[static_cast<std::size_t>(given)];
     }
     std::partial_sum(begins.begin(), begins.end(), begins.begin());
@@ -200,7 +201,8 @@ Result<std::size_t> AppendedDrawing::draw_some(std::size_t first, std::size_t co
       if (!had) return had;
     }
     if (*had > room_) {
-      if (pass > 0) return wrong_record("drawn again, the same triangles have more fragments");
+      if (pass > 0)
+        return wrong_record("the same triangles had more fragments when they were drawn again");
       if (count > 1) {
         return draw_some(first, std::clamp<std::size_t>(count * most / *had, 1, count - 1));
       }
@@ -253,7 +255,8 @@ Result<void> AppendedDrawing::add_values(const Records& records, std::size_t beg
     if (is_same) set_values(begin + k, records, (*order)[k]);
   }
   if (is_same) return {};
-  return wrong_record("drawn again with others of its attributes, the case covers other samples");
+  return wrong_record(
+      "the case covered other samples when it was drawn again with its other attributes");
 }
 
 /// Removes all fragments from index `begin` on.
@@ -348,9 +351,10 @@ bool AppendedDrawing::is_same_fragment(std::size_t i, const cases::Fragments& la
 }  // namespace
 
 std::string lacks_of_appending(const cases::Case& c) {
-  if (c.framebuffer.samples > 1) return "fragments of several samples are not appended";
-  if (c.depth_test != cases::DepthTest::none) return "appended fragments know no depth test";
-  if (c.depth_clamp) return "what clamping makes of a depth is stored and not appended";
+  if (c.framebuffer.samples > 1) return "appending supports only one sample per pixel";
+  if (c.depth_test != cases::DepthTest::none) return "appending does not support a depth test";
+  if (c.depth_clamp)
+    return "appending does not support depth clamp, which changes depths only when they are stored";
   return "";
 }
 

@@ -26,9 +26,8 @@ tl::unexpected<Error> no_such_kind(const std::string& specification, const std::
     kinds.emplace_back(other.kind);
     known += (known.empty() ? "" : ", ") + kinds.back();
   }
-  return tl::unexpected(
-      Error{specification, "",
-            "no backend of that name; there are: " + known + cases::did_you_mean(kind, kinds)});
+  return tl::unexpected(Error{
+      specification, "", "unknown backend; backends: " + known + cases::did_you_mean(kind, kinds)});
 }
 
 }  // namespace

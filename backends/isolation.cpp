@@ -41,7 +41,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   std::optional<Error> is_lost() const override {
     if (crashes_ < kMostCrashes && hangs_ < kMostHangs) return std::nullopt;
     Error error = *last_loss_;
-    error.reason = fmt::format("not drawn, after {} crashes in a row and {} hangs; of the last: {}",
+    error.reason = fmt::format("not drawn after {} crashes in a row and {} hangs; the last one: {}",
                                crashes_, hangs_, error.reason);
     return error;
   }

@@ -131,11 +131,10 @@ class WatchedDrawer {
       before = after;
     }
     if (growing < kSuspected) return {};
-    return tl::unexpected(Error{
-        "", "",
-        fmt::format("it leaks: each time that this case is drawn again, more memory is in use than "
-                    "before, the last time {} bytes",
-                    growth)});
+    return tl::unexpected(Error{"", "",
+                                fmt::format("it leaks memory: each time this case is drawn again, "
+                                            "memory use grows, the last time by {} bytes",
+                                            growth)});
   }
 
   Backend* backend_;
@@ -181,7 +180,7 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
   WatchedDrawer drawer(**backend, limits.seconds);
   while (const std::optional<std::string> asked = channel->receive(kMostBytes, {})) {
     const std::optional<Request> request = unpack_request(*asked);
-    if (!request) return tl::unexpected(Error{"-", "", "not a request of a drawing"});
+    if (!request) return tl::unexpected(Error{"-", "", "not a request for a drawing"});
     if (const auto set = cases::limit_processor_time_from_now(time_of_all); !set) return set;
     if (!channel->send(answer_to(*request, **backend, drawer), {})) break;
   }

@@ -22,7 +22,7 @@ void members(Archive& archive, T& all) {
   archive.optional("max_clip_distances", all.max_clip_distances, usual.max_clip_distances);
   archive.optional("numbers", all.numbers);
   archive.check([&](const JsonNode& node) {
-    if (!has_meaning(all)) node.refuse("says what cannot be, or leaves no case to draw");
+    if (!has_meaning(all)) node.refuse("is inconsistent or excludes every case");
   });
 }
 

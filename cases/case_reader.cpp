@@ -41,7 +41,7 @@ Viewport read_viewport(const JsonNode& node, Rules rules) {
   if (node.has("min_depth")) viewport.min_depth = node["min_depth"].float32(0, 1);
   if (node.has("max_depth")) viewport.max_depth = node["max_depth"].float32(0, 1);
   if (rules == Rules::d3d && viewport.min_depth > viewport.max_depth) {
-    node["min_depth"].refuse("d3d wants min_depth <= max_depth");
+    node["min_depth"].refuse("must be at most max_depth under the rules of d3d");
   }
   return viewport;
 }
@@ -140,8 +140,7 @@ void read_vertices(const JsonNode& node, Case& c) {
     if (distances.size() != c.clip_distance_count) {
       // If this vertex has none although vertex 0 has some, the error points at the vertex.
       (vertex.has("clip_distances") ? vertex["clip_distances"] : vertex)
-          .refuse(
-              fmt::format("must have {} clip_distances, as vertex 0 has", c.clip_distance_count));
+          .refuse(fmt::format("must have {} clip_distances, like vertex 0", c.clip_distance_count));
     }
     for (const JsonNode& distance : distances) c.clip_distances.push_back(distance.float32());
     first = false;

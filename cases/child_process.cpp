@@ -46,7 +46,7 @@ std::uint64_t address_space() {
 }  // namespace
 
 std::string to_string(const ProcessEnd& end) {
-  if (end.signal != 0) return std::string("ended by signal ") + ::strsignal(end.signal);
+  if (end.signal != 0) return std::string("was killed by signal ") + ::strsignal(end.signal);
   return "ended with exit code " + std::to_string(end.exit_code);
 }
 

@@ -70,7 +70,7 @@ MagnitudeRange read_numbers(const JsonNode& node) {
   MagnitudeRange range;
   if (node.has("least")) range.least = node["least"].float32(0, kMost);
   if (node.has("greatest")) range.greatest = node["greatest"].float32(0, kMost);
-  if (!node.failed() && range.least > range.greatest) node.refuse("least is above greatest");
+  if (!node.failed() && range.least > range.greatest) node.refuse("least must not exceed greatest");
   return range;
 }
 
@@ -105,7 +105,7 @@ void read_bounds(const JsonNode& node, ContractTerms& terms) {
   read_term(node, "depth", terms.depth, &read_bound);
   const auto& depth = terms.depth;
   if (depth && !node.failed() && !depth->is_constant()) {
-    node["depth"].refuse("of depth the constant alone counts");
+    node["depth"].refuse("must have a constant only");
   }
 }
 

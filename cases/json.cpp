@@ -202,12 +202,12 @@ std::string child_pointer(const std::string& parent, std::string_view key) {
 
 Result<json> parse_json(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return tl::unexpected(Error{file, "1:1", "not valid JSON: there is nothing in it"});
+    return tl::unexpected(Error{file, "1:1", "not valid JSON: empty"});
   }
   // nlohmann treats a NUL byte as the end of the text.
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
     return tl::unexpected(
-        Error{file, line_and_column(text, nul + 1), "not valid JSON: a NUL byte"});
+        Error{file, line_and_column(text, nul + 1), "not valid JSON: unexpected NUL byte"});
   }
   DocumentBuilder builder(text, file);
   if (!json::sax_parse(text, &builder)) {

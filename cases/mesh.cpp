@@ -52,7 +52,7 @@ Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshO
   const auto refuse = [&file](const std::string& reason) {
     return tl::unexpected(Error{file, "", reason});
   };
-  if (mesh.triangles.empty()) return refuse("holds no triangle");
+  if (mesh.triangles.empty()) return refuse("has no triangles");
   Case c = empty_case(file, options, mesh.is_textured);
   c.triangles = mesh.triangles;
   c.positions.reserve(mesh.positions.size());
@@ -65,7 +65,7 @@ Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshO
   }
   c.camera =
       frame(bounds_of(c.positions), c.rules, double{c.viewport.width} / double{c.viewport.height});
-  if (!is_finite_camera(*c.camera)) return refuse("too large to be framed by a float32 camera");
+  if (!is_finite_camera(*c.camera)) return refuse("too large for a float32 camera to frame");
   return c;
 }
 

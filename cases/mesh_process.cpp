@@ -84,7 +84,7 @@ std::uint64_t payload_size(std::uint64_t vertices, std::uint64_t triangles, bool
 
 /// The reason why a process failed.
 std::string reason_of(const ChildOutcome& outcome, const ProcessLimits& limits) {
-  if (!outcome.is_whole) return "the mesh reader says more than any mesh has";
+  if (!outcome.is_whole) return "the mesh reader's answer is larger than any mesh";
   if (outcome.end.signal == SIGXCPU) {
     return fmt::format("the mesh reader took longer than {} s", limits.seconds);
   }
@@ -155,13 +155,13 @@ Result<Mesh> mesh_from_reply(std::string_view reply, const std::string& file) {
     return tl::unexpected(Error{file, "", "the mesh reader's answer: " + reason});
   };
   const std::size_t end = reply.find('\n');
-  if (end == std::string_view::npos || end > kLongestLine) return refuse("no line");
+  if (end == std::string_view::npos || end > kLongestLine) return refuse("no header line");
   const Result<Header> header = read_json(reply.substr(0, end), file, &read_header);
   if (!header) return refuse(header.error().reason);
   if (header->error) return tl::unexpected(*header->error);
   std::string_view payload = reply.substr(end + 1);
   if (payload.size() != payload_size(header->vertices, header->triangles, header->is_textured)) {
-    return refuse("not as long as its header says");
+    return refuse("its length differs from the one in its header");
   }
   Mesh mesh;
   mesh.is_textured = header->is_textured;

@@ -143,11 +143,11 @@ std::string import_failure(const Assimp::Importer& importer, bool is_input,
     words.replace(name, AI_MEMORYIO_MAGIC_FILENAME_LENGTH, "-");
   }
   if (!words.starts_with("No suitable reader")) return fmt::format("not a mesh: {}", words);
-  if (!is_input) return "not a mesh, by its ending and its content";
-  if (format.empty()) return "not a mesh, or of a format that has to be named (--format obj)";
+  if (!is_input) return "not a mesh, judging by its ending and its content";
+  if (format.empty()) return "not a mesh, or of a format that must be named, such as --format obj";
   return importer.IsExtensionSupported("." + format)
              ? fmt::format("not a mesh of the format '{}'", format)
-             : fmt::format("there is no format '{}' of meshes", format);
+             : fmt::format("unknown mesh format '{}'", format);
 }
 
 /// Returns the mesh of the scene that an importer has read.
@@ -180,7 +180,7 @@ Result<Mesh> read_mesh(const std::string& file, const std::string& format) {
   // Reads the file here first, because assimp's own message for a missing file is misleading.
   Result<std::string> text = read_text(file);
   if (!text) return tl::unexpected(text.error());
-  if (text->empty()) return tl::unexpected(Error{file, "", "not a mesh: there is nothing in it"});
+  if (text->empty()) return tl::unexpected(Error{file, "", "not a mesh: empty"});
   if (!is_input) *text = std::string();  // assimp reads the file itself
   try {
     Assimp::Importer importer;
@@ -191,7 +191,7 @@ Result<Mesh> read_mesh(const std::string& file, const std::string& format) {
     }
     return mesh_of_scene(importer, file, format);
   } catch (const std::bad_alloc&) {
-    return tl::unexpected(Error{file, "", "there is not enough memory to read it"});
+    return tl::unexpected(Error{file, "", "not enough memory to read it"});
   }
 }
 

@@ -78,7 +78,7 @@ OptionText text_of(const CLI::Option& option) {
   std::vector<std::string> notes;
   if (option.nonpositional() && option.get_required()) notes.emplace_back("required");
   if (const auto choices = choices_of(option); !choices.empty()) {
-    notes.push_back(fmt::format("of {}", fmt::join(choices, ", ")));
+    notes.push_back(fmt::format("choices: {}", fmt::join(choices, ", ")));
   }
   if (std::string range = range_in(parts_of(option).values); !range.empty()) {
     notes.push_back(std::move(range));

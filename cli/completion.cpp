@@ -13,9 +13,9 @@ namespace {
 /// Bash also splits words at ':' and '=', and replaces only the part after the last such character.
 /// So the script joins words again, and cuts replies.
 constexpr std::string_view kBegin =
-    R"(# Completion of rastercheck in bash, made by `rastercheck completion bash`.
+    R"(# Bash completion for rastercheck, written by `rastercheck completion bash`.
 
-# The words up to the cursor, cut at spaces alone.
+# The words up to the cursor, split at spaces only.
 _rastercheck_words() {
   local i word rest=$COMP_LINE after_space
   words=()
@@ -31,7 +31,7 @@ _rastercheck_words() {
   done
 }
 
-# The backends that can run here: names of those that `list` says so of.
+# The names of the backends that can run here, according to `list`.
 _rastercheck_backends() {
   local name available rest
   [[ -n $_rastercheck_backends ]] ||
@@ -46,7 +46,7 @@ _rastercheck_properties() {
   local name
   [[ -n $_rastercheck_properties ]] ||
     _rastercheck_properties=$("$1" list properties --quiet 2>/dev/null </dev/null)
-  while IFS= read -r name; do replies+=("$name"); done <<<"$_rastercheck_properties"
+  while read -r name _; do replies+=("$name"); done <<<"$_rastercheck_properties"
 }
 
 _rastercheck() {
@@ -72,7 +72,7 @@ constexpr std::string_view kEnd = R"(
   elif [[ -z $values ]]; then
     values=$argument
   fi
-  # As the shell would have it without what it is quoted with.
+  # The word as the shell would pass it, without quotes.
   current=${current#[\"\']}
   current=${current//\\/}
   case $values in

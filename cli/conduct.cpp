@@ -51,7 +51,7 @@ Result<records::Run> run_plan(const records::Plan& asked_for, const std::string&
   properties::look_closely(*run, {prepared->corpus(), {}, prepared->known(), nullptr},
                            conduct.backends);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  run->environment = environment(jobs, seconds.count());
+  run->environment = environment_of(run->plan, conduct.backends, jobs, seconds.count());
   return run;
 }
 

@@ -9,9 +9,8 @@ namespace rastercheck::cli {
 CLI::Option* add_contract(CLI::App& app, std::string& file) {
   return app
       .add_option("--contract", file,
-                  "File of what backends are held to, instead of what they promise "
-                  "themselves (rastercheck probe --contract-out writes one); - reads "
-                  "standard input")
+                  "Contract file to judge backends by, instead of their own promises (rastercheck "
+                  "probe --contract-out writes one); - reads standard input")
       ->type_name(kFile);
 }
 
@@ -23,11 +22,9 @@ CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& pro
           [&promise](const std::string& name) {
             promise = cases::from_name<cases::DriverPromise>(name);
           },
-          "What drivers are held to: spec, the text of OpenGL and Vulkan; conformance, what "
-          "Khronos' "
-          "tests hold every driver to; ieee, float32 arithmetic. Usual: ieee of those that draw "
-          "with "
-          "the processor, else conformance")
+          "What drivers must satisfy: spec, the text of OpenGL and Vulkan; conformance, the limits "
+          "of Khronos' conformance tests; ieee, float32 arithmetic; default: ieee for drivers that "
+          "draw on the processor, else conformance")
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
       ->type_name("NAME");
 }

@@ -6,6 +6,9 @@
 
 #include <ctime>
 
+#include "cases/json.h"
+#include "records/run.h"
+
 namespace rastercheck::cli {
 
 namespace {
@@ -39,6 +42,19 @@ std::map<std::string, std::string> environment(int jobs, double seconds) {
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
           {"jobs", std::to_string(jobs)},
           {"seconds", fmt::format("{:.1f}", seconds)}};
+}
+
+std::map<std::string, std::string> environment_of(const records::Plan& plan,
+                                                  const backends::BackendFactory& factory, int jobs,
+                                                  double seconds) {
+  std::map<std::string, std::string> all = environment(jobs, seconds);
+  for (const std::string& specification : plan.backends) {
+    const auto backend = factory.make(specification);
+    if (!backend) continue;
+    const std::string description = cases::one_line((*backend)->about().description);
+    if (!description.empty()) all[records::drawn_by_key(specification)] = description;
+  }
+  return all;
 }
 
 }  // namespace rastercheck::cli

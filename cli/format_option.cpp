@@ -5,7 +5,7 @@
 namespace rastercheck::cli {
 
 void add_formats(CLI::App& app, std::vector<std::string>& formats) {
-  app.add_option("--format", formats, "Reports to write, with commas between them")
+  app.add_option("--format", formats, "Reports to write, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(reports::format_names()))
       ->type_name("LIST")

@@ -13,10 +13,9 @@ namespace rastercheck::cli {
 void add_timeout(CLI::App& app, double& seconds) {
   // One day: longer than anyone waits, and far from overflow.
   constexpr double kLongest = 86400;
-  app.add_option(
-         "--timeout", seconds,
-         "Seconds that a driver or plugin may be silent while it draws, before it counts as "
-         "hanging")
+  app.add_option("--timeout", seconds,
+                 "Seconds that a driver or plugin may draw without a sign of progress before it "
+                 "counts as hung")
       ->check(CLI::Range(0.001, kLongest))
       ->type_name("SECONDS")
       ->capture_default_str();

@@ -12,15 +12,15 @@ namespace {
 
 void add_known(CLI::App& app, properties::KnownSources& given, bool& is_none) {
   CLI::Option* known =
-      app.add_option("--known", given,
-                     "List of known defects (rastercheck known add) or expectation list "
-                     "(NAME-fails.txt, -flakes.txt, -skips.txt), or a folder of lists of drivers, "
-                     "DRIVER/known.json, in place of those that come with the program; may be "
-                     "given several times")
+      app.add_option(
+             "--known", given,
+             "List of known defects (rastercheck known add), expectation list (NAME-fails.txt, "
+             "-flakes.txt, -skips.txt), or folder of drivers' lists (DRIVER/known.json), instead "
+             "of the lists that come with the program; may be repeated")
           ->check(CLI::ExistingPath)
           ->allow_extra_args(false)
           ->type_name(kFile);
-  app.add_flag("--no-known", is_none, "Defects that are known of a backend count as any other")
+  app.add_flag("--no-known", is_none, "Count known defects of a backend like any others")
       ->excludes(known);
 }
 

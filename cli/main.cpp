@@ -29,22 +29,23 @@ void open_standard_streams() {
 }
 
 constexpr const char* kIntroduction =
-    "A case is a JSON file that says what is drawn: triangles, attributes, framebuffer and the "
-    "rules of OpenGL, Vulkan or Direct3D. A backend is what draws: this project's rasterizer, a "
-    "driver, a plugin of yours. A property is a law that whatever is drawn has to obey; a case in "
-    "which it is violated is a counterexample.\n\n"
-    "To begin with:\n"
-    "  rastercheck list backends             what can be judged here\n"
+    "A case is a JSON file that says what to draw: triangles, attributes, framebuffer and the "
+    "rules of OpenGL, Vulkan or Direct3D. A backend draws cases: this project's rasterizer, a "
+    "driver or your plugin. A property is a sentence that is true of every correct drawing; a case "
+    "that violates one is a counterexample.\n\n"
+    "To begin:\n"
+    "  rastercheck list backends             lists what can be judged here\n"
     "  rastercheck run                       judges this project's rasterizer\n"
     "  rastercheck run --backend gl          judges this machine's OpenGL\n"
-    "  rastercheck explain FILE              how a counterexample comes about\n\n"
+    "  rastercheck explain FILE              explains a counterexample\n\n"
     "Every command has --help.";
 
 int run(int argc, char** argv) {
   CLI::App app("Checks rasterizers against exact rational arithmetic", "rastercheck");
   app.formatter(help_format());
-  app.set_help_flag("-h,--help", "Says what there is, and ends");
-  app.set_version_flag("--version", "rastercheck " RASTERCHECK_VERSION, "Prints the version");
+  app.set_help_flag("-h,--help", "Show this help and exit");
+  app.set_version_flag("--version", "rastercheck " RASTERCHECK_VERSION,
+                       "Show the version and exit");
   app.require_subcommand(1);
   std::map<const CLI::App*, Action> actions;
   for (const Command& command : commands()) {

@@ -62,42 +62,42 @@ std::string section(const CLI::App& command) {
 constexpr std::string_view kManualEnd = R"(.SH "EXIT STATUS"
 .TP
 0
-All laws held, or were violated in ways that are known of a driver.
+All properties held, or were violated only in known ways.
 .TP
 1
-A law was violated.
+A property was violated.
 .TP
 2
-Wrong usage, or input that cannot be read: one line says file, place and why.
+Wrong usage or unreadable input; one line names the file, the place and the reason.
 .TP
 3
-Worse than a baseline.
+Worse than the baseline.
 .TP
 4
-A backend that was asked for cannot run here.
+A requested backend cannot run here.
 .TP
 5
-Nothing was checked, or too little of what a law claims to test.
+Nothing was checked, or too little of what a property claims to test.
 .TP
 70
-An internal error; the oracle's check of itself is one.
+Internal error, for example if the oracle contradicts itself.
 .TP
 130
 Interrupted before anything was violated.
 .SH FILES
 .TP
 rastercheck\-out
-The results of a run: report.html, run.json, summary.md, junit.xml, and counterexamples, a case file each.
+Results of a run: report.html, run.json, summary.md, junit.xml, and a case file for each counterexample.
 .SH ENVIRONMENT
 .TP
 CI
-No progress bar where it is set.
+If set, no progress bar is shown.
 .TP
 GITHUB_ACTIONS, GITHUB_STEP_SUMMARY
-In a job of GitHub Actions, a run writes its summary there and marks what failed.
+In a job of GitHub Actions, a run appends its summary to the job's summary and annotates what failed.
 .TP
 VK_DRIVER_FILES, __EGL_VENDOR_LIBRARY_FILENAMES
-The drivers that the Vulkan loader and EGL find.
+Drivers for the Vulkan loader and EGL to load.
 )";
 
 }  // namespace
@@ -105,7 +105,7 @@ The drivers that the Vulkan loader and EGL find.
 std::string manual_page(const CLI::App& program) {
   std::string roff =
       ".TH RASTERCHECK 1 \"\" \"rastercheck " RASTERCHECK_VERSION "\" \"User Commands\"\n";
-  roff += ".SH NAME\nrastercheck \\- checks rasterizers against exact rational arithmetic\n";
+  roff += ".SH NAME\nrastercheck \\- check rasterizers against exact rational arithmetic\n";
   roff += ".SH SYNOPSIS\n\\fBrastercheck\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n";
   roff += ".SH DESCRIPTION\n" + escaped(program.get_description()) + ".\n" +
           paragraphs(program.get_footer());

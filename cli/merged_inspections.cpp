@@ -19,7 +19,7 @@ using properties::MergedRun;
 using records::Run;
 
 tl::unexpected<Error> is_other(const std::string& what) {
-  return tl::unexpected(Error{what, "", "is not what the shards had"});
+  return tl::unexpected(Error{what, "", "differs from the shards'"});
 }
 
 Result<std::optional<cases::Case>> scene_of(const MergedRun& merged) {
@@ -48,9 +48,9 @@ Result<void> inspect_merged(MergedRun& merged) {
   const Result<properties::KnownByBackend> known = runner.known();
   if (!known) return tl::unexpected(known.error());
   if (properties::digest_of_known(*known) != merged.common.known_digest) {
-    return is_other("what is known of the backends");
+    return is_other("list of known defects");
   }
-  if (runner.promises() != merged.common.promises) return is_other("what backends promise");
+  if (runner.promises() != merged.common.promises) return is_other("contract of a backend");
 
   const Result<std::optional<cases::Case>> scene = scene_of(merged);
   if (!scene) return tl::unexpected(scene.error());

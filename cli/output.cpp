@@ -26,7 +26,7 @@ Result<void> check_output_file(const std::string& output, const std::string& inp
   std::error_code is_not_there;
   if (!std::filesystem::equivalent(output, input, is_not_there)) return {};
   return tl::unexpected(
-      Error{output, "", "is what is read, and would be overwritten; write to another file"});
+      Error{output, "", "is the input and would be overwritten; write to another file"});
 }
 
 std::string where_reports_are(const std::string& directory, std::span<const std::string> formats) {

@@ -32,7 +32,8 @@ Result<void> settle(const CLI::App& app, const char* name, const std::string& se
   if (app.count(name) > 0 && option != in_baseline) {
     return tl::unexpected(Error{
         name, "",
-        fmt::format("is not as in the baseline's section {}; leave it out, and it is", section)});
+        fmt::format("differs from the baseline's section {}; omit {} to use the baseline's value",
+                    section, name)});
   }
   option = in_baseline;
   return {};
@@ -45,11 +46,10 @@ Result<records::Plan> make_plan(const RunOptions& options) {
   if (!shard) return tl::unexpected(shard.error());
   if (*shard && !options.seed) {
     return tl::unexpected(
-        Error{"--shard", "", "needs --seed: all shards have to be of the same campaign"});
+        Error{"--shard", "", "needs --seed, so that all shards check the same cases"});
   }
   if (options.plan.draw_by == cases::DrawBy::frame && options.plan.scene.empty()) {
-    return tl::unexpected(
-        Error{"--draw-by", "", "frame is a way of drawing a scene: it needs --scene"});
+    return tl::unexpected(Error{"--draw-by", "", "frame needs --scene, because it draws a scene"});
   }
   records::Plan plan = options.plan;
   plan.shard = *shard;
@@ -96,7 +96,8 @@ Result<void> take_failed(RunOptions& options) {
   const Result<records::Run> run = reports::read_run(file);
   if (!run) return tl::unexpected(run.error());
   if (run->plan.scene == "-") {
-    return tl::unexpected(Error{file, "/plan/scene", "was read from standard input"});
+    return tl::unexpected(
+        Error{file, "/plan/scene", "was read from standard input, which cannot be read again"});
   }
   records::Plan plan = run->plan;
   plan.backends.clear();
@@ -107,8 +108,7 @@ Result<void> take_failed(RunOptions& options) {
     plan.properties.push_back(row.law);
   }
   if (plan.properties.empty()) {
-    return tl::unexpected(
-        Error{file, "", "says that nothing was violated: nothing to check again"});
+    return tl::unexpected(Error{file, "", "has no violated property to check again"});
   }
   plan.properties = without_repetitions(plan.properties);
   if (plan.contract) options.contract = plan.contract->file;

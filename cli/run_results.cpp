@@ -94,8 +94,9 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   fmt::print("\n");
   print_scenes(run);
   fmt::print("{}", reports::verdict_lines(run, rows, has_color()));
-  if (shown.size() < rows.size()) fmt::print("`--all` shows a row for each law.\n");
-  if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
+  if (shown.size() < rows.size()) fmt::print("`--all` shows a row for each property.\n");
+  if (run.cases_left > 0)
+    fmt::print("`rastercheck run --resume --output {}` continues the run.\n", output);
 }
 
 ExitCode exit_code_of(const records::Run& run, const std::vector<LawSummary>& rows,

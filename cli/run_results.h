@@ -13,7 +13,7 @@
 namespace rastercheck::cli {
 
 /// The help of --all.
-inline constexpr const char* kAllHelp = "Prints a row for each property, those that held as well";
+inline constexpr const char* kAllHelp = "Print a row for each property, including those that held";
 
 /// How much print_results() prints.
 enum class Detail {

@@ -13,7 +13,7 @@ Result<void> check_sample_count(const cases::Case& c, const std::string& file, b
   if (all || samples <= kMost) return {};
   return tl::unexpected(
       Error{file, "/framebuffer",
-            fmt::format("{} samples are more than 2^26; --all takes them all the same", samples)});
+            fmt::format("{} samples exceed the limit of 2^26; use --all to allow them", samples)});
 }
 
 }  // namespace rastercheck::cli

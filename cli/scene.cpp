@@ -70,12 +70,12 @@ Result<JudgedScene> judge_scene_of(const records::Plan& plan, const cases::Case&
     const std::string stem =
         std::filesystem::path(scene.name).stem().string() + "-" + specification;
     const Result<records::Picture> drawn =
-        picture(stem, fmt::format("{} as {} drew it.", scene.name, specification),
+        picture(stem, fmt::format("{} as drawn by {}.", scene.name, specification),
                 reports::draw_picture(found->source, *found->drawn));
-    const Result<records::Picture> errors = picture(
-        stem + "-errors",
-        "Its errors: the largest of each pixel's attributes against the exact value, in scale ULP.",
-        reports::draw_error_map(found->map, found->source.rules));
+    const Result<records::Picture> errors =
+        picture(stem + "-errors",
+                "Errors: for each pixel, the largest error of its attributes, in scale ULP.",
+                reports::draw_error_map(found->map, found->source.rules));
     if (!drawn) return tl::unexpected(drawn.error());
     if (!errors) return tl::unexpected(errors.error());
     all.pictures.push_back(*drawn);

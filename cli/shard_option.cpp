@@ -13,7 +13,7 @@ Error refusal(const std::string& text, const std::string& reason) {
 }
 
 std::string name_of(const std::optional<records::ShardNumber>& shard) {
-  return shard ? "shard " + to_string(*shard) : "the whole campaign";
+  return shard ? "shard " + to_string(*shard) : "not a shard";
 }
 
 }  // namespace
@@ -21,8 +21,8 @@ std::string name_of(const std::optional<records::ShardNumber>& shard) {
 CLI::Option* add_shard(CLI::App& app, ShardOption& shard) {
   return app
       .add_option("--shard", shard,
-                  "Only part I of N of the work, as 2/7, which needs --seed; `rastercheck merge` "
-                  "puts all parts together")
+                  "Do only part I of N of the work, such as 2/7 (needs --seed); `rastercheck "
+                  "merge` combines the parts")
       ->type_name("I/N");
 }
 
@@ -30,14 +30,14 @@ Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& optio
   if (!option) return std::nullopt;
   const std::string& text = *option;
   const auto numbers = two_whole_numbers_in(text, '/');
-  if (!numbers) return tl::unexpected(refusal(text, "must be two whole numbers, as 2/7"));
+  if (!numbers) return tl::unexpected(refusal(text, "must be two integers, such as 2/7"));
   const auto [index, count] = *numbers;
   if (count == 0 || count > records::kMostShards) {
-    return tl::unexpected(
-        refusal(text, fmt::format("a campaign has from 1 to {} shards", records::kMostShards)));
+    return tl::unexpected(refusal(
+        text, fmt::format("the number of shards must be from 1 to {}", records::kMostShards)));
   }
   if (index == 0 || index > count) {
-    return tl::unexpected(refusal(text, fmt::format("there are shards 1 to {}", count)));
+    return tl::unexpected(refusal(text, fmt::format("the shard must be from 1 to {}", count)));
   }
   return records::ShardNumber{index, count};
 }
@@ -47,7 +47,7 @@ Result<void> check_shard(const records::Plan& plan, const ShardOption& option) {
   if (!asked_for) return tl::unexpected(asked_for.error());
   const auto& shard = plan.shard;
   if (!option || *asked_for == shard) return {};
-  return tl::unexpected(refusal(*option, "what was interrupted is " + name_of(shard)));
+  return tl::unexpected(refusal(*option, "the interrupted run is " + name_of(shard)));
 }
 
 std::optional<records::Shard> shard_of(const properties::Checkpoint& start,

@@ -58,19 +58,19 @@ std::string reason_of(const CLI::App& program, const CLI::App& command,
   if (const auto word = unknown_word(program)) {
     const std::string name = word->substr(0, word->find('='));
     if (is_option(*word)) {
-      return fmt::format("there is no option {}{}", cases::printable(name),
+      return fmt::format("unknown option {}{}", cases::printable(name),
                          cases::did_you_mean(name, option_names(command)));
     }
     if (wants_command) {
-      return fmt::format("there is no command '{}'{}", cases::printable(*word),
+      return fmt::format("unknown command '{}'{}", cases::printable(*word),
                          cases::did_you_mean(*word, command_names(command)));
     }
-    return fmt::format("'{}' is one argument too many", cases::printable(*word));
+    return fmt::format("unexpected argument '{}'", cases::printable(*word));
   }
   if (wants_command) {
     return &command == &program
-               ? "a command is missing, as `rastercheck run`"
-               : fmt::format("a command is missing: {}", fmt::join(command_names(command), " or "));
+               ? "missing command, such as `rastercheck run`"
+               : fmt::format("missing command: {}", fmt::join(command_names(command), " or "));
   }
   return joined_lines(refusal.what());
 }

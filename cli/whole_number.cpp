@@ -31,7 +31,7 @@ CLI::Validator whole_number(std::uint64_t most) {
               text = std::to_string(*value);
               return "";
             }
-            return fmt::format("Value {} is no whole number from 0 to {}", text, most);
+            return fmt::format("{} is not an integer between 0 and {}", text, most);
           },
           ""};
 }

@@ -148,7 +148,7 @@ std::vector<std::string> approve(records::BaselineSection& section,
   }
   std::vector<std::string> changes = reports::change_lines(taken);
   if (changes.empty() && pattern.is_all() && comparison.changed_cases > 0) {
-    changes.push_back(fmt::format("{} of {} cases gave other bits, and no figure changed",
+    changes.push_back(fmt::format("{} of {} cases drew other bits, but no number changed",
                                   comparison.changed_cases, comparison.compared_cases));
   }
   if (changes.empty()) return changes;

@@ -43,7 +43,8 @@ Result<void> check_work_tree(const Git& git) {
   const Result<bool> is_bisecting = git.has_file("BISECT_LOG");
   if (!is_bisecting) return tl::unexpected(is_bisecting.error());
   if (*is_bisecting) {
-    return refused_because("git bisect", "a bisection goes on here; `git bisect reset` ends it");
+    return refused_because("git bisect",
+                           "a bisection is in progress here; end it with `git bisect reset`");
   }
   const Result<std::string> changed = git.changed_files();
   if (!changed) return tl::unexpected(changed.error());
@@ -51,8 +52,8 @@ Result<void> check_work_tree(const Git& git) {
   const std::vector<std::string> files = lines_of(*changed);
   return refused_because(
       "git status",
-      fmt::format("there are uncommitted changes ({} file{}, first '{}'); commit or "
-                  "stash them: other commits are going to be checked out",
+      fmt::format("the work tree has uncommitted changes ({} file{}, first '{}'); commit or stash "
+                  "them first, because bisecting checks out other commits",
                   files.size(), files.size() == 1 ? "" : "s", cases::printable(files.front())));
 }
 
@@ -65,8 +66,9 @@ Result<History> check_history(const Git& git, const BisectPlan& plan) {
   if (*good == *bad) return refused_because(plan.bad, "is the same commit as " + plan.good);
   const Result<std::string> base = git.ask({"merge-base", *good, *bad});
   if (!base || *base != *good) {
-    return refused_because(plan.good, fmt::format("is no ancestor of {}{}", plan.bad,
-                                                  base ? "; what both come from is " + *base : ""));
+    return refused_because(plan.good,
+                           fmt::format("is not an ancestor of {}{}", plan.bad,
+                                       base ? "; their common ancestor is " + *base : ""));
   }
   const Result<std::string> commits = git.ask({"rev-list", "--count", *good + ".." + *bad});
   if (!commits) return tl::unexpected(commits.error());
@@ -91,11 +93,10 @@ Result<void> restore(const Git& git, const std::string& head, const BisectWatch&
     const Result<std::string> kept =
         git.ask({"stash", "push", "--quiet", "-m", "rastercheck bisect"});
     if (kept)
-      watch.report("what BUILD changed of the files that git tracks is kept, see git stash list");
+      watch.report("BUILD changed tracked files; the changes are stashed (see git stash list)");
   }
   return check_out_head(git, head).map_error([&](const Error& error) {
-    return Error{error.file, "",
-                 fmt::format("{} cannot be checked out again: {}", head, error.reason)};
+    return Error{error.file, "", fmt::format("cannot check out {} again: {}", head, error.reason)};
   });
 }
 
@@ -167,7 +168,7 @@ Result<records::Run> Bisection::draw(const std::string& commit, const char* fold
   const Result<std::string> changed = git_.changed_files();
   if (run && changed && !changed->empty()) {
     return refused_because(
-        name, "BUILD changes what git tracks: " + cases::printable(lines_of(*changed).front()));
+        name, "BUILD changes tracked files: " + cases::printable(lines_of(*changed).front()));
   }
   return run.map_error([&](const Error& error) { return Error{name, "", to_string(error)}; });
 }
@@ -175,7 +176,7 @@ Result<records::Run> Bisection::draw(const std::string& commit, const char* fold
 Result<void> Bisection::judge_ends() {
   Result<records::Run> good = draw(history_.good, kGoodFolder, plan_.good);
   if (!good) return tl::unexpected(good.error());
-  watch_.report(judged_text({history_.good, CommitVerdict::good, "what others are held against"}));
+  watch_.report(judged_text({history_.good, CommitVerdict::good, "others are compared with it"}));
   Result<records::Run> bad = draw(history_.bad, kBadFolder, plan_.bad);
   if (!bad) return tl::unexpected(bad.error());
   Result<std::vector<records::Comparison>> comparisons = against_good(*good, *std::move(bad));
@@ -299,7 +300,7 @@ Result<std::string> work_tree_of(const std::string& folder) {
   if (!answer) return tl::unexpected(answer.error());
   const std::vector<std::string> lines = lines_of(answer->output);
   if (answer->end.exit_code == 0 && lines.size() == 1) return lines.front();
-  return refused_because(folder, "is in no work tree of git");
+  return refused_because(folder, "is not in a git work tree");
 }
 
 Result<records::BisectOutcome> bisect(BisectPlan plan, const BisectWatch& watch) {

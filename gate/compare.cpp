@@ -60,12 +60,13 @@ std::string other_options(const records::Plan& before, const records::Plan& afte
 std::string other_cases(const std::string& law, const records::LawCases& before,
                         const records::LawCases& after) {
   if (before.count != after.count) {
-    return fmt::format("the law '{}' has {} cases in the baseline and {} now", law, before.count,
-                       after.count);
+    return fmt::format("the property '{}' has {} cases in the baseline and {} now", law,
+                       before.count, after.count);
   }
   if (before.digest == after.digest) return "";
   return fmt::format(
-      "the law '{}' has other cases than in the baseline: their digest was {:016x} and is {:016x}",
+      "the cases of the property '{}' differ from the baseline's: their digest was {:016x} and is "
+      "{:016x}",
       law, before.digest, after.digest);
 }
 
@@ -93,7 +94,7 @@ std::string difference(const records::BaselineSection& before,
   const records::Plan& is = after.plan;
   if (was.seed != is.seed) return numbers("the seed is", was.seed, is.seed);
   if (was.cases_per_law != is.cases_per_law) {
-    return numbers("the number of cases per law is", was.cases_per_law, is.cases_per_law);
+    return numbers("the number of cases per property is", was.cases_per_law, is.cases_per_law);
   }
   if (std::string other = other_options(was, is); !other.empty()) return other;
   for (const auto& [law, cases] : before.laws) {
@@ -332,10 +333,11 @@ Result<const records::BaselineSection*> section_for(const records::Baseline& bas
     there.push_back(to_string(each.key));
   const records::BaselineKey asked{current.key.backend, current.key.architecture,
                                    current.taken.instruction_set, current.taken.compiler};
-  return tl::unexpected(Error{
-      file, "",
-      fmt::format("has no section for {}; there {}", to_string(asked),
-                  there.empty() ? "is none" : fmt::format("are: {}", fmt::join(there, "; ")))});
+  return tl::unexpected(
+      Error{file, "",
+            fmt::format(
+                "has no section for {}; it has {}", to_string(asked),
+                there.empty() ? "none" : fmt::format("sections for {}", fmt::join(there, "; ")))});
 }
 
 Result<void> check_versions(const records::BaselineSection& before,
@@ -362,7 +364,8 @@ Result<std::vector<records::Comparison>> compare(const records::Baseline& baseli
   }
   // An empty comparison must not pass for one without worse figures.
   if (comparisons.empty()) {
-    return tl::unexpected(Error{files.current, "", "has no sections: there is nothing to compare"});
+    return tl::unexpected(
+        Error{files.current, "", "has no sections, so there is nothing to compare"});
   }
   return comparisons;
 }

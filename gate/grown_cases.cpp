@@ -44,7 +44,7 @@ Result<void> save(const reports::Gate& gate, const records::Comparison& comparis
   std::filesystem::create_directories(file.parent_path(), why);
   if (why) {
     return tl::unexpected(
-        Error{file.parent_path().string(), "", "cannot be made: " + why.message()});
+        Error{file.parent_path().string(), "", "cannot be created: " + why.message()});
   }
   return cases::write_file(file.string(), cases::to_json(c));
 }

@@ -68,7 +68,7 @@ bool allows(const Allowance& allowance, const records::Comparison& comparison,
 
 std::string described(const Policy& policy, std::size_t index) {
   const Allowance& allowance = policy.allow[index];
-  return fmt::format("{}: /allow/{} (law '{}', backend '{}', {}, {}: {})", policy.file, index,
+  return fmt::format("{}: /allow/{} (property '{}', backend '{}', {}, {}: {})", policy.file, index,
                      allowance.law, allowance.backend, allowance.kind, allowance.stratum,
                      allowance.reason);
 }
@@ -103,8 +103,8 @@ void members(Archive& archive, T& allowance) {
     if (allowance.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
       node["reason"].refuse("must not be empty");
     }
-    if (!is_day(allowance.until)) node["until"].refuse("must be a day, as \"2026-12-31\"");
-    if (allowance.worst && !(*allowance.worst >= 0)) node["worst"].refuse("must not be below 0");
+    if (!is_day(allowance.until)) node["until"].refuse("must be a date such as \"2026-12-31\"");
+    if (allowance.worst && !(*allowance.worst >= 0)) node["worst"].refuse("must not be negative");
   });
 }
 

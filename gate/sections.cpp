@@ -106,19 +106,21 @@ Error refusal(const std::string& reason) { return {"", "", reason}; }
 Result<records::BaselineSection> section_of(const records::Run& run, const std::string& backend) {
   if (std::find(run.plan.backends.begin(), run.plan.backends.end(), backend) ==
       run.plan.backends.end()) {
-    return tl::unexpected(refusal(fmt::format("the run is not of the backend '{}'", backend)));
+    return tl::unexpected(
+        refusal(fmt::format("the run does not include the backend '{}'", backend)));
   }
   if (!run.cases) {
     return tl::unexpected(
-        refusal("the run did not keep its cases: it has to be made with --keep-cases"));
+        refusal("the run did not keep its cases; run it again with --keep-cases"));
   }
   if (run.cases_left > 0) {
-    return tl::unexpected(refusal("the run was interrupted: `rastercheck run --resume` ends it"));
+    return tl::unexpected(
+        refusal("the run was interrupted; finish it with `rastercheck run --resume`"));
   }
   if (run.shard) {
-    return tl::unexpected(refusal(
-        fmt::format("the run is shard {} only: `rastercheck merge` makes the whole run of all {}",
-                    records::to_string(*run.plan.shard), run.plan.shard->count)));
+    return tl::unexpected(refusal(fmt::format(
+        "the run is only shard {}; `rastercheck merge` combines all {} into the whole run",
+        records::to_string(*run.plan.shard), run.plan.shard->count)));
   }
   records::BaselineSection section;
   section.key = {records::section_name(backend), in_environment(run, "architecture"), "", ""};
@@ -143,8 +145,9 @@ Result<records::Baseline> baseline_of(const records::Run& run) {
     const auto same = std::find_if(all.begin(), all.end(),
                                    [&section](const auto& one) { return one.key == section->key; });
     if (same != all.end()) {
-      return tl::unexpected(refusal(fmt::format("the backends '{}' and '{}' are one in a baseline",
-                                                same->taken.backend, backend)));
+      return tl::unexpected(
+          refusal(fmt::format("the backends '{}' and '{}' have the same name in a baseline",
+                              same->taken.backend, backend)));
     }
     put(baseline, *std::move(section));
   }

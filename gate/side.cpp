@@ -67,7 +67,9 @@ Result<void> rename_backend(Side& side, const std::string& name) {
   if (name.empty()) return {};
   if (side.sections.sections.size() != 1) {
     return tl::unexpected(
-        Error{side.file, "", "--as names one backend, and there is not one section"});
+        Error{side.file, "",
+              fmt::format("--as needs a file with exactly one section; this one has {}",
+                          side.sections.sections.size())});
   }
   side.sections.sections.front().key.backend = records::section_name(name);
   return {};
@@ -90,14 +92,14 @@ Result<CaseSet> case_set_for(const Side& baseline, const std::vector<std::string
       return tl::unexpected(Error{baseline.file, same.error().place, same.error().reason});
     }
     if (set && set->plan != of_section.plan) {
-      return tl::unexpected(Error{baseline.file, "",
-                                  fmt::format("the sections {} and {} are of other cases: run one "
-                                              "backend at a time",
-                                              set->section, of_section.section)});
+      return tl::unexpected(Error{
+          baseline.file, "",
+          fmt::format("the sections {} and {} have different cases; run one backend at a time",
+                      set->section, of_section.section)});
     }
     set = of_section;
   }
-  if (!set) return tl::unexpected(Error{baseline.file, "", "there is no backend to compare"});
+  if (!set) return tl::unexpected(Error{baseline.file, "", "no backend to compare"});
   return *set;
 }
 

@@ -36,14 +36,11 @@ bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
 }
 
 Error left_other_modes() {
-  return {"", "",
-          "the backend returned with another rounding mode, or with another treatment of subnormal "
-          "numbers, than it was called with"};
+  return {"", "", "the backend changed the rounding mode or the treatment of subnormal numbers"};
 }
 
 Error no_promise() {
-  return {"", "", "it has a triangle or a value of which the contract promises nothing",
-          Failure::unsupported};
+  return {"", "", "values outside the range the backend promises to handle", Failure::unsupported};
 }
 
 /// Runs `call()`, which draws a case without a camera, and checks its result and the floating-point
@@ -78,8 +75,7 @@ Result<backends::Drawn> drawn_by(const cases::Case& c, backends::Backend& backen
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
   if (!cases::promises_depth_range_of(backend.contract(c), c)) {
     return tl::unexpected(Error{"", "",
-                                "its depth range ends at numbers that the contract promises "
-                                "nothing of",
+                                "depth range outside the range the backend promises to handle",
                                 Failure::unsupported});
   }
   return drawn_by(c, backend);
@@ -114,8 +110,8 @@ Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends:
   Result<std::vector<cases::ClipVertex>> positions = backend.vertex_stage()->transform(c);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (positions && positions->size() != c.positions.size()) {
-    return tl::unexpected(
-        Error{"", "", "the backend's clip positions are not one for each vertex"});
+    return tl::unexpected(Error{
+        "", "", "the number of the backend's clip positions differs from the number of vertices"});
   }
   return positions;
 }
@@ -129,7 +125,7 @@ Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (world && world->size() != normals.size()) {
     return tl::unexpected(
-        Error{"", "", "the backend's normals are not one for each that it was handed"});
+        Error{"", "", "the backend returned another number of normals than it was given"});
   }
   return world;
 }
@@ -143,7 +139,7 @@ Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& bac
   if (picture && !is_well_formed(*picture, c, pipeline)) {
     return tl::unexpected(Error{"", "",
                                 "the backend's picture does not have the case's size, samples or "
-                                "attributes, or its arrays do not fit it"});
+                                "attributes, or the lengths of its arrays are wrong"});
   }
   return picture;
 }

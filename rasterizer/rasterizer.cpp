@@ -27,15 +27,16 @@ std::string_view to_string(Error error) {
     case Error::clip_distance_count:
       return "there are more than 8 clip distances";
     case Error::attribute_values:
-      return "the attributes of the mesh are not one value for each vertex and attribute";
+      return "the number of attribute values of the mesh is not vertices times attributes";
     case Error::clip_distance_values:
-      return "the clip distances of the mesh are not one value for each vertex and distance";
+      return "the number of clip distances of the mesh is not vertices times distances per vertex";
     case Error::index:
       return "a triangle of the mesh has a vertex index beyond the positions";
     case Error::triangle_count:
       return "there are more than 2^31 triangles";
     case Error::color_format:
-      return "bytes, and blending over what is there, take four channels, the last of them alpha";
+      return "bytes, and blending over existing colours, need four channels, the last of them "
+             "alpha";
     case Error::output_count:
       return "the shader does not have as many outputs as the framebuffer has channels";
     case Error::unknown_method:
@@ -43,7 +44,7 @@ std::string_view to_string(Error error) {
     case Error::out_of_memory:
       return "the memory for the result cannot be allocated";
   }
-  return "the error is none of the enumeration";
+  return "the error is not a value of the enumeration";
 }
 
 DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize& size,

@@ -67,7 +67,7 @@ void members(Archive& archive, Key& key, T& figures) {
   archive.optional_object("stages", figures.stages,
                           [](auto& inner, auto& stages) { inner.entries(stages); });
   archive.check([&](const JsonNode& node) {
-    if (figures.worst.lo < 0) node["worst"].refuse("is a magnitude and must not be below 0");
+    if (figures.worst.lo < 0) node["worst"].refuse("is a magnitude and must not be negative");
   });
 }
 
@@ -90,7 +90,7 @@ void members(Archive& archive, Key& number, T& figures) {
   archive.optional("worst", figures.worst);
   archive.check([&](const JsonNode& node) {
     if (figures.outcome == CaseOutcome::not_applicable) {
-      node["outcome"].refuse("must be that of a case that the law says something of");
+      node["outcome"].refuse("must be the outcome of a case to which the property applies");
     }
   });
 }
@@ -114,7 +114,7 @@ struct CorpusNames {
     for (const JsonNode& one : node.elements()) {
       const auto [index, name] = one.two_elements("index and name");
       if (!corpus.names.emplace(index.count(), name.text()).second) {
-        one.refuse("a second case of the same index");
+        one.refuse("a second case with the same index");
       }
     }
   }
@@ -130,7 +130,7 @@ void read_case(const JsonNode& node, const BaselineSection& section, LawCases& l
   const auto named = is_corpus ? section.corpus.find(number.second) : section.corpus.end();
   name_case(figures.worst, number.second, named == section.corpus.end() ? "" : named->second);
   if (!law.cases.emplace(number, std::move(figures)).second) {
-    node.refuse("a second case of the same number");
+    node.refuse("a second case with the same number");
   }
 }
 
@@ -155,7 +155,7 @@ struct CasesByLaw {
       if (one.failed()) return;
       const auto of = cases.section.laws.find(one["law"].text());
       if (of == cases.section.laws.end()) {
-        one["law"].refuse("is none that \"laws\" has");
+        one["law"].refuse("is not in \"laws\"");
         return;
       }
       for (const JsonNode& each : one["cases"].elements()) {
@@ -182,8 +182,8 @@ void members(Archive& archive, T& section) {
   archive.required("plan", section.plan);
   archive.required("taken", section.taken);
   archive.required("approvals", section.approvals);
-  archive.list("entries", section.entries, "entry of the same law, kind and stratum");
-  archive.list("laws", section.laws, "law of the same name");
+  archive.list("entries", section.entries, "entry with the same property, kind and stratum");
+  archive.list("laws", section.laws, "property with the same name");
   archive.required("corpus", CorpusNames{section.corpus});
   archive.required("cases", CasesByLaw{section});
   archive.optional("specimens", section.specimens);
@@ -203,7 +203,7 @@ Baseline read_baseline_document(const JsonNode& root) {
     sections[i].key.backend = section_name(sections[i].key.backend);
     put(baseline, std::move(sections[i]));
     if (baseline.sections.size() == i) {
-      root["sections"].elements()[i].refuse("a second section of the same key");
+      root["sections"].elements()[i].refuse("a second section with the same key");
       break;
     }
   }

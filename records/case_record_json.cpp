@@ -54,7 +54,7 @@ void write_value(nlohmann::json& to, const CaseRecordSet& records) {
   cases::write_entries(to, records);
 }
 void read_value(const cases::JsonNode& node, CaseRecordSet& records) {
-  cases::read_entries(node, records, "record of the same law, backend, origin and index");
+  cases::read_entries(node, records, "record with the same property, backend, origin and index");
   for (auto& [key, record] : records) name_case(record.worst, key.index, record.name);
 }
 

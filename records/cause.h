@@ -11,7 +11,7 @@ namespace rastercheck::records {
 
 /// A simple change to cases that makes their wrong drawings right.
 struct Hint {
-  std::string change;       ///< a clause: "y points the other way"
+  std::string change;       ///< a clause: "y points in the other direction"
   std::uint64_t right = 0;  ///< counterexamples that the change makes right
   std::uint64_t wrong = 0;  ///< counterexamples with wrong drawings
   bool operator==(const Hint&) const = default;

@@ -21,13 +21,13 @@ constexpr std::array<std::pair<Expected, std::string_view>, 3> kEndings{
 const char* reason_of(Expected expected) {
   switch (expected) {
     case Expected::fail:
-      return "It is expected to be violated.";
+      return "Expected to fail.";
     case Expected::flake:
-      return "It is expected to be violated at times.";
+      return "Expected to fail sometimes.";
     case Expected::skip:
       break;
   }
-  return "It is not to be checked.";
+  return "Expected not to be checked.";
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -102,7 +102,7 @@ Result<KnownList> parse_expectations(std::string_view text, Expected expected,
     if (name.empty()) continue;
     if (!names.insert(name).second) {
       return tl::unexpected(
-          Error{file, fmt::format("line {}", number), "is another line's name, too"});
+          Error{file, fmt::format("line {}", number), "repeats the name of another line"});
     }
     list.entries.push_back(entry_of(name, expected));
   }

@@ -54,7 +54,9 @@ void check_conditions(const JsonNode& node, const KnownConditions& when) {
   }
   if (node.has("note")) check_line(node["note"]);
   if (when == KnownConditions()) {
-    node.refuse("must have a condition: without one, nothing new of these laws would stand out");
+    node.refuse(
+        "must have a condition: without one it would hide every new fault that these properties "
+        "find");
   }
 }
 
@@ -80,11 +82,12 @@ bool is_day(std::string_view text) {
 
 /// Checks an entry of an expectation list, as run.json contains it.
 void check_expectation(const JsonNode& node, const KnownEntry& entry) {
-  if (entry.laws.empty()) node.refuse("must name a law");
+  if (entry.laws.empty()) node.refuse("must name a property");
   const bool has_more =
       !entry.verdicts.empty() || !(entry.when == KnownConditions()) || !entry.case_file.empty();
   if (has_more)
-    node.refuse("says what is expected of laws, and so of no verdict, condition or case");
+    node.refuse(
+        "is an expectation of whole properties, which must have no verdict, condition or case");
 }
 
 void check_entry(const JsonNode& node, const KnownEntry& entry) {
@@ -93,7 +96,7 @@ void check_entry(const JsonNode& node, const KnownEntry& entry) {
     for (const JsonNode& one : some_of(node[key], key)) check_line(one);
   }
   if (node.has("until") && !is_day(entry.until)) {
-    node["until"].refuse("must be a day, as \"2027-01-31\"");
+    node["until"].refuse("must be a date such as \"2027-01-31\"");
   }
   for (const char* const key : {"rule", "finding", "case"}) {
     if (node.has(key)) check_line(node[key]);
@@ -104,7 +107,7 @@ void check_entry(const JsonNode& node, const KnownEntry& entry) {
   }
   some_of(node["verdicts"], "verdicts");
   if (std::ranges::find(entry.verdicts, FragmentClass::correct) != entry.verdicts.end()) {
-    node["verdicts"].refuse("no violation is correct");
+    node["verdicts"].refuse("must not contain \"correct\"");
   }
   const std::filesystem::path path(entry.case_file);
   if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
@@ -116,7 +119,8 @@ void check_entries(const JsonNode& node, const KnownList& list) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < list.entries.size(); ++i) {
     const JsonNode entry = node["entries"].elements()[i];
-    if (!ids.insert(list.entries[i].id).second) entry["id"].refuse("is another entry's, too");
+    if (!ids.insert(list.entries[i].id).second)
+      entry["id"].refuse("is also the id of another entry");
     if (!list.driver) continue;
     // A driver's list must say more, because people who have not seen its defects read it.
     for (const char* const key : {"rule", "finding", "laws"}) {

@@ -17,6 +17,9 @@ struct Measured {
   std::string declared;
   std::string measured;
   std::string detail;  ///< certainty, number of samples; may be empty
+  /// True if the backend does not keep what it declares. A backend that is better than declared
+  /// does not contradict itself.
+  bool contradicts = false;
   bool operator==(const Measured&) const = default;
 };
 

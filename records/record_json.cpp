@@ -59,7 +59,7 @@ SignedSum::Units read_units(const JsonNode& node) {
   }
   // Also refuses texts from which nothing was read: "" and texts with other characters.
   if (fmt::format("{}", units) != text) {
-    node.refuse(fmt::format("must be a whole number of at most {} digits as text", kMostDigits));
+    node.refuse(fmt::format("must be an integer of at most {} digits, as text", kMostDigits));
   }
   return units;
 }
@@ -81,8 +81,8 @@ void read_value(const JsonNode& node, SignedSum& sum) {
   if (lo > hi) node.refuse("the lower end must not be above the upper");
   // Merging relies on this check: sums that are larger than their terms allow might overflow.
   const SignedSum::Units most = SignedSum::kMostOfTerm * count;
-  if (lo < -most) node["lo"].refuse("the sum of so few errors cannot be as low");
-  if (hi > most) node["hi"].refuse("the sum of so few errors cannot be as high");
+  if (lo < -most) node["lo"].refuse("is too low for the sum of so few errors");
+  if (hi > most) node["hi"].refuse("is too high for the sum of so few errors");
   sum = {lo, hi, count, node["beyond"].count()};
 }
 
@@ -118,8 +118,8 @@ void members(Archive& archive, T& extremes) {
   archive.optional_object("most_positive", extremes.most_positive, with_case);
   archive.check([&](const JsonNode& node) {
     const auto& [below, above] = extremes;
-    if (below && !(below->error.lo < 0)) node["most_negative"]["error"].refuse("must be below 0");
-    if (above && !(above->error.hi > 0)) node["most_positive"]["error"].refuse("must be above 0");
+    if (below && !(below->error.lo < 0)) node["most_negative"]["error"].refuse("must be negative");
+    if (above && !(above->error.hi > 0)) node["most_positive"]["error"].refuse("must be positive");
   });
 }
 
@@ -169,7 +169,7 @@ void members(Archive& archive, T& noticed) {
   archive.required("noticed", noticed.noticed);
   archive.check([&](const JsonNode& node) {
     if (noticed.noticed > noticed.drawings) {
-      node["noticed"].refuse("must not be more than there are drawings");
+      node["noticed"].refuse("must not exceed \"drawings\"");
     }
   });
 }
@@ -205,7 +205,7 @@ void write_value(json& to, const RecordSet::value_type& one) {
 }
 void write_value(json& to, const RecordSet& records) { cases::write_entries(to, records); }
 void read_value(const JsonNode& node, RecordSet& records) {
-  cases::read_entries(node, records, "record of the same law, backend, kind and stratum");
+  cases::read_entries(node, records, "record with the same property, backend, kind and stratum");
 }
 
 }  // namespace rastercheck::records

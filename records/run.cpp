@@ -24,13 +24,15 @@ std::string shard_sentence(const Run& run) {
   const ShardNumber& number = *run.plan.shard;
   const std::string rest =
       run.records.empty() && run.cases_left == 0
-          ? "nothing of the campaign fell to it"
-          : "a part of the campaign, of which it cannot say whether labels were reached";
-  return fmt::format("Shard {}: {}; `rastercheck merge` puts all {} together.", to_string(number),
-                     rest, number.count);
+          ? "it had no work to do"
+          : "one part of the campaign, which cannot tell whether labels were reached";
+  return fmt::format("Shard {}: {}; `rastercheck merge` combines all {}.", to_string(number), rest,
+                     number.count);
 }
 
 }  // namespace
+
+std::string drawn_by_key(const std::string& backend) { return "drawn by " + backend; }
 
 const std::string& sentence_of(const Run& run, const std::string& law) {
   const auto found = run.sentences.find(law);
@@ -38,7 +40,7 @@ const std::string& sentence_of(const Run& run, const std::string& law) {
 }
 
 std::string unreached_sentence(const UnreachedLabel& label) {
-  return fmt::format("Not reached: {} on {}: '{}' in {} of {} cases, where at least {} had to.",
+  return fmt::format("Not reached: {} on {}: '{}' in {} of {} cases; at least {} were required.",
                      label.law, label.backend, label.label, label.reached, label.checked,
                      label.least);
 }
@@ -50,11 +52,11 @@ const char* meaning_of(Staleness staleness) {
     case Staleness::wrong_list:
       return "the list of known defects is wrong, which counts as a violation.";
     case Staleness::other_version:
-      return "a warning, as the list was made for another version of the driver.";
+      return "this is only a warning, because the list is for another version of the driver.";
     case Staleness::waiver:
       break;
   }
-  return "it can be dropped.";
+  return "its entry can be removed.";
 }
 
 }  // namespace
@@ -63,8 +65,8 @@ std::string unexpected_sentence(const UnexpectedPass& pass) {
   // The id of an entry from an expectation list names its law (expectations.h).
   if (pass.id == pass.law || pass.id.ends_with("/" + pass.law)) {
     return fmt::format(
-        "Unexpected pass: {} was expected to fail on {}, and nothing violates it; "
-        "its line can be dropped.",
+        "Unexpected pass: {} was expected to fail on {}, but nothing violates it; its line can be "
+        "removed.",
         pass.law, pass.backend);
   }
   return fmt::format("Unexpected pass: the case of {} no longer violates {} on {}; {}", pass.id,
@@ -91,13 +93,13 @@ namespace {
 const char* words_of(cases::DriverPromise promise) {
   switch (promise) {
     case cases::DriverPromise::spec:
-      return "what the text of its API promises";
+      return "the text of its API";
     case cases::DriverPromise::conformance:
-      return "what Khronos' tests hold every driver to";
+      return "the limits of Khronos' conformance tests";
     case cases::DriverPromise::ieee:
       break;
   }
-  return "float32 arithmetic, which no API promises: what is violated is worse than that";
+  return "float32 arithmetic, which no API promises; violations are worse than that";
 }
 
 /// Adds sentences about lists for another version of the driver, about entries past their last day,
@@ -105,15 +107,15 @@ const char* words_of(cases::DriverPromise promise) {
 void add_known_caveats(const Run& run, std::vector<std::string>& all) {
   for (const KnownOfBackend& known : run.known) {
     if (known.list.driver && known.version != known.list.driver->version) {
-      all.push_back(fmt::format("What is known of {} was found with {}, and this is {}.",
+      all.push_back(fmt::format("The known defects of {} were found with {}; this is {}.",
                                 known.backend, known.list.driver->version, known.version));
     }
     for (const KnownEntry& entry : known.list.entries) {
       const bool has_run_out =
           std::find(known.run_out.begin(), known.run_out.end(), entry.id) != known.run_out.end();
       if (!has_run_out) continue;
-      all.push_back(fmt::format("{} of {} was known until {}, and counts again ({}).", entry.id,
-                                known.backend, entry.until, known.file));
+      all.push_back(fmt::format("Known defect {} of {} expired after {} and counts again ({}).",
+                                entry.id, known.backend, entry.until, known.file));
     }
   }
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> skipped;
@@ -132,12 +134,12 @@ std::vector<std::string> caveats(const Run& run) {
   std::vector<std::string> all;
   if (run.shard) all.push_back(shard_sentence(run));
   if (run.plan.contract) {
-    all.push_back(fmt::format("Held to the contract of {}, not to what the backends promise.",
+    all.push_back(fmt::format("Judged by the contract in {}, not by the backends' own promises.",
                               run.plan.contract->file));
   }
   for (const auto& [backend, promise] : run.held_to) {
-    all.push_back(fmt::format("{}{} is held to {} (--promise {}).",
-                              run.plan.contract ? "Where that says nothing, " : "", backend,
+    all.push_back(fmt::format("{}{} is judged by {} (--promise {}).",
+                              run.plan.contract ? "Where the contract says nothing, " : "", backend,
                               words_of(promise), to_string(promise)));
   }
   if (run.cases_left > 0) {
@@ -145,10 +147,9 @@ std::vector<std::string> caveats(const Run& run) {
         fmt::format("The run ended early: {} of its cases were not checked.", run.cases_left));
   }
   if (run.plan.shrinking.seconds) {
-    all.push_back(
-        fmt::format("Shrinking was limited to {} s a counterexample: how small they are "
-                    "depends on the machine.",
-                    *run.plan.shrinking.seconds));
+    all.push_back(fmt::format(
+        "Shrinking was limited to {} s per counterexample, so their sizes depend on the machine.",
+        *run.plan.shrinking.seconds));
   }
   add_known_caveats(run, all);
   std::map<std::string, std::uint64_t> given_up;
@@ -157,10 +158,10 @@ std::vector<std::string> caveats(const Run& run) {
     if (label != record.labels.end()) given_up[key.backend] += label->second;
   }
   for (const auto& [backend, cases] : given_up) {
-    all.push_back(fmt::format(
-        "{} crashed or hung so often that it was given up: {} cases of it were not drawn, "
-        "and count as violations.",
-        backend, cases));
+    all.push_back(
+        fmt::format("{} crashed or hung so often that it was given up: {} of its cases were not "
+                    "drawn and count as violations.",
+                    backend, cases));
   }
   return all;
 }

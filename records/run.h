@@ -86,6 +86,9 @@ struct Run {
   bool operator==(const Run&) const = default;
 };
 
+/// The key of Run::environment for what draws for a backend, such as a driver's name and version.
+std::string drawn_by_key(const std::string& backend);
+
 /// Returns the law's sentence, or its id if the run has no sentence for it.
 const std::string& sentence_of(const Run& run, const std::string& law);
 

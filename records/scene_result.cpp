@@ -23,18 +23,18 @@ std::string scene_sentence(const SceneResult& scene) {
                                                              share_text(scene.judged, samples));
     text += fmt::format("{}, {}; {}, {}", counted(scene.triangles, "triangle"),
                         counted(scene.fragments, "fragment"), judged,
-                        scene.wrong == 0 ? "all right"
+                        scene.wrong == 0 ? "all correct"
                                          : fmt::format("{} wrong{}", scene.wrong,
                                                        scene.is_known ? ", in known ways" : ""));
   } else if (scene.open > 0) {
-    text += fmt::format(
-        "nothing was judged of its {}: the contract leaves something open of each of {}",
-        counted(scene.triangles, "triangle"), counted(scene.open, "fragment"));
+    text +=
+        fmt::format("its {} could not be judged: the contract leaves something open for each of {}",
+                    counted(scene.triangles, "triangle"), counted(scene.open, "fragment"));
   } else if (scene.not_judged.empty()) {
-    text += fmt::format("nothing was judged of its {}: none has a sample that has to be drawn",
+    text += fmt::format("its {} could not be judged: no sample is required to be drawn",
                         counted(scene.triangles, "triangle"));
   } else {
-    text += fmt::format("nothing was judged of its {}", counted(scene.triangles, "triangle"));
+    text += fmt::format("its {} could not be judged", counted(scene.triangles, "triangle"));
   }
   if (!scene.values_not_judged.empty()) {
     text += fmt::format("; {} judged", counted(scene.values, "value"));
@@ -43,8 +43,8 @@ std::string scene_sentence(const SceneResult& scene) {
   }
   for (const auto& [why, triangles] : scene.not_judged) {
     const bool are_all = triangles == scene.triangles;
-    text += are_all ? ", as " + why
-                    : fmt::format("; {} not judged, as {}", counted(triangles, "triangle"), why);
+    text += are_all ? ": " + why
+                    : fmt::format("; {} not judged: {}", counted(triangles, "triangle"), why);
   }
   return text + ".";
 }

@@ -46,7 +46,7 @@ std::string share_text(std::uint64_t part, std::uint64_t whole) {
 std::string levels_text(const LevelCounts& levels, std::uint64_t undecided) {
   const std::uint64_t asked = levels.filter + levels.interval + levels.exact + undecided;
   if (asked == 0) return "";
-  return fmt::format("{} by filter, {} by interval, {} by exact numbers",
+  return fmt::format("{} by fast arithmetic, {} by interval arithmetic, {} by exact arithmetic",
                      share_text(levels.filter, asked), share_text(levels.interval, asked),
                      share_text(levels.exact, asked));
 }

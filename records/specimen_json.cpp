@@ -83,10 +83,9 @@ void read_row(const JsonNode& node, Specimen& specimen) {
     is_row = read_crop_sample(take(rest, ' '), specimen);
   }
   if (is_row && rest.empty()) return;
-  node.refuse(
-      fmt::format("must be {} samples, each \"-\" or {} times eight hexadecimal digits with "
-                  "colons between them",
-                  samples, specimen.values_per_sample()));
+  node.refuse(fmt::format(
+      "must be {} samples, each \"-\" or {} groups of eight hexadecimal digits separated by colons",
+      samples, specimen.values_per_sample()));
 }
 
 /// The rows of a specimen. When reading, the specimen must already have all other members.

@@ -232,8 +232,8 @@ std::string thin_sentence(const std::vector<LawSummary>& rows) {
   std::string text;
   if (count > 0) text = fmt::format("{} held on fewer than {} cases", properties(count), least);
   if (unreached == 0) return text;
-  return text + fmt::format("{}{} held without a label that had to be reached",
-                            text.empty() ? "" : "; ", properties(unreached));
+  return text + fmt::format("{}{} held without reaching a required label", text.empty() ? "" : "; ",
+                            properties(unreached));
 }
 
 std::vector<std::pair<std::uint64_t, std::string>> reasons_of(const LawSummary& row) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "reports/commands.h"
+#include "reports/finding_text.h"
 #include "reports/internal/compare_wording.h"
 #include "reports/internal/wording.h"
 
@@ -59,7 +60,7 @@ std::string error_of(const records::Run& run, const records::Counterexample& cou
       (std::filesystem::path(directory) / records::file_of(counterexample)).string();
   std::string message;
   if (!counterexample.violations.empty()) {
-    message = violation_text(counterexample.violations.front(), counterexample.source) + "\n";
+    message = finding_text(counterexample.violations.front(), counterexample.source) + "\n";
   }
   return fmt::format("::error file={},line=1,title={}::{}\n", escaped(file, true),
                      escaped(found.law + " on " + found.backend, true),
@@ -94,7 +95,7 @@ std::string github_annotations(const Gate& gate) {
   }
   for (const std::string& line : gate.policy.expired) text += command("warning", "expired", line);
   for (const std::string& line : gate.policy.unused) {
-    text += command("warning", "allows nothing any more", line);
+    text += command("warning", "allows nothing anymore", line);
   }
   return text;
 }

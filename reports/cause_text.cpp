@@ -47,10 +47,9 @@ std::string cause_line(const records::Run& run, const records::Cause& cause) {
 std::string hint_text(const records::Cause& cause) {
   if (!cause.hint) return "";
   const std::uint64_t wrong = cause.hint->wrong;
-  return fmt::format("{} wrong {} right if {}",
-                     wrong == 1 ? "the one" : fmt::format("{} of {}", cause.hint->right, wrong),
-                     wrong == 1 ? "drawing is" : "drawings are",
-                     cases::printable(cause.hint->change));
+  return fmt::format("it draws as if {} ({})", cases::printable(cause.hint->change),
+                     wrong == 1 ? std::string("its one wrong drawing")
+                                : fmt::format("{} of {} wrong drawings", cause.hint->right, wrong));
 }
 
 std::vector<std::size_t> without_cause(const records::Run& run) {

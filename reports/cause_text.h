@@ -20,7 +20,7 @@ std::string cause_counts(const records::Run& run);
 /// several backends, also names those concerned.
 std::string cause_line(const records::Run& run, const records::Cause& cause);
 
-/// "11 of 12 wrong drawings are right if y points the other way"; empty without a hint.
+/// "it draws as if y points the other way (11 of 12 wrong drawings)"; empty without a hint.
 std::string hint_text(const records::Cause& cause);
 
 /// The indices of counterexamples without a cause. Runs from before causes existed have only these.

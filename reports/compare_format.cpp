@@ -34,9 +34,9 @@ Result<CompareFormat> find_compare_format(std::string_view name) {
     if (format.name == name) return format;
     names.push_back(format.name);
   }
-  return tl::unexpected(Error{
-      std::string(name), "",
-      fmt::format("no form of comparisons of that name; there are: {}", fmt::join(names, ", "))});
+  return tl::unexpected(
+      Error{std::string(name), "",
+            fmt::format("unknown form of comparisons; the forms are: {}", fmt::join(names, ", "))});
 }
 
 std::string file_of(const records::Comparison& comparison, const records::CaseGrowth& growth) {

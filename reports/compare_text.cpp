@@ -58,7 +58,7 @@ std::string growths_text(const Gate& gate, const records::Comparison& comparison
     text += fmt::format("  {}:\n    {}\n", cases::one_line(growth.law), case_text(growth));
     for (const std::string& line : growth_lines(growth)) text += fmt::format("    {}\n", line);
     if (const auto part = part_to_look_at(gate, comparison, growth)) {
-      text += fmt::format("    stage to look at: {}, {} ULP of it\n", to_string(part->stage),
+      text += fmt::format("    stage to look at: {}, {} ULP of the error\n", to_string(part->stage),
                           mean_text(part->error));
     }
     for (const std::string& command : growth_commands(gate, comparison, growth)) {
@@ -66,7 +66,7 @@ std::string growths_text(const Gate& gate, const records::Comparison& comparison
     }
   }
   text += more_text(comparison.grown_cases, shown, gate);
-  if (gate.folder.empty()) text += "  --output DIR saves them as case files, to be replayed.\n";
+  if (gate.folder.empty()) text += "  --output DIR saves them as case files for replay.\n";
   return text;
 }
 
@@ -81,7 +81,7 @@ std::string stages_text(const records::Comparison& comparison) {
 std::string laws_text(const records::Comparison& comparison) {
   std::string text;
   for (const std::string& law : comparison.new_laws) {
-    text += fmt::format("New, and held against nothing: {}\n", cases::one_line(law));
+    text += fmt::format("New, so not compared: {}\n", cases::one_line(law));
   }
   for (const std::string& law : comparison.gone_laws) {
     text += fmt::format("Gone: {}\n", cases::one_line(law));
@@ -95,7 +95,7 @@ std::string policy_text(const records::PolicyReview& review) {
     text += fmt::format("Expired: {}\n", cases::one_line(line));
   }
   for (const std::string& line : review.unused) {
-    text += fmt::format("Allows nothing any more, and may go: {}\n", cases::one_line(line));
+    text += fmt::format("Unused, so it can be removed: {}\n", cases::one_line(line));
   }
   return text.empty() ? "" : "\n" + text;
 }
@@ -106,7 +106,7 @@ std::string text_of(const Gate& gate, const records::Comparison& comparison, boo
   text += entries_text(gate, entries_with(comparison, records::Change::worse, false), "Worse:");
   if (quiet) return text;
   text += entries_text(gate, entries_with(comparison, records::Change::worse, true),
-                       "Worse, and allowed:");
+                       "Worse, but allowed:");
   if (count_of(comparison, records::Change::worse) > 0) {
     text += growths_text(gate, comparison) + stages_text(comparison);
   }
@@ -128,8 +128,8 @@ std::string advice_text(const Gate& gate) {
     return "";
   }
   return fmt::format("\n{}:\n  {}\n",
-                     is_worse ? "Where it is meant to be so, take the new figures over"
-                              : "Tighten the baseline, so that it stays so",
+                     is_worse ? "If this change is intended, accept the new numbers"
+                              : "To hold later runs to the new numbers, accept them",
                      cases::one_line(approve_command(gate)));
 }
 

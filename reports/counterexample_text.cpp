@@ -10,6 +10,7 @@
 #include "cases/json.h"
 #include "cases/names.h"
 #include "records/enclosure.h"
+#include "reports/finding_text.h"
 #include "reports/internal/exact_text.h"
 #include "reports/internal/wording.h"
 #include "reports/text_table.h"
@@ -25,43 +26,20 @@ constexpr std::size_t kMostShown = 12;
 constexpr int kMeasureDigits = 6;  ///< the most digits of errors and distances
 
 /// Formats a number as "0x1.8p-2 (0.375)", or a small whole number in decimal.
-std::string number_text(float value) {
+std::string float_text(float value) {
   const bool is_minus_zero = value == 0 && std::signbit(value);
   const bool is_plain = value == std::trunc(value) && std::abs(value) < 1000;
   if (is_plain && !is_minus_zero) return fmt::format("{}", value);
   return fmt::format("{} ({:.6g})", cases::to_hex(value), value);
 }
 
-std::string attribute_name(const cases::Case& c, std::uint32_t attribute) {
-  if (attribute >= c.attributes.size() || c.attributes[attribute].name.empty()) {
-    return fmt::format("attribute {}", attribute);
-  }
-  return fmt::format("attribute {} ('{}')", attribute,
-                     cases::printable(c.attributes[attribute].name));
-}
-
+/// The fault in a sentence; for a value, both numbers in full as well.
 std::string printed_violation(const Violation& v, const cases::Case& c) {
-  const std::string note = cases::printable(v.note);
-  if (!v.has_place()) return fmt::format("  {}\n", note);
-  std::string text = fmt::format("  pixel ({}, {}), sample {} of triangle {}: ", v.place.x,
-                                 v.place.y, v.place.sample, v.place.triangle);
-  if (v.kind == records::AttributeKind::coverage) {
-    text += fmt::format("{}; exactly: {}", cases::printable(v.actual), exact_text(v.exact));
-  } else {
-    const std::string what =
-        v.attribute ? attribute_name(c, *v.attribute) : std::string(to_string(v.kind));
-    text += fmt::format("{} is {}\n    exactly {}", what, cases::printable(v.actual),
-                        exact_text(v.exact));
+  std::string text = fmt::format("  {}\n", finding_text(v, c));
+  if (v.has_place() && v.kind != records::AttributeKind::coverage) {
+    text +=
+        fmt::format("    exactly {}; drawn {}\n", exact_text(v.exact), cases::printable(v.actual));
   }
-  if (v.error)
-    text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, kMeasureDigits));
-  if (v.bound) text += fmt::format(", {} allowed", records::to_decimal(*v.bound, kMeasureDigits));
-  if (v.distance) {
-    text += fmt::format("; {} pixels from the boundary",
-                        records::to_decimal(*v.distance, kMeasureDigits));
-  }
-  text += "\n";
-  if (!note.empty()) text += fmt::format("    {}\n", note);
   return text;
 }
 
@@ -84,7 +62,7 @@ std::string history_text(const Counterexample& one) {
       break;
   }
   if (!one.source.name.empty()) text += fmt::format(", “{}”", cases::printable(one.source.name));
-  if (!one.is_shrunk()) return text + "; as it was found";
+  if (!one.is_shrunk()) return text + "; as found";
   return text + fmt::format("; shrunk in {} tries{}", one.shrinking->tries,
                             one.shrinking->is_least ? "" : ", which might go on");
 }
@@ -116,7 +94,7 @@ std::string state_text(const cases::Case& c) {
       v.y, v.width, v.height, cases::name_of(c.rules));
   const auto add = [&text](const std::string& more) { text += ", " + more; };
   if (v.min_depth != 0 || v.max_depth != 1) {
-    add(fmt::format("depth range {} {}", number_text(v.min_depth), number_text(v.max_depth)));
+    add(fmt::format("depth range {} {}", float_text(v.min_depth), float_text(v.max_depth)));
   }
   if (c.coverage) {
     add(fmt::format("snapped to {} subpixel bits ({}, position error {})",
@@ -199,13 +177,13 @@ std::string case_text(const cases::Case& c) {
   for (std::size_t vertex = 0; vertex < c.positions.size(); ++vertex) {
     const cases::ClipVertex& p = c.positions[vertex];
     std::vector<std::string> row{fmt::format("  {}", vertex)};
-    for (const float number : {p.x, p.y, p.z, p.w}) row.push_back(number_text(number));
+    for (const float number : {p.x, p.y, p.z, p.w}) row.push_back(float_text(number));
     if (!c.camera) {
       const auto [x, y] = window_text(c, p);
       row.insert(row.end(), {x, y});
     }
-    for (const float value : c.attributes_of(vertex)) row.push_back(number_text(value));
-    for (const float distance : c.clip_distances_of(vertex)) row.push_back(number_text(distance));
+    for (const float value : c.attributes_of(vertex)) row.push_back(float_text(value));
+    for (const float distance : c.clip_distances_of(vertex)) row.push_back(float_text(distance));
     rows.push_back(std::move(row));
   }
   text += text_table(rows);

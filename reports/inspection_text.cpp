@@ -76,7 +76,8 @@ std::string triangle_text(const Inspection& inspection) {
     if (p.w <= 0) ++behind;
   }
   text += text_table(rows);
-  if (!inspection.q_matrix) text += "  It is seen edge-on: det M = 0, and covers nothing.\n";
+  if (!inspection.q_matrix)
+    text += "  The triangle is seen edge-on (det M = 0) and covers nothing.\n";
   if (behind > 0) {
     text += fmt::format("  {} of its vertices {} not in front of the eye (w <= 0).\n", behind,
                         behind == 1 ? "is" : "are");
@@ -88,30 +89,76 @@ std::string triangle_text(const Inspection& inspection) {
 std::string coverage_words(const InspectedSample& sample) {
   const bool is_permitted = sample.verdict == Verdict::permitted;
   if (sample.is_drawn) {
-    if (sample.verdict == Verdict::forbidden) return "EXTRA: drawn, and must not be";
-    return is_permitted ? "drawn, as it may be" : "drawn, as it has to be";
+    if (sample.verdict == Verdict::forbidden) return "EXTRA: drawn but must not be";
+    return is_permitted ? "drawn, as it may be" : "drawn, as it must be";
   }
-  if (sample.verdict == Verdict::required) return "MISSING: not drawn, and has to be";
-  return is_permitted ? "not drawn, as it may be" : "not drawn, rightly";
+  if (sample.verdict == Verdict::required) return "MISSING: not drawn but must be";
+  return is_permitted ? "not drawn, as it may be" : "not drawn, correctly";
 }
 
-std::string coverage_text(const Inspection& inspection, const InspectedSample& sample) {
+/// The place, the verdict and what was drawn, and what decides.
+std::string found_text(const Inspection& inspection, const InspectedSample& sample) {
   const records::WindowPoint in_pixel = sample.place.sample < inspection.pattern.size()
                                             ? inspection.pattern[sample.place.sample]
                                             : records::WindowPoint{};
-  std::string text = fmt::format("sample at ({}, {}): {} ({}, {})\n", sample.place.x + in_pixel.x,
-                                 sample.place.y + in_pixel.y, coverage_words(sample),
-                                 to_string(sample.verdict), to_string(sample.reason));
-  if (sample.distance) {
-    text += wrapped("", 2,
-                    fmt::format("{} from the boundary that decides, in pixels, positive inside",
-                                number(*sample.distance)));
+  std::string text = fmt::format(
+      "{} ({}, {})\n  pixel ({}, {}), sample {}, of triangle {}, on {}\n", coverage_words(sample),
+      to_string(sample.verdict), to_string(sample.reason), sample.place.x, sample.place.y,
+      sample.place.sample, inspection.place.triangle, cases::printable(inspection.backend));
+  if (!inspection.law.empty()) {
+    text += wrapped("", 2, "A counterexample to " + cases::printable(inspection.law) + ".");
   }
+  std::string where = fmt::format("The sample is at ({}, {})", sample.place.x + in_pixel.x,
+                                  sample.place.y + in_pixel.y);
+  if (sample.distance) {
+    where += fmt::format(", {} pixels from the boundary that decides (positive: inside)",
+                         number(*sample.distance));
+  }
+  text += wrapped("", 2, where + ".");
   if (inspection.coverage_stage) {
-    text += fmt::format("  Up to the stage `{}` it is as the rules have it; there it goes wrong.\n",
-                        to_string(*inspection.coverage_stage));
+    text += wrapped("", 2,
+                    fmt::format("Up to the stage `{}` its coverage is right; there it goes wrong.",
+                                to_string(*inspection.coverage_stage)));
   }
   return text;
+}
+
+// --- The pixels around ---------------------------------------------------------------------------
+
+/// One sample of the picture: drawn or not, rightly or not.
+char sign_of(const InspectedSample& sample) {
+  if (sample.is_drawn) return sample.verdict == Verdict::forbidden ? '+' : '#';
+  return sample.verdict == Verdict::required ? '-' : '.';
+}
+
+/// Draws one sample of each pixel around, the inspected one in brackets. Empty if there are none.
+std::string map_of_pixels(const Inspection& inspection) {
+  constexpr std::uint32_t kAround = 6;  // pixels on either side
+  const cases::SamplePlace& at = inspection.place;
+  const auto is_near = [](std::uint32_t a, std::uint32_t b) {
+    return (a > b ? a - b : b - a) <= kAround;
+  };
+  std::string rows;
+  std::string columns;
+  std::optional<std::uint32_t> row;
+  bool is_first_row = true;
+  for (const InspectedSample& sample : inspection.samples) {
+    const cases::SamplePlace& place = sample.place;
+    if (place.sample != at.sample || !is_near(place.x, at.x) || !is_near(place.y, at.y)) continue;
+    if (row != place.y) {
+      is_first_row = !row;
+      rows.erase(rows.find_last_not_of(' ') + 1);
+      rows += fmt::format("{}  y {:>5}", row ? "\n" : "", place.y);
+      row = place.y;
+    }
+    if (is_first_row) columns += fmt::format("{:>5} ", place.x);
+    const bool is_it = place.x == at.x && place.y == at.y;
+    rows += fmt::format("   {}{}{}", is_it ? '[' : ' ', sign_of(sample), is_it ? ']' : ' ');
+  }
+  if (rows.empty()) return "";
+  rows.erase(rows.find_last_not_of(' ') + 1);
+  return fmt::format("{}\n  x      {}\n  # drawn   . correctly not drawn   - MISSING   + EXTRA\n",
+                     rows, columns.substr(0, columns.find_last_not_of(' ') + 1));
 }
 
 // --- The projective map --------------------------------------------------------------------------
@@ -200,7 +247,7 @@ std::string split_text(const records::ErrorSplit& split) {
   for (const records::StagePart& part : split.parts) {
     largest = std::max(largest, records::magnitude_bound(part.error));
   }
-  if (largest == 0) return "  by stage, no stage is off\n";
+  if (largest == 0) return ": no stage is off\n";
   const int decimals = decimals_for(largest);
   std::vector<std::pair<std::string, double>> rows;
   rows.reserve(split.parts.size() + 1);
@@ -216,9 +263,9 @@ std::string split_text(const records::ErrorSplit& split) {
   }
   const std::size_t before = kIndent + names + 2 + numbers + 2;
   const std::size_t half = (kTerminalWidth - before - 1) / 2;
-  std::string text =
-      fmt::format("  by stage, in scale ULP, {}:\n",
-                  split.is_traced ? "as the backend traced it" : "as far as any backend shows");
+  std::string text = fmt::format(
+      " by stage, in scale ULP, {}:\n",
+      split.is_traced ? "as the backend traced it" : "without the backend's own stages");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& [name, value] = rows[i];
     if (i + 1 == rows.size()) {
@@ -272,7 +319,7 @@ std::string errors_text(const InspectedValue& value) {
   std::string text = fmt::format("{} scale ULP", number(*value.scale_error));
   if (value.local_error) text += fmt::format(", {} local ULP", number(*value.local_error));
   if (value.excess) {
-    text += fmt::format("; {} beyond what the contract leaves open", number(*value.excess));
+    text += fmt::format("; {} after allowances", number(*value.excess));
   }
   return wrapped("  error", kColumn, text);
 }
@@ -293,10 +340,17 @@ std::string value_text(const Inspection& inspection, const InspectedValue& value
     text += broken("", kColumn, fmt::format("about {:.12g}", *value.nearest));
   }
   text += broken("  drawn", kColumn, value.actual ? drawn_value_text(*value.actual) : "nothing");
-  text += errors_text(value) + conditions_text(value);
+  return text + errors_text(value) + conditions_text(value);
+}
+
+/// How the value's error comes about, stage by stage; empty if unknown.
+std::string stages_of_error(const Inspection& inspection, const InspectedValue& value) {
   const records::ErrorSplit* split = find_split(inspection, value.attribute);
-  if (split == nullptr) return text;
-  text += split_text(*split);
+  if (split == nullptr) return "";
+  std::string text =
+      "error of " +
+      (value.attribute ? fmt::format("attribute {}", *value.attribute) : std::string("depth")) +
+      split_text(*split);
   if (value.scale_error && *value.scale_error != split->total) {
     text += value.exact.starts_with('[')
                 ? "    The total is against the exact value at the place that was taken.\n"
@@ -317,18 +371,20 @@ std::string inspection_text(const Inspection& inspection, std::optional<std::siz
   const cases::Case& c = inspection.source;
   const InspectedSample* sample = records::inspected_sample(inspection);
   if (sample == nullptr || inspection.place.triangle >= c.triangles.size()) return "";
-  std::string text;
-  if (!c.name.empty()) text += wrapped("", 0, cases::printable(c.name));
-  text += fmt::format("triangle {} of {}, pixel ({}, {}), sample {}, on {}\n",
-                      inspection.place.triangle, c.triangles.size(), inspection.place.x,
-                      inspection.place.y, inspection.place.sample,
-                      cases::printable(inspection.backend));
-  text += triangle_text(inspection) + "\n";
-  text += coverage_text(inspection, *sample) + "\n" + map_text(inspection, *sample);
+  std::string text = found_text(inspection, *sample);
+  std::string stages;
   for (std::size_t i = 0; i < sample->values.size(); ++i) {
-    if (!value || *value == i) text += "\n" + value_text(inspection, sample->values[i]);
+    if (value && *value != i) continue;
+    text += "\n" + value_text(inspection, sample->values[i]);
+    const std::string of_value = stages_of_error(inspection, sample->values[i]);
+    if (!of_value.empty()) stages += "\n" + of_value;
   }
-  return text;
+  const std::string map = map_of_pixels(inspection);
+  if (!map.empty()) text += "\n" + map;
+  text += stages + "\n";
+  text += fmt::format("triangle {} of {}\n", inspection.place.triangle, c.triangles.size());
+  if (!c.name.empty()) text += wrapped("", 2, "of “" + cases::printable(c.name) + "”");
+  return text + triangle_text(inspection) + "\n" + map_text(inspection, *sample);
 }
 
 std::string inspection_legend() { return wrapped("", 0, kLegend); }

@@ -42,9 +42,9 @@ Result<Format> find_format(std::string_view name) {
   for (const Format& format : registry()) {
     if (format.name == name) return format;
   }
-  return tl::unexpected(Error{std::string(name), "",
-                              fmt::format("no report format of that name; there are: {}",
-                                          fmt::join(format_names(), ", "))});
+  return tl::unexpected(Error{
+      std::string(name), "",
+      fmt::format("unknown report format; the formats are: {}", fmt::join(format_names(), ", "))});
 }
 
 }  // namespace rastercheck::reports

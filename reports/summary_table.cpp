@@ -86,23 +86,6 @@ fmt::text_style style_of(LawVerdict verdict) {
   return {};
 }
 
-/// The verdict as it follows "3 laws".
-std::string_view verdict_words(LawVerdict verdict) {
-  switch (verdict) {
-    case LawVerdict::violated:
-      return "violated";
-    case LawVerdict::known:
-      return "violated in known ways only";
-    case LawVerdict::thin:
-      return "held on few cases";
-    case LawVerdict::held:
-      return "held";
-    case LawVerdict::not_checked:
-      break;
-  }
-  return "not checked";
-}
-
 nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
   return {{"filter", levels.filter}, {"interval", levels.interval}, {"exact", levels.exact}};
 }
@@ -113,8 +96,8 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
                           std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> cells;
   if (!quiet) {
-    cells.push_back({"law", "backend", "cases", "fragments", "not judged", "worst ULP", "p99 ULP",
-                     "beyond contract", "verdict"});
+    cells.push_back({"property", "backend", "cases", "fragments", "not judged", "worst ULP",
+                     "p99 ULP", "after allowances", "verdict"});
   }
   for (const records::LawSummary& row : rows) {
     cells.push_back({row.law, row.backend, std::to_string(row.cases.checked),
@@ -138,27 +121,12 @@ std::vector<records::LawSummary> notable_rows(const std::vector<records::LawSumm
 
 std::string verdict_lines(const records::Run& run, const std::vector<records::LawSummary>& rows,
                           bool has_color) {
-  constexpr std::array kWorstFirst{LawVerdict::violated, LawVerdict::known, LawVerdict::thin,
-                                   LawVerdict::held, LawVerdict::not_checked};
   std::string lines;
   for (const std::string& backend : run.plan.backends) {
     std::string line;
-    for (const LawVerdict verdict : kWorstFirst) {
-      const auto count = static_cast<std::uint64_t>(
-          std::count_if(rows.begin(), rows.end(), [&](const records::LawSummary& row) {
-            return row.backend == backend && row.verdict == verdict;
-          }));
-      if (count == 0) continue;
-      std::string part = line.empty() ? counted(count, "law ", "laws ") : fmt::format("{} ", count);
-      part += verdict_words(verdict);
-      const auto causes = static_cast<std::uint64_t>(
-          std::count_if(run.causes.begin(), run.causes.end(),
-                        [&](const records::Cause& cause) { return cause.backend == backend; }));
-      if (verdict == LawVerdict::violated && causes > 0) {
-        part += " in " + counted(causes, "cause", "causes");
-      }
+    for (const VerdictCount& count : verdict_counts(run, rows, backend)) {
       if (!line.empty()) line += ", ";
-      line += has_color ? fmt::format(style_of(verdict), "{}", part) : part;
+      line += has_color ? fmt::format(style_of(count.verdict), "{}", count.text) : count.text;
     }
     if (!line.empty()) lines += fmt::format("{}: {}.\n", cases::printable(backend), line);
   }
@@ -195,7 +163,7 @@ std::string not_judged_text(const std::vector<records::LawSummary>& rows) {
   std::string all;
   for (const auto& [backend, judged] : by_backend) {
     if (judged.not_judged.empty()) continue;
-    all += fmt::format("Not judged on {}: {} of fragments and values of all laws, {}.\n",
+    all += fmt::format("Not judged on {}: {} of the fragments and values of all properties, {}.\n",
                        cases::printable(backend), not_judged_share(judged),
                        records::not_judged_words(judged));
   }
@@ -224,13 +192,13 @@ std::string not_checked_text(const std::vector<records::LawSummary>& rows) {
     }
   }
   if (laws.empty()) return "";
-  std::vector<std::vector<std::string>> cells{{"backend", "times", "not judged, as", "laws"}};
+  std::vector<std::vector<std::string>> cells{{"backend", "cases", "not judged, as", "properties"}};
   for (const auto& [key, text] : laws) {
     const auto& [backend, cases, why] = key;
     cells.push_back({cases::printable(backend), grouped(static_cast<std::uint64_t>(-cases)),
                      cases::printable(why), text});
   }
-  return "Laws that held on few cases, or none:\n" + text_table(cells);
+  return "Properties that held on few cases, or none:\n" + text_table(cells);
 }
 
 std::string thin_text(const std::vector<records::LawSummary>& rows) {

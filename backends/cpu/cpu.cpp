@@ -39,8 +39,9 @@ std::string simd_names(bool only_supported) {
 /// Says why a target cannot be used; empty if it can.
 std::string unavailable_because(const rasterizer::SimdTarget& target) {
   if (target.is_supported) return "";
-  return (target.is_compiled ? "this machine has no " : "the kernels are not compiled for ") +
-         target.name + "; there are: " + simd_names(true);
+  return (target.is_compiled ? "this machine does not support "
+                             : "this build has no kernels for ") +
+         target.name + "; available: " + simd_names(true);
 }
 
 /// Says why the target of that name cannot be used; empty if it can or does not exist.
@@ -87,18 +88,18 @@ Result<std::unique_ptr<Backend>> make(const std::string& text) {
     if (set(option, options)) continue;
     return tl::unexpected(Error{
         "cpu:" + text, "",
-        "cpu has no option '" + option +
-            "'; there are: precision=float64 (the default), precision=float32, output=fragments "
-            "(the default), output=framebuffer, threads=N (1 to 256), simd=TARGET (" +
+        "unknown option '" + option +
+            "'; options: precision=float64 (the default), precision=float32, output=fragments (the "
+            "default), output=framebuffer, threads=N (1 to 256), simd=TARGET (" +
             simd_names(false) + ")"});
   }
   if (const std::string reason = unavailable_because(options.simd); !reason.empty()) {
     return tl::unexpected(Error{"cpu:simd=" + options.simd, "", reason, Failure::unavailable});
   }
   if (options.threads > 1 && options.output == Output::fragments) {
-    return tl::unexpected(Error{"cpu:" + text, "",
-                                "fragments are drawn on one thread; threads=N is for "
-                                "output=framebuffer"});
+    return tl::unexpected(
+        Error{"cpu:" + text, "",
+              "threads=N needs output=framebuffer; fragments are drawn on one thread"});
   }
   return make_rasterizer_backend(options);
 }

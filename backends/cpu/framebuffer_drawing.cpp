@@ -45,7 +45,8 @@ class FramebufferDrawing {
 
   Result<cases::Fragments> draw() {
     if (is_tested() && case_.triangles.size() > TriangleNumber::kMost) {
-      return tl::unexpected(Error{"", "", "an index of so many triangles is no float32"});
+      return tl::unexpected(
+          Error{"", "", "too many triangles: their indices do not fit into a float32"});
     }
     const std::size_t attributes = case_.attributes.size();
     auto error = ras::clear(framebuffer_, target_size(case_), attributes, clear_depth_);

@@ -16,7 +16,7 @@ Result<std::unique_ptr<Backend>> make(const std::string& name) {
   for (const rasterizer::Method& method : rasterizer::methods()) {
     known += (known.empty() ? "" : ", ") + std::string(method.name);
   }
-  return tl::unexpected(Error{"method:" + name, "", "no method of that name; there are: " + known});
+  return tl::unexpected(Error{"method:" + name, "", "unknown method; methods: " + known});
 }
 
 std::vector<Listing> list() {

@@ -161,7 +161,7 @@ Result<void> CaseDrawer::Impl::complain() const {
 /// Checks that the context can draw into float32, and finds out to which depths it can clear.
 Result<void> CaseDrawer::Impl::prepare() {
   if (has.is_es && !epoxy_has_gl_extension("GL_EXT_color_buffer_float")) {
-    return failure(has.api + " does not draw into float32 (GL_EXT_color_buffer_float)");
+    return failure(has.api + " cannot draw into float32 targets (no GL_EXT_color_buffer_float)");
   }
   vertex_array = generate_vertex_array();
   vertices = generate_buffer();
@@ -173,7 +173,8 @@ Result<void> CaseDrawer::Impl::prepare() {
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
   const std::vector<bool> none(1);
   if (auto read = (*layers)->read(0, none, content); !read) return read;
-  if (content.is_empty) return failure("what a target is cleared to does not come back");
+  if (content.is_empty)
+    return failure("a cleared target does not return the value that it was cleared to");
   has.clears_beyond_one = content.depth[0] == kFarthest;
   return {};
 }
@@ -206,10 +207,10 @@ Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
   const LayerShape one{c.framebuffer, 1, plan.passes.front().size()};
   const std::size_t bytes = one.bytes_of_layer();
   if (bytes > kMostBytesOfLayer) {
-    return tl::unexpected(Error{
-        "gl", "",
-        fmt::format("{} MiB for a triangle, {} at most", bytes >> 20U, kMostBytesOfLayer >> 20U),
-        Failure::unsupported});
+    return tl::unexpected(Error{"gl", "",
+                                fmt::format("a triangle needs {} MiB; the limit is {} MiB",
+                                            bytes >> 20U, kMostBytesOfLayer >> 20U),
+                                Failure::unsupported});
   }
   const std::size_t most =
       std::min({static_cast<std::size_t>(std::min(kMostLayers, has.max_layers)),
@@ -265,7 +266,7 @@ Result<void> CaseDrawer::Impl::find_fragments(const Batches& plan, std::size_t f
     bool is_one = false;
     const std::uint32_t triangle =
         triangle_of(number, first, plan.c->triangles.size() - first, is_one);
-    if (!is_one) return failure(fmt::format("a flat number came out as {}", number));
+    if (!is_one) return failure(fmt::format("a flat triangle number was drawn as {}", number));
     found.triangle.push_back(triangle);
     found.at.push_back(at);
     found.place.push_back(i);

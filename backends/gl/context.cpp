@@ -50,17 +50,18 @@ struct Context::Impl {
 
 /// Creates a context on the display and makes it current.
 Result<void> Context::Impl::open(const ContextRequest& request) {
-  if (display == EGL_NO_DISPLAY) return failure("there is no such display");
+  if (display == EGL_NO_DISPLAY) return failure("no such display");
   if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return egl_failure("eglInitialize");
   // A context whose output is never shown needs neither a surface nor a surface configuration.
   for (const char* const extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
     if (!epoxy_has_egl_extension(display, extension)) {
-      return failure(fmt::format("its EGL makes no contexts without a surface ({})", extension));
+      return failure(
+          fmt::format("its EGL cannot create contexts without a surface (no {})", extension));
     }
   }
   if (epoxy_egl_version(display) < 15 &&
       !epoxy_has_egl_extension(display, "EGL_KHR_create_context")) {
-    return failure("its EGL makes no contexts of a version (EGL_KHR_create_context)");
+    return failure("its EGL cannot create contexts of a given version (no EGL_KHR_create_context)");
   }
   const std::string what = fmt::format("OpenGL{} {}.{}", request.api == Api::opengl_es ? " ES" : "",
                                        request.major, request.minor);

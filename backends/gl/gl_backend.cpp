@@ -90,7 +90,7 @@ Result<gl::ContextRequest> request_of(const std::string& options) {
     } else {
       return tl::unexpected(
           Error{"gl:" + options, "",
-                "no option '" + std::string(option) + "'; there are: llvmpipe, softpipe, gles"});
+                "unknown option '" + std::string(option) + "'; options: llvmpipe, softpipe, gles"});
     }
   }
   return request;

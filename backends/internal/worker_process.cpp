@@ -22,6 +22,7 @@ constexpr std::int64_t kLongestPoll = 60'000;
 constexpr std::chrono::milliseconds kLongestEnd{1000};
 /// The most bytes of a greeting or a contract.
 constexpr std::uint64_t kMostWords = 65536;
+constexpr std::string_view kWhileDrawing = "while drawing";
 constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
 tl::unexpected<Error> process_failure(const std::string& what) {
@@ -89,7 +90,7 @@ Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
   WorkerProcess worker(specification, isolation, *std::move(process),
                        Channel(*std::move(memory), std::move(bell)), LogTail(std::move(words)));
   worker.deadline_ = worker.deadline();
-  const Result<std::string> said = worker.receive("when it was started", kMostWords);
+  const Result<std::string> said = worker.receive("while starting", kMostWords);
   std::optional<Greeting> greeting;
   if (said) greeting = unpack_greeting(*said);
   if (!greeting) {
@@ -113,7 +114,7 @@ Result<std::string> WorkerProcess::ask(const Request& request) {
   if (process_.has_ended_within({})) return tl::unexpected(loss("after its last answer"));
   log_.forget();
   const bool is_drawing = request.question == Question::drawing;
-  const char* const doing = is_drawing ? "while it drew" : "when asked for its contract";
+  const std::string_view doing = is_drawing ? kWhileDrawing : "while giving its contract";
   deadline_ = deadline();
   if (!channel_.send(pack(request), [this] { return wait(); })) {
     return tl::unexpected(loss(doing));
@@ -155,7 +156,7 @@ bool WorkerProcess::wait() {
 
 Error WorkerProcess::end_for_nonsense() {
   is_late_ = false;
-  return loss("with an answer that is none");
+  return loss("after an invalid answer");
 }
 
 /// Ends the process and reports how it ended.
@@ -170,20 +171,21 @@ Error WorkerProcess::loss(std::string_view doing) {
   const bool is_late = is_late_ && !has_ended;
   std::string how = to_string(end);
   if (is_late) {
-    how = fmt::format("was silent for {} s (--timeout)", isolation_.timeout.count());
+    how = fmt::format("did not answer within {} s (--timeout)", isolation_.timeout.count());
   } else if (end.signal == SIGXCPU) {
-    how = fmt::format("took more processor time than {} s of wall time can have",
+    how = fmt::format("used more processor time than {} s of wall time allow",
                       isolation_.timeout.count());
   } else if (!has_ended) {
-    how = "did not answer as it has to, and was ended";
+    how = "closed its connection and was stopped";
   }
   std::string more;
+  if (is_late && doing == kWhileDrawing) more = "; large cases may need more time";
   if (end.most_memory >= isolation_.memory / 2) {
-    more = fmt::format("; it had taken {} MiB, of {} MiB that it may take",
-                       end.most_memory / kMebibyte, isolation_.memory / kMebibyte);
+    more += fmt::format("; it used {} MiB of the {} MiB allowed", end.most_memory / kMebibyte,
+                        isolation_.memory / kMebibyte);
   }
   const std::string words = log_.last_lines();
-  if (!words.empty()) more += "; its last words: " + words;
+  if (!words.empty()) more += "; its last output: " + words;
   return {specification_, "", fmt::format("its process {} {}{}", how, doing, more),
           is_late || end.signal == SIGXCPU ? Failure::hang : Failure::crash};
 }

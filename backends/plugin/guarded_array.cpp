@@ -103,12 +103,12 @@ void report(int signal, siginfo_t* info, void* /*context*/) {
         return one.name != nullptr && one.pages <= address && address < one.end + page_size();
       });
   if (info->si_code == SI_KERNEL) {
-    line << "the plugin touched an address that no memory can have";
+    line << "the plugin touched an invalid address";
   } else if (at != all_guarded.end()) {
     describe(line, *at, address);
   } else {
     line << "the plugin touched address 0x";
-    line.append(address, 16) << ", which is none of its arrays";
+    line.append(address, 16) << ", which is in none of its arrays";
   }
   (line << "\n").write();
 }

@@ -84,12 +84,13 @@ std::string fault_of(const rastercheck_contract& contract) {
   }
   for (const Limited& member : members) {
     if (member.value >= 0 && member.value <= member.most) continue;  // false for NaN
-    return fmt::format("its contract's {} is {}, which has to be from 0 to {}", member.name,
+    return fmt::format("its contract's {} is {}, but must be from 0 to {}", member.name,
                        member.value, member.most);
   }
   constexpr std::uint32_t kAllRules =
       RASTERCHECK_LACKS_OPENGL | RASTERCHECK_LACKS_VULKAN | RASTERCHECK_LACKS_D3D;
-  if ((contract.lacks & kAllRules) == kAllRules) return "its contract lacks every API's rules";
+  if ((contract.lacks & kAllRules) == kAllRules)
+    return "its contract excludes the rules of every API";
   return "";
 }
 
@@ -108,28 +109,27 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
   // The sizes and the ABI number are at the same place in every ABI.
   const auto header = completed(theirs, offsetof(rastercheck_plugin, name));
   if (header && header->abi != RASTERCHECK_PLUGIN_ABI) {
-    return tl::unexpected(unavailable(
-        path, fmt::format("it was made for plugin ABI {}, and this RasterCheck has ABI {}: compile "
-                          "it with this one's rastercheck/plugin.h",
-                          header->abi, RASTERCHECK_PLUGIN_ABI)));
+    return tl::unexpected(
+        unavailable(path, fmt::format("it was compiled for plugin ABI {}, but this RasterCheck has "
+                                      "ABI {}; compile it with this version's rastercheck/plugin.h",
+                                      header->abi, RASTERCHECK_PLUGIN_ABI)));
   }
   const auto all = completed(theirs, kLeastPlugin);
   if (!all) {
     return tl::unexpected(unavailable(
         path,
-        "its rastercheck_plugin's `size` is not sizeof(rastercheck_plugin), its first member"));
+        "the first member of its rastercheck_plugin, `size`, is not sizeof(rastercheck_plugin)"));
   }
   const auto name = line_of(all->name);
   const auto version = line_of(all->version);
   if (!name || !version || all->contract == nullptr || all->draw == nullptr) {
     return tl::unexpected(unavailable(
-        path, "a null pointer is its rastercheck_plugin's name, version, contract or draw"));
+        path, "the name, version, contract or draw of its rastercheck_plugin is a null pointer"));
   }
   const auto contract = completed(all->contract, kLeastContract);
   if (!contract) {
-    return tl::unexpected(unavailable(path,
-                                      "its contract's `size` is not sizeof(rastercheck_contract), "
-                                      "its first member"));
+    return tl::unexpected(unavailable(
+        path, "the first member of its contract, `size`, is not sizeof(rastercheck_contract)"));
   }
   if (const std::string fault = fault_of(*contract); !fault.empty()) {
     return tl::unexpected(unavailable(path, fault));
@@ -162,7 +162,7 @@ Result<Plugin> load_plugin(const std::string& path) {
   if (!std::filesystem::exists(path, problem)) {
     return tl::unexpected(
         Error{"plugin:" + path, "",
-              "there is no such file; paths are from the folder that rastercheck runs in"});
+              "no such file; paths are relative to the folder that rastercheck runs in"});
   }
   // If the name has no folder, dlopen() would search elsewhere.
   const std::string file = std::filesystem::absolute(path, problem).string();
@@ -176,16 +176,15 @@ Result<Plugin> load_plugin(const std::string& path) {
   void* const function = ::dlsym(library, kName);
   if (function == nullptr) {
     return tl::unexpected(unavailable(
-        path, std::string("exports no function ") + kName +
-                  "() (a C++ plugin defines it as the header declares it, which is extern \"C\")"));
+        path, std::string("does not export the function ") + kName +
+                  "() (a C++ plugin must define it as extern \"C\", as the header declares it)"));
   }
   const rastercheck_plugin* const plugin =
       reinterpret_cast<decltype(&rastercheck_plugin_get)>(function)();
   if (modes.have_changed()) {
-    return tl::unexpected(unavailable(
-        path,
-        "to load it changes the rounding mode, or how subnormal numbers are treated: link it "
-        "without -ffast-math"));
+    return tl::unexpected(unavailable(path,
+                                      "loading it changes the rounding mode or the treatment of "
+                                      "subnormal numbers; link it without -ffast-math"));
   }
   return checked_plugin(plugin, path);
 }
@@ -302,7 +301,7 @@ std::string describe(const Plugin& plugin) {
     if (!has_rules(contract, rules)) add(cases::words_for(rules));
   }
   for (const cases::Feature feature : capabilities_of(contract).lacks) add(to_string(feature));
-  return missing.empty() ? text : text + "; not: " + missing;
+  return missing.empty() ? text : text + "; not supported: " + missing;
 }
 
 }  // namespace rastercheck::backends

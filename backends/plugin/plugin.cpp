@@ -329,15 +329,13 @@ Result<void> PluginBackend::call() {
   try {
     status = plugin_.draw(&draw, &output);
   } catch (const std::exception& problem) {
-    return fail(std::string("an exception left draw(): ") + cases::printable(problem.what()));
+    return fail(std::string("draw() threw an exception: ") + cases::printable(problem.what()));
   } catch (...) {
-    return fail("an exception left draw()");
+    return fail("draw() threw an exception");
   }
   if (Result<void> whole = check_fronts(); !whole) return whole;
   if (modes.have_changed()) {
-    return fail(
-        "draw() returned with another rounding mode, or with another treatment of subnormal "
-        "numbers, than it was called with");
+    return fail("draw() changed the rounding mode or the treatment of subnormal numbers");
   }
   output_.min_x = output.min_x;
   output_.min_y = output.min_y;
@@ -346,14 +344,14 @@ Result<void> PluginBackend::call() {
   if (status == RASTERCHECK_OK) return {};
   const auto* const text = arrays_.message.as<const char>();
   std::string message = cases::one_line(std::string_view(text, ::strnlen(text, kMessageSize)));
-  if (message.empty()) message = "without a message";
+  if (message.empty()) message = "(no message)";
   if (status == RASTERCHECK_UNSUPPORTED) {
-    return fail("draw() says unsupported: " + message, Failure::unsupported);
+    return fail("draw() reported unsupported: " + message, Failure::unsupported);
   }
-  if (status == RASTERCHECK_FAILED) return fail("draw() says failed: " + message);
+  if (status == RASTERCHECK_FAILED) return fail("draw() reported failed: " + message);
   return fail(
-      fmt::format("draw() returned {}, which is none of RASTERCHECK_OK, "
-                  "RASTERCHECK_UNSUPPORTED and RASTERCHECK_FAILED; its message: {}",
+      fmt::format("draw() returned {}, which is not RASTERCHECK_OK, RASTERCHECK_UNSUPPORTED or "
+                  "RASTERCHECK_FAILED; its message: {}",
                   status, message));
 }
 
@@ -374,8 +372,8 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
   if (part.min_x > part.max_x || part.min_y > part.max_y || part.max_x > draw_.width ||
       part.max_y > draw_.height) {
     return fail(
-        fmt::format("draw() says it covered x from {} to {} and y from {} to {} of {} x {} "
-                    "pixels",
+        fmt::format("draw() reported an invalid covered part: x from {} to {}, y from {} to {}, of "
+                    "{} x {} pixels",
                     part.min_x, part.max_x, part.min_y, part.max_y, draw_.width, draw_.height));
   }
   std::string fault;
@@ -386,11 +384,12 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
     const bool is_inside =
         part.min_x <= at.x && at.x < part.max_x && part.min_y <= at.y && at.y < part.max_y;
     if (coverage != 1) {
-      fault = fmt::format("wrote {} to output->coverage, which has to be 0 or 1", coverage);
+      fault = fmt::format("wrote {} to output->coverage, which must be 0 or 1", coverage);
     } else if (!is_inside) {
-      fault = "covered what lies outside of the min_x, min_y, max_x, max_y that it gave";
+      fault = "covered a sample outside the min_x, min_y, max_x, max_y that it reported";
     } else if (triangle >= triangles) {
-      fault = fmt::format("wrote {} to output->triangle, of a draw of {}", triangle, triangles);
+      fault =
+          fmt::format("wrote {} to output->triangle, which must be below {}", triangle, triangles);
     }
     if (!fault.empty()) {
       fault = fmt::format("draw() {} (pixel {}, {}, sample {})", fault, at.x, at.y, at.sample);
@@ -431,8 +430,8 @@ Result<std::unique_ptr<Backend>> make(const std::string& path) {
 }
 
 std::vector<Listing> list() {
-  return {{"plugin:PATH.so", "a shared library of yours (rastercheck plugin new)",
-           "PATH has to be that of the library"}};
+  return {{"plugin:PATH.so", "your shared library (rastercheck plugin new)",
+           "PATH must name the library"}};
 }
 
 const BackendRegistration kRegistration({"plugin", &make, &list, true});

@@ -15,7 +15,7 @@ std::string lacks_size(const Limits& limits, const cases::Case& c) {
                        limits.max_width, limits.max_height);
   }
   if ((limits.sample_counts & static_cast<unsigned>(size.samples)) == 0) {
-    return fmt::format("{} samples a pixel", size.samples);
+    return fmt::format("{} samples per pixel", size.samples);
   }
   if (size.samples > 1 && !limits.standard_sample_locations) {
     return "the standard sample locations (standardSampleLocations)";
@@ -25,7 +25,7 @@ std::string lacks_size(const Limits& limits, const cases::Case& c) {
 
 std::string lacks_viewport(const Limits& limits, const cases::Viewport& viewport) {
   // Vulkan accepts negative heights (VK_KHR_maintenance1) but no negative widths.
-  if (!(viewport.width > 0)) return "viewports whose width is not above 0";
+  if (!(viewport.width > 0)) return "viewports without a positive width";
   if (viewport.width > limits.max_viewport[0] ||
       std::fabs(viewport.height) > limits.max_viewport[1]) {
     return fmt::format("viewports beyond {} x {} pixels (maxViewportDimensions)",

@@ -101,9 +101,9 @@ Result<std::unique_ptr<Backend>> make(const std::string& options) {
 }
 
 std::vector<Listing> list() {
-  std::vector<Listing> rows{{"vulkan", "through Vulkan"}};
+  std::vector<Listing> rows{{"vulkan", "a Vulkan driver"}};
   for (const std::string_view driver : vulkan::driver_names()) {
-    rows.push_back({fmt::format("vulkan:{}", driver), "through Vulkan"});
+    rows.push_back({fmt::format("vulkan:{}", driver), "a Vulkan driver"});
   }
   return rows;
 }

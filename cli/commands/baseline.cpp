@@ -73,11 +73,11 @@ std::string add(records::Baseline& baseline, records::BaselineSection section) {
   for (const records::BaselineSection& old : baseline.sections) {
     if (old.key != section.key) continue;
     section.approvals = old.approvals;
-    became = old == section ? "as it was" : "replaced";
+    became = old == section ? "unchanged" : "replaced";
   }
   std::uint64_t cases = 0;
   for (const auto& [law, of_law] : section.laws) cases += of_law.count;
-  std::string text = fmt::format("{}: {} entries of {} laws, {} cases; {}\n",
+  std::string text = fmt::format("{}: {} entries of {} properties, {} cases; {}\n",
                                  cases::one_line(to_string(section.key)), section.entries.size(),
                                  section.laws.size(), cases, became);
   records::put(baseline, std::move(section));
@@ -122,9 +122,8 @@ std::string violations_text(const Approved& approved) {
     by_law += fmt::format("{}{} of {}", by_law.empty() ? "" : ", ", cases, law);
   }
   if (all == 0) return "";
-  return fmt::format("{} taken over: {}",
-                     all == 1 ? "1 violated case is" : fmt::format("{} violated cases are", all),
-                     by_law);
+  return fmt::format("{} accepted: {}",
+                     all == 1 ? "1 violated case" : fmt::format("{} violated cases", all), by_law);
 }
 
 /// Accepts the figures of `current` into the section that it is compared with.
@@ -158,7 +157,7 @@ void print(const std::vector<Approved>& all, const ApproveOptions& options) {
   if (options.quiet) return;
   for (const Approved& one : all) {
     if (one.changes.empty()) {
-      fmt::print("{}: there is nothing to approve.\n", cases::one_line(one.section));
+      fmt::print("{}: nothing to approve.\n", cases::one_line(one.section));
       continue;
     }
     fmt::print("{}: approved.\n", cases::one_line(one.section));
@@ -171,10 +170,10 @@ void print(const std::vector<Approved>& all, const ApproveOptions& options) {
 
 ExitCode approve(const ApproveOptions& options) {
   if (options.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
-    return fail({"--reason", "", "must say why"});
+    return fail({"--reason", "", "must not be empty"});
   }
   if (options.baseline == "-") {
-    return fail({"-", "", "the baseline is written again, and has to be a file"});
+    return fail({"-", "", "the baseline must be a file, because it is rewritten"});
   }
   Result<records::Baseline> baseline = records::read_baseline(options.baseline);
   if (!baseline) return fail(baseline.error());
@@ -192,7 +191,7 @@ ExitCode approve(const ApproveOptions& options) {
     all.push_back(*std::move(approved));
   }
   if (all.empty()) {
-    return fail({options.current, "--backend", "has no section of " + options.backend});
+    return fail({options.current, "--backend", "has no section for " + options.backend});
   }
   if (is_changed) {
     const auto written = cases::write_file(options.baseline, records::to_json(*baseline));
@@ -203,68 +202,70 @@ ExitCode approve(const ApproveOptions& options) {
 }
 
 CLI::App* add_save(CLI::App& app, SaveOptions& options) {
-  CLI::App* save = app.add_subcommand("save", "Keeps what a run found as the baseline");
+  CLI::App* save = app.add_subcommand("save", "Save the results of a run as the baseline");
   save->add_option("RUN", options.run,
                    "Folder or run.json of a run with --keep-cases; - reads standard input")
       ->type_name(kFile)
       ->required();
-  save->add_option("--output", options.output,
-                   "The baseline file, where sections of other backends stay; - prints a new one "
-                   "instead")
+  save->add_option(
+          "--output", options.output,
+          "Baseline file; sections of other backends are kept; - prints a new baseline instead")
       ->type_name(kFile)
       ->capture_default_str();
-  save->add_option("--as", options.as, "Another name for the backend")->type_name("NAME");
+  save->add_option("--as", options.as, "Name of the backend in the baseline; default: its own")
+      ->type_name("NAME");
   save->add_flag("--instruction-set", options.of_instruction_set,
-                 "Only for machines with the same vector instructions");
-  save->add_flag("--compiler", options.of_compiler, "Only for programs of the same compiler");
+                 "Save a section for machines with the same vector instructions only");
+  save->add_flag("--compiler", options.of_compiler,
+                 "Save a section for programs of the same compiler only");
   save->add_option("--commit", options.commit,
-                   "Commit that the run is of; without it what CI or git says")
+                   "Commit that the run belongs to; default: as CI or git reports")
       ->type_name("COMMIT");
-  save->add_flag("-q,--quiet", options.quiet, "Does not say what was saved");
+  save->add_flag("-q,--quiet", options.quiet, "Do not print what was saved");
   return save;
 }
 
 CLI::App* add_approve(CLI::App& app, ApproveOptions& options) {
-  CLI::App* approve = app.add_subcommand("approve", "Takes current figures over into the baseline");
-  approve->add_option("BASELINE", options.baseline, "The baseline file")
+  CLI::App* approve = app.add_subcommand("approve", "Accept current numbers into the baseline");
+  approve->add_option("BASELINE", options.baseline, "Baseline file")->type_name(kFile)->required();
+  approve
+      ->add_option(
+          "CURRENT", options.current,
+          "New numbers: a baseline file, or the run.json or folder of a run with --keep-cases")
       ->type_name(kFile)
       ->required();
   approve
-      ->add_option("CURRENT", options.current,
-                   "What is taken over: a baseline file, or the run.json or folder of a run with "
-                   "--keep-cases")
-      ->type_name(kFile)
-      ->required();
-  approve->add_option("--reason", options.reason, "Why; kept in the baseline")
+      ->add_option("--reason", options.reason, "Why the numbers are accepted; kept in the baseline")
       ->type_name("TEXT")
       ->required();
   approve
-      ->add_option("--law", options.pattern.law,
-                   "Only entries of properties whose id matches, as '*edge*'")
+      ->add_option("--property", options.pattern.law,
+                   "Only entries of properties whose id matches, such as '*edge*'")
       ->type_name(kProperty)
       ->capture_default_str();
   approve
       ->add_option("--kind", options.pattern.kind,
-                   "Only those of attribute kinds that match, as smooth")
+                   "Only entries of matching attribute kinds, such as smooth")
       ->type_name("KIND")
       ->capture_default_str();
   approve
-      ->add_option("--stratum", options.pattern.stratum,
-                   "Only those of strata that match, as sliver; all is the total and its strata")
+      ->add_option(
+          "--stratum", options.pattern.stratum,
+          "Only entries of matching strata, such as sliver; all: the totals and their strata")
       ->type_name("STRATUM")
       ->capture_default_str();
-  approve->add_option("--backend", options.backend, "Only this backend's; all without it")
-      ->type_name(kBackend);
   approve
-      ->add_option("--as", options.as,
-                   "Name of the backend in the baseline, if it has another there")
+      ->add_option("--backend", options.backend,
+                   "Only entries of this backend; default: all backends")
+      ->type_name(kBackend);
+  approve->add_option("--as", options.as, "Name of the backend in the baseline, if it differs")
       ->type_name("NAME");
   approve
       ->add_option("--commit", options.commit,
-                   "Commit that CURRENT is of; without it what CI or git says")
+                   "Commit that CURRENT belongs to; default: as CI or git reports")
       ->type_name("COMMIT");
-  approve->add_flag("--json", options.json, "Prints what was taken over as JSON");
-  approve->add_flag("-q,--quiet", options.quiet, "Prints nothing");
+  approve->add_flag("--json", options.json, "Print what was accepted as JSON");
+  approve->add_flag("-q,--quiet", options.quiet, "Print nothing");
   return approve;
 }
 
@@ -275,7 +276,7 @@ Action set_up(CLI::App& app) {
   const CLI::App* save_command = add_save(app, *of_save);
   add_approve(app, *of_approve);
   app.footer(
-      "`rastercheck compare` and `rastercheck run --baseline` hold runs against it.\n\n"
+      "`rastercheck compare` and `rastercheck run --baseline` compare runs with it.\n\n"
       "Examples:\n"
       "  rastercheck run --seed 1 --keep-cases\n"
       "  rastercheck baseline save rastercheck-out\n"
@@ -286,7 +287,7 @@ Action set_up(CLI::App& app) {
   };
 }
 
-const Registration kRegistration("baseline", "Keeps the figures that later runs are held against",
+const Registration kRegistration("baseline", "Save the numbers that later runs are compared with",
                                  &set_up);
 
 }  // namespace

@@ -68,7 +68,8 @@ ExitCode run(Options options) {
   // Runs must not report to the CI step: each would append its own results.
   ::unsetenv("GITHUB_STEP_SUMMARY");
 
-  const InterruptWatch watch("\nrastercheck: ending; what was checked out is checked out again\n");
+  const InterruptWatch watch(
+      "\nrastercheck: stopping; restoring the commit that was checked out\n");
   const auto report = [&options](const std::string& line) {
     if (!options.quiet) print_problem(line + "\n");
   };
@@ -91,28 +92,28 @@ Action set_up(CLI::App& app) {
   records::Plan& plan = bisection.plan;
   plan.cases_per_law = 100;
   plan.seed = 1;
-  app.add_option("GOOD", bisection.good, "A commit that others are held against")->required();
-  app.add_option("BAD", bisection.bad, "A later one that is worse")->required();
+  app.add_option("GOOD", bisection.good, "Commit that others are compared with")->required();
+  app.add_option("BAD", bisection.bad, "Later commit that is worse")->required();
   app.add_option("BUILD", bisection.build,
-                 "After --: the command that builds what is judged, at the top of the repository")
+                 "After --: command that builds what is judged, run at the top of the repository")
       ->required();
-  app.add_option("--repository", options->repository, "A folder of the repository")
+  app.add_option("--repository", options->repository, "Any folder of the repository")
       ->type_name(kFolder)
       ->capture_default_str();
-  app.add_option("--program", bisection.program,
-                 "The rastercheck that BUILD makes, where that is what is judged; without it this "
-                 "one runs")
+  app.add_option(
+         "--program", bisection.program,
+         "The rastercheck that BUILD creates, if rastercheck itself is judged; default: this one")
       ->type_name(kFile);
   app.add_option("--backend", plan.backends,
-                 "What is checked, paths from the top of the repository; may be given several "
-                 "times")
+                 "Backend to check, with paths from the top of the repository; may be repeated")
       ->type_name(kBackend)
       ->capture_default_str()
       ->allow_extra_args(false);
-  app.add_option("--property", plan.properties, "Only properties whose id matches, as '*edge*'")
+  app.add_option("--property", plan.properties,
+                 "Only properties whose id matches, such as '*edge*'")
       ->type_name(kProperty)
       ->allow_extra_args(false);
-  app.add_option("--cases", plan.cases_per_law, "Random cases of each property")
+  app.add_option("--cases", plan.cases_per_law, "Random cases per property")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
@@ -122,32 +123,31 @@ Action set_up(CLI::App& app) {
       ->capture_default_str();
   add_contract(app, options->contract);
   add_promise(app, plan.promise);
-  app.add_option("--corpus", plan.corpus,
-                 "Folder of case files that every property is checked on first; without it the "
-                 "one that comes with the program")
+  app.add_option(
+         "--corpus", plan.corpus,
+         "Folder of case files to check first; default: the corpus that comes with the program")
       ->type_name(kFolder);
   add_known(app, plan);
   app.add_option("--output", bisection.folder,
-                 "Folder, not there yet, that keeps what was drawn and said, and the cases whose "
-                 "errors grew")
+                 "New folder for drawings, logs and the cases whose errors grew")
       ->type_name(kFolder);
   add_timeout(app, plan.timeout);
-  app.add_option("--jobs", bisection.jobs, "Processes that work side by side")
+  app.add_option("--jobs", bisection.jobs, "Number of parallel processes")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options->json, "Prints the result as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Says nothing of the commits on the way");
+  app.add_flag("--json", options->json, "Print the result as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Print no progress for each commit");
   app.footer(
-      "The work tree has to be without changes. GOOD and BAD are built and judged first; git then "
-      "bisects between them, on the properties that are worse. What cannot be built or judged is "
-      "skipped.\n\n"
+      "The work tree must have no changes. GOOD and BAD are built and judged first; git then "
+      "bisects between them on the properties that are worse. Commits that cannot be built or "
+      "judged are skipped.\n\n"
       "Example:\n"
       "  rastercheck bisect --backend plugin:./build/mine.so v1.0 HEAD -- make");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("bisect", "Finds the first commit of a repository that is worse",
+const Registration kRegistration("bisect", "Find the first commit of a repository that is worse",
                                  &set_up);
 
 }  // namespace

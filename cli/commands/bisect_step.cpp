@@ -17,7 +17,7 @@ Action set_up(CLI::App& app) {
   return [folder] { return static_cast<ExitCode>(gate::judge_commit(*folder, &run_plan)); };
 }
 
-const Registration kRegistration("bisect-step", "Judges the commit that is checked out", &set_up);
+const Registration kRegistration("bisect-step", "Judge the commit that is checked out", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::bisect_step_command

@@ -35,7 +35,7 @@ Result<gate::Side> read_current(const Options& options) {
 
 ExitCode run(Options options) {
   if (options.baseline == "-" && options.current == "-") {
-    return fail({"-", "", "only one of the two can be standard input"});
+    return fail({"-", "", "only one of BASELINE and CURRENT can be standard input"});
   }
   Result<gate::Policy> policy = read_policy(options.policy);
   if (!policy) return fail(policy.error());
@@ -58,27 +58,26 @@ Action set_up(CLI::App& app) {
                  "standard input")
       ->type_name(kFile)
       ->required();
-  app.add_option("CURRENT", options->current, "What is held against it, likewise")
+  app.add_option("CURRENT", options->current, "What to compare with BASELINE, in the same forms")
       ->type_name(kFile)
       ->required();
   app.add_option("--policy", options->policy,
                  "File that says what may be worse, why and until when")
       ->type_name(kFile);
-  app.add_option("--as", options->as,
-                 "Name of the backend in the baseline, if it has another there")
+  app.add_option("--as", options->as, "Name of the backend in the baseline, if it differs")
       ->type_name("NAME");
   app.add_option("--commit", options->commit,
-                 "Commit that CURRENT is of; without it what CI or git says")
+                 "Commit that CURRENT belongs to; default: as CI or git reports")
       ->type_name("COMMIT");
   app.add_option("--output", options->gate.output,
                  "Folder for the comparison as HTML, Markdown and JSON, and for the cases whose "
                  "errors grew")
       ->type_name(kFolder);
-  app.add_flag("--json", options->gate.json, "Prints the comparison as JSON");
-  app.add_flag("-q,--quiet", options->gate.quiet, "Prints the verdict and what is worse only");
+  app.add_flag("--json", options->gate.json, "Print the comparison as JSON");
+  app.add_flag("-q,--quiet", options->gate.quiet, "Print only the verdict and what is worse");
   app.footer(
-      "Exit code 0 if nothing is worse, or all that is worse is allowed, 3 if not, 2 if figures of "
-      "the two cannot be compared: other cases, or another version of rules or records.\n\n"
+      "Exit code 0 if nothing is worse or everything worse is allowed, 3 otherwise, 2 if the two "
+      "cannot be compared because their cases or their versions of rules or records differ.\n\n"
       "Example:\n"
       "  rastercheck run --seed 1 --keep-cases\n"
       "  rastercheck compare rastercheck-baseline.json rastercheck-out");
@@ -86,7 +85,7 @@ Action set_up(CLI::App& app) {
 }
 
 const Registration kRegistration("compare",
-                                 "Holds a run against a baseline, and says what is worse", &set_up);
+                                 "Compare a run with a baseline and report what is worse", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::compare_command

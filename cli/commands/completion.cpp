@@ -20,18 +20,18 @@ ExitCode print(const std::string& shell, const CLI::App& program) {
 
 Action set_up(CLI::App& app) {
   const auto shell = std::make_shared<std::string>();
-  app.add_option("SHELL", *shell, "Whose language it is in")
+  app.add_option("SHELL", *shell, "Shell to write the script for")
       ->check(CLI::IsMember({kBash}))
       ->required();
-  app.add_flag("-q,--quiet")->description("Accepted as everywhere; there is only the result");
+  app.add_flag("-q,--quiet")->description("Accepted for consistency; has no effect");
   app.footer(
-      "Example, for this shell alone (a package installs it for all):\n"
+      "Example for the current shell only (packages install the script for all):\n"
       "  source <(rastercheck completion bash)");
   return [shell, &app] { return print(*shell, *app.get_parent()); };
 }
 
-const Registration kRegistration("completion",
-                                 "Prints a script that makes a shell complete commands", &set_up);
+const Registration kRegistration("completion", "Print a shell script that completes commands",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::completion_command

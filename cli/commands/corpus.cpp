@@ -38,7 +38,7 @@ std::string sentence_of(const cases::Case& c) {
   if (!c.found) return c.name;
   const properties::Law* const law = properties::find_law(c.found->law);
   const std::string_view broken = law == nullptr ? c.found->law : law->sentence;
-  return fmt::format("{} broke \"{}\": {}", c.found->backend, broken, c.found->verdict);
+  return fmt::format("{} violated \"{}\": {}", c.found->backend, broken, c.found->verdict);
 }
 
 ExitCode add(const Options& options) {
@@ -50,18 +50,19 @@ ExitCode add(const Options& options) {
   if (!is_plain_word(word)) {
     return fail(
         {"--as", "",
-         fmt::format("a name of a-z, 0-9 and - is needed, not '{}'", cases::printable(word))});
+         fmt::format("'{}' is not a valid name; use only a-z, 0-9 and -", cases::printable(word))});
   }
   const std::string folder = options.corpus.empty() ? corpus_folder() : options.corpus;
   std::error_code why;
   std::filesystem::create_directories(folder, why);
-  if (why) return fail({folder, "", "cannot be made: " + why.message()});
+  if (why) return fail({folder, "", "cannot be created: " + why.message()});
   const std::string file = (std::filesystem::path(folder) / (word + ".json")).string();
   if (std::filesystem::exists(file, why)) {
-    return fail({file, "", "is there already (--as gives another name)"});
+    return fail({file, "", "already exists; choose another name with --as"});
   }
   c->name = options.name.empty() ? sentence_of(*c) : options.name;
-  if (c->name.empty()) return fail({"--name", "", "a sentence on what the case is for is needed"});
+  if (c->name.empty())
+    return fail({"--name", "", "is required: say in a sentence what the case is for"});
   // Every law checks the corpus, not only the law that found the case.
   c->found.reset();
   const Result<void> written = cases::write_file(file, cases::to_json(*c));
@@ -73,23 +74,24 @@ ExitCode add(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.require_subcommand(1);
-  CLI::App* add_command = app.add_subcommand("add", "Adds a case or counterexample to the corpus");
+  CLI::App* add_command = app.add_subcommand("add", "Add a case or counterexample to the corpus");
   add_command->add_option("FILE", options->file, "Case file; - reads standard input")
       ->type_name(kFile)
       ->required();
   add_command
-      ->add_option("--as", options->as, "Its name there: a-z, 0-9 and -; the file's own without it")
+      ->add_option("--as", options->as,
+                   "Name in the corpus: a-z, 0-9 and -; default: the name of FILE")
       ->type_name("NAME");
   add_command
       ->add_option("--name", options->name,
-                   "What it is for, in a sentence; without it what it broke")
+                   "What the case is for, in one sentence; default: what it violated")
       ->type_name("TEXT");
   add_command
       ->add_option("--corpus", options->corpus,
-                   "Folder of case files, made where it is missing; without it the one that comes "
-                   "with the program")
+                   "Folder of case files, created if missing; default: the corpus that comes with "
+                   "the program")
       ->type_name(kFolder);
-  add_command->add_flag("-q,--quiet", options->quiet, "Prints nothing");
+  add_command->add_flag("-q,--quiet", options->quiet, "Print nothing");
   constexpr const char* kFooter =
       "Prints the new file's name. Every run checks the corpus first.\n\n"
       "Example:\n"
@@ -99,7 +101,7 @@ Action set_up(CLI::App& app) {
   return [options] { return add(*options); };
 }
 
-const Registration kRegistration("corpus", "Keeps a counterexample for every run to come", &set_up);
+const Registration kRegistration("corpus", "Keep counterexamples for later runs", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::corpus_command

@@ -5,6 +5,8 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
@@ -17,6 +19,7 @@
 #include "cli/whole_number.h"
 #include "properties/inspect/inspect.h"
 #include "records/inspection_json.h"
+#include "reports/commands.h"
 #include "reports/inspection_text.h"
 
 namespace rastercheck::cli::explain_command {
@@ -96,6 +99,32 @@ Result<records::Inspection> inspect(const cases::Case& c, const properties::Focu
   return inspection;
 }
 
+/// The commands to try next. Standard input cannot be read twice.
+std::string next_text(const Options& options, const std::string& specification,
+                      const cases::SamplePlace& place) {
+  if (options.file == "-") return "";
+  const auto command = [&options](const char* name, const std::string& backend,
+                                  const std::vector<std::string>& more) {
+    std::vector<std::string> words{"rastercheck", name, options.file, "--backend", backend};
+    words.insert(words.end(), more.begin(), more.end());
+    if (!options.contract.empty()) words.insert(words.end(), {"--contract", options.contract});
+    if (options.promise) {
+      words.insert(words.end(), {"--promise", std::string(cases::name_of(*options.promise))});
+    }
+    return reports::command_line(words);
+  };
+  std::string text = "To try next:\n";
+  text += "  all that is wrong with the case: " + command("replay", specification, {}) + "\n";
+  if (specification != "cpu") {
+    text += "  the same, drawn by cpu: " +
+            command("explain", "cpu",
+                    {"--pixel", fmt::format("{},{}", place.x, place.y), "--sample",
+                     std::to_string(place.sample), "--triangle", std::to_string(place.triangle)}) +
+            "\n";
+  }
+  return text;
+}
+
 ExitCode run(const Options& options) {
   const auto terms = read_terms(options.contract, options.promise);
   if (!terms) return fail(terms.error());
@@ -116,7 +145,10 @@ ExitCode run(const Options& options) {
     fmt::print("{}\n", cases::json_line(cases::json_of(*found)));
   } else {
     fmt::print("{}", reports::inspection_text(*found, shown_value(*request)));
-    if (!options.quiet) fmt::print("\n{}", reports::inspection_legend());
+    if (!options.quiet) {
+      fmt::print("\n{}\n{}", reports::inspection_legend(),
+                 next_text(options, specification, found->place));
+    }
   }
   return ExitCode::ok;
 }
@@ -128,19 +160,18 @@ Action set_up(CLI::App& app) {
       ->required();
   app.add_option_function<std::string>(
          "--pixel", [options](const std::string& text) { options->pixel = pixel_of(text); },
-         "Which pixel; without it the one of the worst sample of the case")
+         "Pixel; default: that of the worst sample of the case")
       ->type_name("X,Y");
   app.add_option("--sample", options->sample,
-                 "Number of the sample, from 0; without it the worst of the pixel")
+                 "Number of the sample, from 0; default: the worst of the pixel")
       ->transform(whole_number(kMostNumber))
       ->type_name("N");
   app.add_option("--triangle", options->triangle,
-                 "Number of the triangle, from 0; without it one that is drawn there, or should "
-                 "be")
+                 "Number of the triangle, from 0; default: one that is drawn there, or must be")
       ->transform(whole_number(kMostNumber))
       ->type_name("N");
   app.add_option("--backend", options->backend,
-                 "What draws; without it the one that a counterexample is of, else cpu")
+                 "What draws; default: the backend of a counterexample, else cpu")
       ->type_name(kBackend);
   app.add_option("--attribute", options->attribute,
                  "Only this value: an attribute's name, or depth")
@@ -148,9 +179,9 @@ Action set_up(CLI::App& app) {
   add_contract(app, options->contract);
   add_promise(app, options->promise);
   add_timeout(app, options->timeout);
-  app.add_flag("--all", options->all, "Even if the framebuffer has more than 2^26 samples");
-  app.add_flag("--json", options->json, "Prints it as JSON, with the pixels around");
-  app.add_flag("-q,--quiet", options->quiet, "Leaves out what the numbers mean");
+  app.add_flag("--all", options->all, "Allow more than 2^26 samples");
+  app.add_flag("--json", options->json, "Print it as JSON, with the pixels around");
+  app.add_flag("-q,--quiet", options->quiet, "Omit the explanation of the numbers");
   app.footer(
       "The triangle is drawn alone: a depth test has no say. A case with a camera is drawn from "
       "its clip positions, rounded to float32.\n\n"
@@ -160,7 +191,7 @@ Action set_up(CLI::App& app) {
 }
 
 const Registration kRegistration("explain",
-                                 "Says how one sample came about, and what is exact there",
+                                 "Explain one sample: what is right, what was drawn, and why",
                                  &set_up);
 
 }  // namespace

@@ -81,7 +81,7 @@ bool holds(const std::vector<GalleryFigure>& figures) {
 ExitCode run(const Options& options) {
   std::error_code why;
   std::filesystem::create_directories(options.output, why);
-  if (why) return fail({options.output, "", "cannot be made: " + why.message()});
+  if (why) return fail({options.output, "", "cannot be created: " + why.message()});
   const Result<std::vector<GalleryFigure>> figures = gallery::draw_gallery({options.size});
   if (!figures) return fail_internally(figures.error());
   const Result<void> written = gallery::write_gallery(*figures, options.output);
@@ -104,17 +104,17 @@ Action set_up(CLI::App& app) {
       ->check(CLI::Range(64, 2048))
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options->json, "Prints the table as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only");
+  app.add_flag("--json", options->json, "Print the table as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Print only the table's rows");
   app.footer(
-      "The figures are those of the texts that the textbook methods come from. Exit code 0 if all "
-      "that was drawn is as its methods promise, 1 if something is not.\n\n"
+      "The figures come from the publications of the textbook methods. Exit code 0 if every "
+      "drawing is as its method promises, 1 if one is not.\n\n"
       "Example:\n"
       "  rastercheck gallery --output gallery");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("gallery", "Draws the figures of textbooks, with their errors",
+const Registration kRegistration("gallery", "Redraw figures of textbooks, with their errors",
                                  &set_up);
 
 }  // namespace

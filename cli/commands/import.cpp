@@ -41,15 +41,15 @@ ExitCode run(Options options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("MESH", options->file,
-                 "Mesh: OBJ, PLY, OFF, glTF, 3DS or another that assimp reads; - reads standard "
-                 "input")
+                 "Mesh file: OBJ, PLY, OFF, glTF, 3DS or another format that assimp reads; - reads "
+                 "standard input")
       ->type_name(kFile)
       ->required();
   app.add_option("--width", options->mesh.width, "Width of the picture, in pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--height", options->mesh.height, "Its height, in pixels")
+  app.add_option("--height", options->mesh.height, "Height of the picture, in pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
       ->type_name("N")
       ->capture_default_str();
@@ -59,20 +59,20 @@ Action set_up(CLI::App& app) {
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
       ->capture_default_str();
   app.add_option("--format", options->format,
-                 "Of standard input: the ending that a file would have, as obj")
+                 "Format of standard input, as a file's ending, such as obj")
       ->type_name("ENDING");
-  app.add_option("--output", options->output, "The case file; - prints it")
+  app.add_option("--output", options->output, "Case file to write; - prints it")
       ->type_name(kFile)
       ->capture_default_str();
-  app.add_flag("-q,--quiet", options->quiet, "Accepted as everywhere; there is only the result");
+  app.add_flag("-q,--quiet", options->quiet, "Accepted for consistency; has no effect");
   app.footer(
-      "Prints a case that draws the mesh, framed by a camera.\n\n"
+      "Prints a case that draws the mesh with a camera that frames it.\n\n"
       "Example:\n"
       "  rastercheck import bunny.obj --width 256 --height 256 --output bunny.json");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("import", "Makes a case file of a mesh", &set_up);
+const Registration kRegistration("import", "Convert a mesh to a case file", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::import_command

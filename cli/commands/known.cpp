@@ -64,12 +64,14 @@ Result<Given> read_given(const AddOptions& options) {
     const std::string of = c->found ? c->found->backend : "";
     if (given.backend.empty()) given.backend = of;
     if (given.backend.empty()) {
-      return tl::unexpected(Error{file, "/found", "is missing: no counterexample of a run"});
+      return tl::unexpected(
+          Error{file, "/found", "is missing; expected a counterexample that a run saved"});
     }
     if (options.backend.empty() && of != given.backend) {
-      return tl::unexpected(Error{file, "/found/backend",
-                                  fmt::format("is {}, and that of {} is {}", cases::printable(of),
-                                              options.files[0], cases::printable(given.backend))});
+      return tl::unexpected(Error{
+          file, "/found/backend",
+          fmt::format("is '{}', but in {} it is '{}'; all counterexamples must be of one backend",
+                      cases::printable(of), options.files[0], cases::printable(given.backend))});
     }
     given.cases.push_back(*std::move(c));
   }
@@ -83,9 +85,9 @@ Result<records::KnownList> read_list(const std::string& file) {
   Result<records::KnownList> list = cases::read_text(file).and_then(
       [&file](const std::string& text) { return records::parse_known(text, file); });
   if (list && list->driver) {
-    return tl::unexpected(
-        Error{file, "/driver",
-              "is a driver's list, whose entries name a rule and a finding: write those"});
+    return tl::unexpected(Error{
+        file, "/driver",
+        "is a driver's list, whose entries need a rule and a finding; write the entry by hand"});
   }
   return list;
 }
@@ -139,11 +141,11 @@ Result<void> write_entry(const std::string& file, records::KnownList list,
   fs::create_directories(of_case.parent_path(), why);
   if (why) {
     return tl::unexpected(
-        Error{of_case.parent_path().string(), "", "cannot be made: " + why.message()});
+        Error{of_case.parent_path().string(), "", "cannot be created: " + why.message()});
   }
   if (fs::exists(of_case, why)) {
     return tl::unexpected(
-        Error{of_case.string(), "", "is there already (--id gives another name)"});
+        Error{of_case.string(), "", "already exists; choose another name with --id"});
   }
   return cases::write_file(of_case.string(), cases::to_json(shown)).and_then([&] {
     return cases::write_file(file, text);
@@ -157,8 +159,8 @@ void print_entry(const records::KnownEntry& entry, const std::string& file,
   const nlohmann::json list = cases::json_of(records::KnownList{std::nullopt, {entry}});
   const nlohmann::json& written = list.at("entries").at(0);
   fmt::print("{} in {}: {}\n  {}: {}, when {}\n", entry.id, file, cases::printable(sentence),
-             entry.laws.empty() ? "of what is drawn, whatever property notices"
-                                : fmt::format("of {} alone", fmt::join(entry.laws, ", ")),
+             entry.laws.empty() ? "in every property"
+                                : fmt::format("in {} only", fmt::join(entry.laws, ", ")),
              cases::json_line(written.at("verdicts")), cases::json_line(written.at("when")));
 }
 
@@ -169,7 +171,7 @@ ExitCode add(const AddOptions& options) {
       options.list.empty() ? properties::list_beside(given->backend) : options.list;
   if (file.empty()) {
     return fail({"--known", "",
-                 fmt::format("is needed: no list lies beside {}, which is no plugin",
+                 fmt::format("is required: {} is not a plugin, so it has no list beside it",
                              cases::printable(given->backend))});
   }
   const Result<records::KnownList> list = read_list(file);
@@ -196,7 +198,9 @@ ExitCode add(const AddOptions& options) {
   records::KnownEntry& entry = waiver->entry;
   entry.id = options.id.empty() ? free_id(stem_of(given->backend), *list, known) : options.id;
   if (!is_plain_word(entry.id)) {
-    return fail({"--id", "", "a name of letters, digits, '-', '_', '+' and '.' is needed"});
+    return fail(
+        {"--id", "",
+         "must be a name of letters, digits, '-', '_', '+' and '.', and must not begin with '.'"});
   }
   entry.reason = options.reason;
   entry.until = options.until;
@@ -233,28 +237,28 @@ ExitCode expect(const ExpectOptions& options) {
 
 void set_up_add(CLI::App& app, AddOptions& options) {
   app.add_option("COUNTEREXAMPLE", options.files,
-                 "Counterexamples of one cause and backend, as a run saves them")
+                 "Counterexamples of one cause and backend, as saved by a run")
       ->type_name(kFile)
       ->required();
-  app.add_option("--reason", options.reason, "Why it is to stay, in one sentence")
+  app.add_option("--reason", options.reason, "Why the defect is accepted, in one sentence")
       ->type_name("TEXT")
       ->required();
   app.add_option("--until", options.until,
-                 "The last day on which it is known, 2027-01-31; it counts again after that")
+                 "Last day on which the defect counts as known, such as 2027-01-31")
       ->type_name("DATE");
-  app.add_option("--known", options.list,
-                 "List that it is added to, made where it is missing; without it known.json beside "
-                 "the plugin")
+  app.add_option(
+         "--known", options.list,
+         "List to add the entry to, created if missing; default: known.json beside the plugin")
       ->type_name(kFile);
-  app.add_option("--id", options.id, "Its name; without it that of the backend and a number")
+  app.add_option("--id", options.id, "Name of the entry; default: the backend's name and a number")
       ->type_name("NAME");
   app.add_option("--backend", options.backend,
-                 "What draws; without it the one that the counterexamples are of")
+                 "Backend to draw with; default: that of the counterexamples")
       ->type_name(kBackend);
   add_contract(app, options.contract);
   add_promise(app, options.promise);
   add_timeout(app, options.timeout);
-  app.add_flag("-q,--quiet", options.quiet, "Prints nothing");
+  app.add_flag("-q,--quiet", options.quiet, "Print nothing");
 }
 
 Action set_up(CLI::App& app) {
@@ -262,44 +266,44 @@ Action set_up(CLI::App& app) {
   const auto expecting = std::make_shared<ExpectOptions>();
   app.require_subcommand(1);
   CLI::App* const add_command =
-      app.add_subcommand("add", "Has runs know the fault that counterexamples are of");
+      app.add_subcommand("add", "Waive the fault that counterexamples show");
   set_up_add(*add_command, *adding);
   add_command->footer(
-      "It is tried what the counterexamples need to fail, and the list gets an entry that asks for "
-      "just that. Runs hold violations against known.json beside a plugin, and against what "
-      "--known names; they end with exit code 0 if all are known.\n\n"
-      "Exit code 0 if the entry was written, 2 if the law holds here, 4 if the backend cannot run "
-      "here.\n\n"
+      "Finds out by trial what the counterexamples need to fail, and writes an entry with just "
+      "these "
+      "conditions. Runs read known.json beside a plugin, and the lists that --known names; a run "
+      "whose violations are all known ends with exit code 0.\n\n"
+      "Exit code 0 if the entry was written, 2 if the property holds here, 4 if the backend cannot "
+      "run here.\n\n"
       "Example:\n"
       "  rastercheck known add rastercheck-out/counterexamples/NAME.json \\\n"
       "    --reason \"Edges are inclusive.\" --until 2027-06-30");
   CLI::App* const expect_command =
-      app.add_subcommand("expect", "Writes expectation lists that say what runs found");
+      app.add_subcommand("expect", "Write expectation lists from the results of runs");
   expect_command
       ->add_option("DIR", expecting->runs,
-                   "Output folders of runs; laws that some violated and others did not are flakes")
+                   "Output folders of runs; properties that only some of them violated are flakes")
       ->type_name(kFolder)
       ->required();
   expect_command
       ->add_option("--output", expecting->output,
-                   "What the names of the three lists begin with: NAME-fails.txt, NAME-flakes.txt, "
+                   "Start of the three lists' names: NAME-fails.txt, NAME-flakes.txt, "
                    "NAME-skips.txt")
       ->type_name("NAME")
       ->required();
-  expect_command->add_flag("-q,--quiet", expecting->quiet, "Prints nothing");
+  expect_command->add_flag("-q,--quiet", expecting->quiet, "Print nothing");
   expect_command->footer(
-      "Prints how many names each list has.\n\n"
+      "Prints the number of names in each list.\n\n"
       "Example:\n"
       "  rastercheck known expect rastercheck-out --output llvmpipe\n"
       "  rastercheck run --backend gl:llvmpipe --known llvmpipe-fails.txt");
-  app.footer("docs/known-defects.md says what lists are and how they are kept.");
+  app.footer("docs/known-defects.md describes the lists.");
   return [&app, adding, expecting] {
     return app.got_subcommand("add") ? add(*adding) : expect(*expecting);
   };
 }
 
-const Registration kRegistration("known", "Says what is wrong with a backend and is to stay so",
-                                 &set_up);
+const Registration kRegistration("known", "Record known defects of a backend", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::known_command

@@ -149,7 +149,7 @@ std::vector<ordered_json> known_rows(const Asked& asked) {
 }
 
 constexpr std::array<ListedKind, 7> kKinds{{{"backends", &backend_rows},
-                                            {"properties", &property_rows, 1},
+                                            {"properties", &property_rows, 2},
                                             {"generators", &generator_rows},
                                             {"methods", &method_rows, 3},
                                             {"rules", &rules_rows},
@@ -190,8 +190,8 @@ ExitCode run(const Options& options) {
   if (!options.backends.empty()) {
     if (chosen.empty()) chosen = "backends";
     if (chosen != "backends") {
-      return fail(
-          {"--backend", "", fmt::format("it goes with `list backends`, not with {}", chosen)});
+      return fail({"--backend", "",
+                   fmt::format("works with `list backends` only, not with `list {}`", chosen)});
     }
   }
   Asked asked{options.backends, {}, backend_factory(kDefaultTimeout)};
@@ -219,25 +219,25 @@ Action set_up(CLI::App& app) {
   std::vector<std::string> names;
   names.reserve(kKinds.size());
   for (const ListedKind& kind : kKinds) names.emplace_back(kind.name);
-  app.add_option("KIND", options->kind, "What to list; everything without it")
+  app.add_option("KIND", options->kind, "What to list; default: everything")
       ->check(CLI::IsMember(names));
-  app.add_option("--backend", options->backends,
-                 "Lists this backend, as plugin:PATH.so, and what it says of itself; may be given "
-                 "several times")
+  app.add_option(
+         "--backend", options->backends,
+         "List this backend, such as plugin:PATH.so, with its own description; may be repeated")
       ->type_name(kBackend);
   add_known(app, options->known);
-  app.add_flag("--json", options->json, "Prints it as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Prints rows only");
+  app.add_flag("--json", options->json, "Print the list as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Print only the rows");
   app.footer(
       "Examples:\n"
       "  rastercheck list backends       what can run here, and why the others cannot\n"
-      "  rastercheck list properties     every law that is checked\n"
-      "  rastercheck list known          defects that are known of drivers");
+      "  rastercheck list properties     every property that is checked\n"
+      "  rastercheck list known          known defects of drivers");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration(
-    "list", "Lists what there is: backends, properties, known defects and more", &set_up);
+const Registration kRegistration("list", "List backends, properties, known defects and more",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::list_command

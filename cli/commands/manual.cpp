@@ -10,9 +10,9 @@ namespace rastercheck::cli::manual_command {
 namespace {
 
 Action set_up(CLI::App& app) {
-  app.add_flag("-q,--quiet")->description("Accepted as everywhere; there is only the result");
+  app.add_flag("-q,--quiet")->description("Accepted for consistency; has no effect");
   app.footer(
-      "Example (a package installs it, for `man rastercheck`):\n"
+      "Example (packages install the page for `man rastercheck`):\n"
       "  rastercheck manual | man -l -");
   return [&app] {
     fmt::print("{}", manual_page(*app.get_parent()));
@@ -20,7 +20,8 @@ Action set_up(CLI::App& app) {
   };
 }
 
-const Registration kRegistration("manual", "Prints the manual page, all of --help", &set_up);
+const Registration kRegistration("manual", "Print the manual page, which has all of --help",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::manual_command

@@ -50,7 +50,7 @@ void add_drawn(properties::MergedRun& merged) {
   const Result<void> inspected = inspect_merged(merged);
   if (inspected) return;
   Error why = inspected.error();
-  why.reason += "; samples looked at closely are taken from the shards";
+  why.reason += "; using the samples that the shards inspected";
   fail(why);
   merged.run.inspections = properties::gathered_inspections(merged.run, merged.looked_at);
 }
@@ -90,21 +90,20 @@ Action set_up(CLI::App& app) {
       ->type_name(kFolder)
       ->capture_default_str();
   add_formats(app, options->formats);
-  app.add_flag("--json", options->json, "Prints the table as JSON");
-  CLI::Option* quiet = app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only");
+  app.add_flag("--json", options->json, "Print the table as JSON");
+  CLI::Option* quiet = app.add_flag("-q,--quiet", options->quiet, "Print only the table's rows");
   app.add_flag("--all", options->all, kAllHelp)->excludes(quiet);
   app.footer(
-      "Exit codes are those of `rastercheck run`; 2 if shards are missing or do not go "
+      "Exit codes are those of `rastercheck run`; 2 if shards are missing or do not belong "
       "together.\n\n"
-      "Example, of two jobs:\n"
+      "Example with two jobs:\n"
       "  rastercheck run --seed 1 --shard 1/2 --output one\n"
       "  rastercheck run --seed 1 --shard 2/2 --output two\n"
       "  rastercheck merge one two");
   return [options] { return merge(*options); };
 }
 
-const Registration kRegistration("merge", "Puts the parts of a run together (run --shard)",
-                                 &set_up);
+const Registration kRegistration("merge", "Combine the shards of a run (run --shard)", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::merge_command

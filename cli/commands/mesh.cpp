@@ -27,11 +27,11 @@ Action set_up(CLI::App& app) {
   app.add_option("MESH", options->file)->required();
   app.add_option("--format", options->format);
   app.add_option("--memory", options->limits.memory, "Bytes");
-  app.add_option("--seconds", options->limits.seconds, "Of processor time");
+  app.add_option("--seconds", options->limits.seconds, "Limit of processor time, in seconds");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("mesh", "Reads a mesh for another process", &set_up);
+const Registration kRegistration("mesh", "Read a mesh for another process", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::mesh_command

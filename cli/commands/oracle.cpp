@@ -135,7 +135,7 @@ Result<void> print_table(const oracle::SceneTruth& scene, const Options& options
 
 ExitCode run(const Options& options) {
   if (cases::is_mesh_file(options.file)) {
-    return fail({options.file, "", "a mesh, not a case; rastercheck import makes a case of it"});
+    return fail({options.file, "", "is a mesh, not a case; convert it with rastercheck import"});
   }
   Result<cases::Case> c = cases::read_case(options.file);
   if (c && options.clip) c = oracle::to_clip_case(*c, options.file);
@@ -154,24 +154,24 @@ Action set_up(CLI::App& app) {
       ->type_name(kFile)
       ->required();
   app.add_flag("--clip", options->clip,
-               "Takes the clip positions rounded to float32, as backends are handed them");
-  CLI::Option* json =
-      app.add_flag("--json", options->json, "Prints the fragments as JSON, values as fractions");
+               "Use clip positions rounded to float32, as backends receive them");
+  CLI::Option* json = app.add_flag("--json", options->json,
+                                   "Print the fragments as JSON, with values as fractions");
   app.add_flag("--details", options->details,
-               "With --json: distances to the edges, derivatives and condition numbers, too")
+               "With --json: also print distances to the edges, derivatives and condition numbers")
       ->needs(json);
-  app.add_flag("--all", options->all, "Even if the framebuffer has more than 2^26 samples");
-  app.add_flag("-q,--quiet", options->quiet, "Prints the fragments only, no header and no summary");
+  app.add_flag("--all", options->all, "Allow more than 2^26 samples");
+  app.add_flag("-q,--quiet", options->quiet,
+               "Print only the fragments, without header and summary");
   app.footer(
-      "Lists every sample that has to be drawn (required) or may be (permitted), with the exact "
-      "depth and attributes.\n\n"
+      "Lists every sample that must be drawn (required) or may be drawn (permitted), with its "
+      "exact depth and attributes.\n\n"
       "Example:\n"
       "  rastercheck oracle cases/corpus/behind-the-eye.json");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("oracle", "Prints what has to be drawn of a case, exactly",
-                                 &set_up);
+const Registration kRegistration("oracle", "Print exactly what must be drawn for a case", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::oracle_command

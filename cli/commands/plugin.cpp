@@ -28,14 +28,14 @@ struct Options {
 Result<void> make_empty(const std::string& folder) {
   std::error_code why;
   fs::create_directories(folder, why);
-  if (why) return tl::unexpected(Error{folder, "", "cannot be made: " + why.message()});
+  if (why) return tl::unexpected(Error{folder, "", "cannot be created: " + why.message()});
   bool is_empty = true;
   for (auto entry = fs::directory_iterator(folder, why); !why && entry != fs::directory_iterator();
        entry.increment(why)) {
     is_empty = is_empty && entry->path().filename() == ".git";
   }
   if (why) return tl::unexpected(Error{folder, "", "cannot be read: " + why.message()});
-  if (!is_empty) return tl::unexpected(Error{folder, "", "is there already, and is not empty"});
+  if (!is_empty) return tl::unexpected(Error{folder, "", "already exists and is not empty"});
   return {};
 }
 
@@ -47,7 +47,7 @@ ExitCode make_new(const Options& options) {
     const fs::path path = fs::path(options.folder) / file.path;
     std::error_code why;
     fs::create_directories(path.parent_path(), why);
-    if (why) return fail({path.parent_path().string(), "", "cannot be made: " + why.message()});
+    if (why) return fail({path.parent_path().string(), "", "cannot be created: " + why.message()});
     const Result<void> written = cases::write_file(path.string(), std::string(file.text));
     if (!written) return fail(written.error());
     if (!options.quiet) fmt::print("{}\n", path.string());
@@ -59,19 +59,19 @@ Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.require_subcommand(1);
   CLI::App* new_command =
-      app.add_subcommand("new", "Writes a project that builds a plugin: a little rasterizer");
+      app.add_subcommand("new", "Write a project that builds a plugin: a small rasterizer");
   new_command
       ->add_option("DIR", options->folder,
-                   "Folder for it, new or empty; one with a git repository alone is")
+                   "Folder for the project; must be new or empty, apart from a git repository")
       ->type_name(kFolder)
       ->required();
   new_command->add_option("--language", options->language, "Language of the project")
       ->check(CLI::IsMember({"c", "c++"}))
       ->type_name("LANGUAGE")
       ->capture_default_str();
-  new_command->add_flag("-q,--quiet", options->quiet, "Prints nothing");
+  new_command->add_flag("-q,--quiet", options->quiet, "Print nothing");
   constexpr const char* kFooter =
-      "Prints the names of the files; README.md among them says how to go on.\n\n"
+      "Prints the names of the files. Their README.md describes the next steps.\n\n"
       "Example:\n"
       "  rastercheck plugin new mine";
   app.footer(kFooter);
@@ -79,7 +79,8 @@ Action set_up(CLI::App& app) {
   return [options] { return make_new(*options); };
 }
 
-const Registration kRegistration("plugin", "Begins a plugin, to have a rasterizer judged", &set_up);
+const Registration kRegistration("plugin", "Create a plugin that connects your rasterizer",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::plugin_command

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -46,8 +47,8 @@ Result<cases::Coverage> read_coverage(const std::string& text) {
   if (text == "exact") return cases::Coverage();
   constexpr std::string_view kSnapped = "snapped:";
   const auto refuse = [] {
-    return tl::unexpected(
-        refused("--ask", "must be exact, snapped:BITS or snapped:BITS:ROUNDING, BITS 0 to 16"));
+    return tl::unexpected(refused(
+        "--ask", "must be exact, snapped:BITS or snapped:BITS:ROUNDING, with BITS from 0 to 16"));
   };
   if (!text.starts_with(kSnapped)) return refuse();
   const std::string rest = text.substr(kSnapped.size());
@@ -89,7 +90,8 @@ void print_json(const records::Probe& probe) {
     rows.push_back({{"what", row.what},
                     {"declared", row.declared},
                     {"measured", row.measured},
-                    {"detail", row.detail}});
+                    {"detail", row.detail},
+                    {"contradicts", row.contradicts}});
   }
   const auto contract = cases::parse_json(cases::to_json(probe.terms), "");
   const ordered_json document{{"format", "rastercheck-probe"},
@@ -112,12 +114,21 @@ void print_table(const records::Probe& probe, bool quiet) {
     if (!probe.description.empty()) fmt::print("{}\n", cases::one_line(probe.description));
     cells.push_back({"", "declared", "measured", "from"});
   }
-  for (const records::Measured& row : probe.rows) {
-    cells.push_back({row.what, row.declared, row.measured, row.detail});
+  std::vector<records::Measured> rows = probe.rows;
+  std::stable_partition(rows.begin(), rows.end(), [](const auto& row) { return row.contradicts; });
+  for (const records::Measured& row : rows) {
+    cells.push_back(
+        {(row.contradicts ? "! " : "") + row.what, row.declared, row.measured, row.detail});
   }
   fmt::print("{}", reports::text_table(cells, quiet ? std::nullopt : terminal_columns()));
   if (quiet) return;
-  fmt::print("\n{} drawings, {} of cases that it does not draw, {} failed{}\n", probe.drawings,
+  const auto contradictions =
+      std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.contradicts; });
+  if (contradictions > 0) {
+    fmt::print("\n! marks {} of {} measurements that contradict what the backend declares.\n",
+               contradictions, rows.size());
+  }
+  fmt::print("\n{} drawings, {} of unsupported cases, {} failed{}\n", probe.drawings,
              probe.unsupported, probe.failed,
              probe.failure.empty() ? "" : ": " + cases::one_line(probe.failure));
 }
@@ -164,47 +175,46 @@ ExitCode run(const Options& options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("BACKEND", options->backend, "What is measured (see rastercheck list backends)")
+  app.add_option("BACKEND", options->backend, "Backend to measure (see rastercheck list backends)")
       ->type_name(kBackend)
       ->required();
   app.add_option("--contract-out", options->contract_out,
-                 "File for what was measured, as a contract that `run --contract` takes")
+                 "Write the result to this file, as a contract for `run --contract`")
       ->type_name(kFile);
   app.add_option("--ask", options->ask,
-                 "Coverage that all cases ask for: exact, snapped:BITS or snapped:BITS:ROUNDING "
-                 "(BITS of the subpixel grid, as snapped:8); without it, whether the backend "
-                 "follows what is asked is measured, too")
+                 "Coverage that all cases ask for: exact, snapped:BITS or snapped:BITS:ROUNDING, "
+                 "with the BITS of the subpixel grid, such as snapped:8; default: also measure "
+                 "whether the backend honours requests")
       ->type_name("COVERAGE");
   app.add_option("--ask-basis", options->ask_basis,
-                 "What attributes are interpolated on that all cases ask for: the triangle as "
-                 "given, or its snapped vertices")
+                 "Basis of attributes that all cases ask for: ideal, the triangle as given, or "
+                 "snapped, its snapped vertices")
       ->type_name("BASIS")
       ->check(CLI::IsMember({"ideal", "snapped"}));
   app.add_option("--ask-fill-rule", options->ask_fill_rule,
                  "Rule for samples on an edge that all cases ask for")
       ->type_name("RULE")
       ->check(CLI::IsMember({"top_left", "bottom_left"}));
-  app.add_option("--cases", options->cases, "Random cases of each generator")
+  app.add_option("--cases", options->cases, "Random cases per generator")
       ->check(CLI::Range(1, 100000))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--seed", options->seed, "Seed of what is drawn")
+  app.add_option("--seed", options->seed, "Seed of the random cases")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   add_timeout(app, options->timeout);
-  app.add_flag("--json", options->json, "Prints the result as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only, and no progress bar");
+  app.add_flag("--json", options->json, "Print the result as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Print only the table's rows, and no progress bar");
   app.footer(
-      "Measured are the subpixel grid, rounding, fill rule, guard band and errors. Nothing is "
-      "judged: exit code 0 says that it was measured, 4 that the backend cannot run here or draws "
-      "nothing.\n\n"
+      "Measures the subpixel grid, rounding, fill rule, guard band and errors, without judging "
+      "them. Exit code 0 if the backend was measured, 4 if it cannot run here or draws nothing.\n\n"
       "Example:\n"
       "  rastercheck probe gl:llvmpipe --contract-out llvmpipe.json");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("probe", "Measures what a backend draws, beside what it declares",
+const Registration kRegistration("probe", "Measure what a backend draws, next to what it declares",
                                  &set_up);
 
 }  // namespace

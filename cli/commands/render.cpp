@@ -83,7 +83,8 @@ Result<void> check_png(const Options& options) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   if (!ending.empty() && ending != ".png") {
-    return tl::unexpected(Error{"--png", options.png, "the picture is a PNG: name it ….png"});
+    return tl::unexpected(
+        Error{"--png", options.png, "must end in .png, because the picture is a PNG"});
   }
   return check_output_file(options.png, options.file);
 }
@@ -121,16 +122,18 @@ Action set_up(CLI::App& app) {
   app.add_option("CASE", options->file, "Case file; - reads standard input")
       ->type_name(kFile)
       ->required();
-  app.add_option("--backend", options->backend, "What draws it (see rastercheck list backends)")
+  app.add_option("--backend", options->backend,
+                 "Backend to draw with (see rastercheck list backends)")
       ->type_name(kBackend)
       ->capture_default_str();
   add_timeout(app, options->timeout);
-  app.add_option("--png", options->png, "Writes the picture to this file, and prints nothing")
+  app.add_option("--png", options->png, "Write the picture to this file and print nothing")
       ->type_name(kFile);
-  app.add_flag("--all", options->all, "Even if the framebuffer has more than 2^26 samples");
+  app.add_flag("--all", options->all, "Allow more than 2^26 samples");
   app.add_flag("--json", options->json,
-               "Prints the fragments as JSON, values as hexadecimal floats");
-  app.add_flag("-q,--quiet", options->quiet, "Prints the fragments only, no header and no summary");
+               "Print the fragments as JSON, with values as hexadecimal floats");
+  app.add_flag("-q,--quiet", options->quiet,
+               "Print only the fragments, without header and summary");
   app.footer(
       "A fragment is a sample that a triangle covers. A case with a camera is drawn from its clip "
       "positions, rounded to float32.\n\n"
@@ -140,7 +143,7 @@ Action set_up(CLI::App& app) {
 }
 
 const Registration kRegistration("render",
-                                 "Prints what a backend draws of a case, or makes it a picture",
+                                 "Print what a backend draws for a case, or save it as a picture",
                                  &set_up);
 
 }  // namespace

@@ -67,10 +67,10 @@ Result<std::vector<const properties::Law*>> laws_for(const cases::Case& c,
     if (!c.found || c.found->law == law.id) chosen.push_back(&law);
   }
   if (chosen.empty()) {
-    return tl::unexpected(Error{file, "/found/law",
-                                fmt::format("there is no law '{}' (see rastercheck list "
-                                            "properties)",
-                                            cases::printable(c.found->law))});
+    return tl::unexpected(
+        Error{file, "/found/law",
+              fmt::format("no property is called '{}' (see rastercheck list properties)",
+                          cases::printable(c.found->law))});
   }
   return chosen;
 }
@@ -79,7 +79,7 @@ void print_outcome(const Outcome& outcome, bool quiet) {
   std::string note;
   if (!outcome.found.empty()) {
     note = outcome.found == outcome.verdict()
-               ? " (as it was found)"
+               ? " (as found)"
                : fmt::format(" (found as: {})", cases::printable(outcome.found));
   }
   for (const std::string& id : outcome.check.known) note += "; known: " + id;
@@ -243,26 +243,27 @@ Action set_up(CLI::App& app) {
       ->type_name(kFile)
       ->required();
   app.add_option("--backend", options->backend,
-                 "What draws; without it the one that a counterexample is of, else cpu")
+                 "Backend to draw with; default: that of a counterexample, else cpu")
       ->type_name(kBackend);
   add_known(app, options->known);
   add_contract(app, options->contract);
   add_promise(app, options->promise);
   add_draw_by(app, options->draw_by, std::span(kWays).first(2))
-      ->description("How drivers that have several ways draw, as of run");
+      ->description("How drivers with several ways to draw do so (see rastercheck run --help)");
   add_timeout(app, options->timeout);
-  app.add_flag("--json", options->json, "Prints the result as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Prints verdicts only");
+  app.add_flag("--json", options->json, "Print the result as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Print only the verdicts");
   app.footer(
-      "A counterexample is checked by the property that it violated, any other case by all.\n\n"
-      "Exit code 0 if they held or failed in known ways, 1 if one was violated, 4 if "
-      "the backend cannot run here, 5 if none says anything of the case.\n\n"
+      "A counterexample is checked against the property that it violated, any other case against "
+      "all.\n\n"
+      "Exit code 0 if the properties held or failed in known ways, 1 if one was violated, 4 if the "
+      "backend cannot run here, 5 if none applies to the case.\n\n"
       "Example:\n"
       "  rastercheck replay rastercheck-out/counterexamples/*.json");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("replay", "Checks saved cases and counterexamples again", &set_up);
+const Registration kRegistration("replay", "Check saved cases and counterexamples again", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::replay_command

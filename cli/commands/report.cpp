@@ -25,7 +25,7 @@ struct Options {
 ExitCode run(const Options& options) {
   std::error_code unknown;  // reading run.json reports the cause
   if (std::filesystem::is_regular_file(options.directory, unknown)) {
-    return fail({options.directory, "", "is a file, not the folder that a run wrote"});
+    return fail({options.directory, "", "is a file; expected the output folder of a run"});
   }
   const Result<records::Run> read = reports::read_run(options.directory + "/run.json");
   if (!read) return fail(read.error());
@@ -41,15 +41,15 @@ Action set_up(CLI::App& app) {
       ->type_name(kFolder)
       ->required();
   add_formats(app, options->formats);
-  app.add_flag("-q,--quiet", options->quiet, "Prints nothing");
+  app.add_flag("-q,--quiet", options->quiet, "Print nothing");
   app.footer(
-      "Nothing is checked again.\n\n"
+      "Does not check anything again.\n\n"
       "Example:\n"
       "  rastercheck report rastercheck-out --format html,sarif");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("report", "Writes the reports of a run again, from its run.json",
+const Registration kRegistration("report", "Write the reports of a run again, from its run.json",
                                  &set_up);
 
 }  // namespace

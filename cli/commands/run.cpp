@@ -75,7 +75,7 @@ Result<void> check_output(const RunOptions& options, bool keeps_cases) {
   }
   std::error_code why;
   std::filesystem::create_directories(options.output, why);
-  if (why) return tl::unexpected(Error{options.output, "", "cannot be made: " + why.message()});
+  if (why) return tl::unexpected(Error{options.output, "", "cannot be created: " + why.message()});
   return {};
 }
 
@@ -103,7 +103,8 @@ Result<Work> prepare(const RunOptions& options) {
   if (!same_shard) return tl::unexpected(same_shard.error());
   if (!options.baseline.empty() && start->plan.shard) {
     return tl::unexpected(
-        Error{"--baseline", "", "not of a shard: compare the run that the shards are merged to"});
+        Error{"--baseline", "",
+              "cannot be used with a shard; merge the shards, then compare the merged run"});
   }
   Work work{*std::move(start), {}, std::nullopt};
   const records::Plan& plan = work.start.plan;
@@ -159,11 +160,10 @@ Result<void> check_contract(const std::optional<RunGate>& gate, const records::P
   const std::uint64_t digest = cases::digest_of(plan.contract->terms);
   const std::uint64_t then = cases::digest_of(set->plan.contract->terms);
   if (then == digest) return {};
-  return tl::unexpected(
-      Error{plan.contract->file, "",
-            fmt::format("is another contract than that of the baseline's section {}: the digest "
-                        "of its terms was {:016x} and is {:016x}",
-                        set->section, then, digest)});
+  return tl::unexpected(Error{plan.contract->file, "",
+                              fmt::format("differs from the contract of the baseline's section {}: "
+                                          "the digest of its terms was {:016x} and is {:016x}",
+                                          set->section, then, digest)});
 }
 
 /// Compares the run with the baseline, if given.
@@ -184,8 +184,8 @@ ExitCode hold_run(const RunOptions& options, const std::optional<RunGate>& gate,
 ExitCode fail_to_write(const RunOptions& options, const Error& error) {
   const ExitCode code = fail(error);
   print_problem(
-      fmt::format("rastercheck: what was found is printed above; once there is room, `rastercheck "
-                  "run --resume --output {}` writes it\n",
+      fmt::format("rastercheck: the results are printed above but not saved; once the file can be "
+                  "written, `rastercheck run --resume --output {}` saves them\n",
                   options.output));
   return code;
 }
@@ -255,10 +255,10 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
       properties::PlanRun::prepare(work->start, work->corpus, conduct, options.resume);
   if (!prepared) return fail(prepared.error());
   const std::string goes_on =
-      fmt::format("`rastercheck run --resume --output {}` goes on.\n", options.output);
-  const InterruptWatch watch("\nrastercheck: ending; once more ends at once. " + goes_on,
-                             kGraceSeconds,
-                             "rastercheck: ended before its reports were written. " + goes_on);
+      fmt::format("`rastercheck run --resume --output {}` continues the run.\n", options.output);
+  const InterruptWatch watch(
+      "\nrastercheck: stopping; press Ctrl-C again to stop at once. " + goes_on, kGraceSeconds,
+      "rastercheck: stopped before its reports were written. " + goes_on);
   Result<records::Run> carried_out = prepared->carry_out();
   if (!carried_out) return fail_internally(carried_out.error());
   records::Run& run = *carried_out;
@@ -275,7 +275,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
                              conduct.backends);
   }
   const std::chrono::duration<double> seconds = Clock::now() - start;
-  run.environment = environment(options.jobs, seconds.count());
+  run.environment = environment_of(run.plan, conduct.backends, options.jobs, seconds.count());
   bar.erase();
 
   const ExitCode told = tell(options, run, prepared->promises(), seconds.count());
@@ -288,35 +288,35 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
 /// Adds the options that decide how much a "held" means.
 void add_scrutiny(CLI::App& app, records::Plan& plan) {
   app.add_option("--power", plan.power,
-                 "Makes the drawing of one in N random cases wrong in all ways, to see what is "
-                 "noticed; 0 of none")
+                 "Damage the drawing of one in N random cases in every way, to see what is "
+                 "noticed; 0: of no case")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--require-cases", plan.require_cases,
-                 "Ends with exit code 5 where a property is judged on fewer than N cases")
+                 "Exit with code 5 if a property is judged on fewer than N cases")
       ->transform(whole_number())
       ->type_name("N");
 }
 
 void add_early_ends(CLI::App& app, RunOptions& options) {
-  app.add_flag("--fail-fast", options.fail_fast, "Ends with the first violation");
-  app.add_option(
-         "--max-time", options.max_time,
-         "Stops checking after so many seconds, with all properties checked about as often, and "
-         "reports what was found; a scene and the reports come on top; --resume goes on")
+  app.add_flag("--fail-fast", options.fail_fast, "Stop at the first violation");
+  app.add_option("--max-time", options.max_time,
+                 "Stop checking after this many seconds, with all properties checked about equally "
+                 "often, and report what was found; a scene and the reports take extra time; "
+                 "--resume continues the run")
       ->check(CLI::Range(kLeastSeconds, kMostSeconds))
       ->type_name("SECONDS");
 }
 
 void add_shrinking(CLI::App& app, records::ShrinkBudget& shrinking) {
   app.add_option("--shrink-tries", shrinking.tries,
-                 "Smaller cases that are tried of each counterexample; 0 leaves it as it is found")
+                 "Smaller cases to try for each counterexample; 0 leaves it as found")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--shrink-seconds", shrinking.seconds,
-                 "Seconds for making each counterexample smaller; no limit without it")
+                 "Time limit for shrinking each counterexample, in seconds; default: none")
       ->check(CLI::Range(kLeastSeconds, kMostSeconds))
       ->type_name("SECONDS");
 }
@@ -325,24 +325,24 @@ Action set_up(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   records::Plan& plan = options->plan;
   app.add_option("--backend", plan.backends,
-                 "What is checked (see rastercheck list backends); may be given several times")
+                 "Backend to check (see rastercheck list backends); may be repeated")
       ->type_name(kBackend)
       ->capture_default_str();
   app.add_option("--property", plan.properties,
-                 "Only properties whose id matches, as '*edge*' (see rastercheck list "
-                 "properties); may be given several times")
+                 "Only properties whose id matches, such as '*edge*' (see rastercheck list "
+                 "properties); may be repeated")
       ->type_name(kProperty);
   app.add_option("--cases", plan.cases_per_law,
-                 "Random cases of each property, beside those of the corpus")
+                 "Random cases per property, in addition to the corpus")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--seed", options->seed,
-                 "Seed of the random cases: the same seed, the same cases; random without it")
+                 "Seed of the random cases; the same seed gives the same cases; default: random")
       ->transform(whole_number())
       ->type_name("N");
   add_shard(app, options->shard);
-  app.add_option("--scene", plan.scene, "Mesh or case file that is drawn and judged whole, too")
+  app.add_option("--scene", plan.scene, "Mesh or case file to draw and judge as a whole, as well")
       ->type_name(kFile);
   app.add_option("--scene-size", plan.scene_size, "Width and height of a mesh's picture, in pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
@@ -352,12 +352,12 @@ Action set_up(CLI::App& app) {
   add_promise(app, plan.promise);
   add_draw_by(app, plan.draw_by, names_of(cases::DrawBy()))
       ->description(
-          "How drivers that have several ways draw: append, where shaders append fragments to a "
-          "buffer; layers, each triangle into one of its own; frame, the scene in one draw with a "
-          "depth test. Usual: what takes least");
-  app.add_option("--corpus", plan.corpus,
-                 "Folder of case files that every property is checked on first; without it the "
-                 "one that comes with the program")
+          "How drivers with several ways to draw do so: append, shaders append fragments to a "
+          "buffer; layers, each triangle into a layer of its own; frame, the scene in one draw "
+          "with a depth test; default: the way that reads back the least");
+  app.add_option(
+         "--corpus", plan.corpus,
+         "Folder of case files to check first; default: the corpus that comes with the program")
       ->type_name(kFolder);
   add_known(app, plan);
   app.add_option("--output", options->output, "Folder for the results")
@@ -368,27 +368,23 @@ Action set_up(CLI::App& app) {
   add_timeout(app, plan.timeout);
   add_scrutiny(app, plan);
   app.add_flag("--keep-cases", plan.keeps_cases,
-               "Keeps what each case gave in run.json, for a baseline and for --format cases");
+               "Keep the result of each case in run.json, for a baseline and for --format cases");
   add_early_ends(app, *options);
-  CLI::Option* rerun =
-      app.add_option(
-             "--rerun-failed", options->rerun_failed,
-             "Checks what the run in this folder found violated, with cases and settings as "
-             "there")
-          ->type_name(kFolder);
-  CLI::Option* baseline =
-      app.add_option("--baseline", options->baseline,
-                     "Holds the run against this baseline (rastercheck baseline save), with seed "
-                     "and cases as there")
-          ->type_name(kFile);
+  CLI::Option* rerun = app.add_option("--rerun-failed", options->rerun_failed,
+                                      "Check the properties that the run in this folder found "
+                                      "violated, with its cases and settings")
+                           ->type_name(kFolder);
+  CLI::Option* baseline = app.add_option("--baseline", options->baseline,
+                                         "Compare the run with this baseline (rastercheck baseline "
+                                         "save), using its seed and cases")
+                              ->type_name(kFile);
   app.add_option("--policy", options->policy,
-                 "With --baseline: what may be worse than it, why and until when")
+                 "With --baseline: file that says what may be worse, why and until when")
       ->needs(baseline)
       ->type_name(kFile);
   CLI::Option* resume =
       app.add_flag("--resume", options->resume,
-                   "Goes on with the interrupted run in the folder --output, with the options that "
-                   "it was begun with");
+                   "Continue the interrupted run in the --output folder, with its options");
   for (const char* settled :
        {"--backend", "--property", "--cases", "--seed", "--scene", "--scene-size", "--contract",
         "--promise", "--draw-by", "--corpus", "--known", "--no-known", "--shrink-tries",
@@ -399,19 +395,19 @@ Action set_up(CLI::App& app) {
   rerun->excludes(resume)->excludes(baseline)->excludes("--timeout");
   // A partial run cannot be compared.
   baseline->excludes("--max-time")->excludes("--fail-fast");
-  app.add_option("--jobs", options->jobs, "Processes that work side by side")
+  app.add_option("--jobs", options->jobs, "Number of parallel processes")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options->json, "Prints the table as JSON");
+  app.add_flag("--json", options->json, "Print the table as JSON");
   CLI::Option* quiet = app.add_flag("-q,--quiet", options->quiet,
-                                    "Prints the table's rows only, and no progress bar");
+                                    "Print only the table's rows, and no progress bar");
   app.add_flag("--all", options->all, kAllHelp)->excludes(quiet);
   app.footer(
-      "Exit code 0 if every property held, or was violated in known ways only, 1 if one was "
+      "Exit code 0 if every property held or was violated in known ways only, 1 if one was "
       "violated otherwise, 3 if one is worse than the baseline, 4 if a backend cannot run here, 5 "
-      "if one checked nothing, 130 if the run was interrupted. Of a run that ended early the code "
-      "says what was found until then.\n\n"
+      "if one checked nothing, 130 if the run was interrupted. If a run ends early, the code says "
+      "what was found until then.\n\n"
       "Examples:\n"
       "  rastercheck run --backend vulkan:lavapipe --cases 100 --jobs 4\n"
       "  rastercheck run --backend plugin:./mine.so --property '*edge*' --seed 1\n"
@@ -419,7 +415,7 @@ Action set_up(CLI::App& app) {
   return [options, &app] { return run_campaign(*options, app); };
 }
 
-const Registration kRegistration("run", "Checks every property, on the corpus and on random cases",
+const Registration kRegistration("run", "Check every property on the corpus and on random cases",
                                  &set_up);
 
 }  // namespace

@@ -45,7 +45,7 @@ Action set_up(CLI::App& app) {
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("task-worker", "Runs tasks of a campaign from standard input",
+const Registration kRegistration("task-worker", "Run tasks of a campaign from standard input",
                                  &set_up);
 
 }  // namespace

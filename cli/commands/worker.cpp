@@ -28,7 +28,7 @@ Action set_up(CLI::App& app) {
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("worker", "Draws with a backend for another process", &set_up);
+const Registration kRegistration("worker", "Draw with a backend for another process", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::worker_command

@@ -70,16 +70,17 @@ Result<BisectFolder> BisectFolder::make(const std::string& output) {
   if (output.empty()) {
     std::string name = (fs::temp_directory_path(why) / "rastercheck-bisect-XXXXXX").string();
     if (!why && ::mkdtemp(name.data()) != nullptr) return BisectFolder(name, {}, true);
-    return tl::unexpected(Error{name, "", "a temporary folder cannot be made"});
+    return tl::unexpected(Error{name, "", "a temporary folder cannot be created"});
   }
   fs::path path = fs::absolute(output, why);
   if (!path.has_filename()) path = path.parent_path();  // without a '/' at its end
   std::vector<fs::path> made = missing(path);
   if (!why) fs::create_directories(path, why);
-  if (why) return folder_failure(output, "cannot be made", why);
+  if (why) return folder_failure(output, "cannot be created", why);
   const bool is_empty = fs::is_empty(path, why);
   if (why) return folder_failure(output, "cannot be read", why);
-  if (!is_empty) return tl::unexpected(Error{output, "", "is not empty; it has to be new"});
+  if (!is_empty)
+    return tl::unexpected(Error{output, "", "is not empty; give a new or empty folder"});
   return BisectFolder(path, std::move(made), false);
 }
 
@@ -116,7 +117,7 @@ Result<records::Plan> BisectFolder::with_copies(records::Plan plan,
   const fs::path file = path_ / "given" / "contract.json";
   std::error_code why;
   fs::create_directories(file.parent_path(), why);
-  if (why) return folder_failure(file.string(), "cannot be made", why);
+  if (why) return folder_failure(file.string(), "cannot be created", why);
   plan.contract->file = file.string();
   return cases::write_file(file.string(), cases::to_json(plan.contract->terms)).map([&plan] {
     return plan;

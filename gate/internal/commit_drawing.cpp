@@ -40,7 +40,7 @@ bool has_judged(const cases::ProcessEnd& end) {
 /// its output.
 Error ended(const std::string& what, const cases::ProcessEnd& end, const std::string& log) {
   const std::string said = telling_line(cases::read_text(log).value_or(""));
-  return {what, "", to_string(end) + (said.empty() ? "" : "; it said: " + said)};
+  return {what, "", to_string(end) + (said.empty() ? "" : "; its output: " + said)};
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -93,7 +93,7 @@ Result<records::Run> draw_commit(const BisectPlan& plan, const std::string& name
   const std::string folder = plan.folder + "/" + name;
   std::error_code why;
   std::filesystem::create_directories(folder, why);
-  if (why) return tl::unexpected(Error{folder, "", "cannot be made: " + why.message()});
+  if (why) return tl::unexpected(Error{folder, "", "cannot be created: " + why.message()});
   how.log = folder + "/build.log";
   const Result<cases::ProcessEnd> built = run_outside(plan.build, how);
   if (!built) return tl::unexpected(built.error());

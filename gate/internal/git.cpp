@@ -54,7 +54,7 @@ Result<std::string> Git::commit(const std::string& name) const {
   return ask({"rev-parse", "--verify", "--quiet", "--end-of-options", name + "^{commit}"})
       .map_error([&](const Error& error) {
         // Without --quiet, git's message is about a "single revision" that it needs.
-        return error.file.empty() ? error : Error{name, "", "is no commit of this repository"};
+        return error.file.empty() ? error : Error{name, "", "is not a commit of this repository"};
       });
 }
 

@@ -236,7 +236,7 @@ bool is_explained(const records::Counterexample& one, const ShrinkLimits& limits
 
 Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   const Law* law = find_law(task.law);
-  if (law == nullptr) return tl::unexpected(Error{task.law, "", "no law has this id"});
+  if (law == nullptr) return tl::unexpected(Error{task.law, "", "no property is called this"});
   if (task.kind == TaskKind::corpus && task.last > corpus_.size()) {
     return tl::unexpected(Error{"the corpus", "", "has fewer cases than a task asks for"});
   }
@@ -247,7 +247,7 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   const bool has_entry =
       known != nullptr && task.first < known->defects.size() && known->defects[task.first].shown;
   if (task.kind == TaskKind::known && !has_entry) {
-    return tl::unexpected(Error{task.backend, "", "has no such known defect as a task asks for"});
+    return tl::unexpected(Error{task.backend, "", "lacks the known defect that a task asks for"});
   }
 
   Findings findings;

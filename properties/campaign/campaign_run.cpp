@@ -59,7 +59,8 @@ void CampaignRun::save() {
   if (written || has_warned_) return;
   has_warned_ = true;
   Error error = written.error();
-  error.reason += "; the run goes on, and what it finds from here on is found again if resumed";
+  error.reason +=
+      "; the run continues, but if it is resumed, what it finds from now on must be found again";
   warn_(error);
 }
 

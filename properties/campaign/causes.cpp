@@ -56,7 +56,7 @@ std::string what_is_wrong(const CauseGroup& group) {
   if (group.kind.verdict == to_string(FragmentClass::hang)) return "it does not answer in time";
   if (!group.kind.note.empty()) return "it does not draw: " + group.kind.note;
   if (!group.kind.verdict.empty()) return fmt::format("{}", group.kind.verdict);
-  if (group.kind.is_unsteady) return "what is drawn differs from one time to the next";
+  if (group.kind.is_unsteady) return "the drawing differs from one time to the next";
   if (!group.kind.part) {
     const Law* law = find_law(group.members.front().law());
     return fmt::format("“{}” does not hold",
@@ -65,14 +65,14 @@ std::string what_is_wrong(const CauseGroup& group) {
   if (*group.kind.part == DrawnPart::coverage) {
     // A triangle that covers too much may also hide the nearest triangle, so `extra` comes first.
     if (!has(FragmentClass::extra)) {
-      return has(FragmentClass::wrong_triangle) ? "another triangle than the nearest is seen"
+      return has(FragmentClass::wrong_triangle) ? "a triangle other than the nearest is visible"
                                                 : "samples are missing";
     }
-    return has(FragmentClass::missing) ? "samples are missing, and others drawn that must not be"
-                                       : "samples are drawn that must not be";
+    return has(FragmentClass::missing) ? "samples are missing and extra samples are drawn"
+                                       : "extra samples are drawn";
   }
   const char* const what = *group.kind.part == DrawnPart::depth ? "depth is" : "values are";
-  if (has(FragmentClass::not_a_number)) return fmt::format("{} no number", what);
+  if (has(FragmentClass::not_a_number)) return fmt::format("{} NaN", what);
   if (has(FragmentClass::infinite)) return fmt::format("{} infinite", what);
   return fmt::format("{} wrong", what);
 }
@@ -100,19 +100,19 @@ std::vector<std::string> tried_of(const Counterexample& one) {
   };
   std::vector<std::string> tried;
   const records::Explanation& explanation = *one.explanation;
-  if (!explanation.fails_again) tried.emplace_back("held when it was drawn again");
+  if (!explanation.fails_again) tried.emplace_back("held when drawn again");
   std::vector<std::string_view> parts;
   parts.reserve(explanation.parts.size());
   for (const DrawnPart part : explanation.parts) parts.push_back(cases::name_of(part));
   if (!parts.empty()) {
-    tried.push_back(fmt::format("holds once {} {} put right", fmt::join(parts, " and "),
+    tried.push_back(fmt::format("holds once {} {} corrected", fmt::join(parts, " and "),
                                 parts.size() == 1 && parts.front() != "values" ? "is" : "are"));
   }
   if (!explanation.needs.empty()) {
-    tried.push_back("holds as soon as: " + listed(explanation.needs));
+    tried.push_back("holds if: " + listed(explanation.needs));
   }
   if (!explanation.indifferent.empty()) {
-    tried.push_back("fails all the same if: " + listed(explanation.indifferent));
+    tried.push_back("still fails if: " + listed(explanation.indifferent));
   }
   return tried;
 }

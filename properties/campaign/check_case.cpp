@@ -91,10 +91,10 @@ std::string verdict_of(const Check& check) {
 
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check) {
   if (!is_promised(law, backend)) {
-    return law.unpromised.empty() ? "the backend does not promise what the law is about"
+    return law.unpromised.empty() ? "the backend does not promise this property"
                                   : std::string(law.unpromised);
   }
-  if (check.why_not.empty()) return "the law says nothing of such cases";
+  if (check.why_not.empty()) return "the property does not apply to such cases";
   const std::size_t own = std::min(check.why_not.find(": "), check.why_not.size());
   const std::string_view why(check.why_not);
   return std::string(why.substr(0, own)) + without_numbers(why.substr(own));
@@ -106,7 +106,7 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
   Result<Check> checked = check_law(law, c, backend, index);
   // Positions beyond float32 cannot even be passed to a backend; no backend is to blame.
   if (!checked && !oracle::to_clip_case(c, "")) {
-    return not_applicable("clip positions are beyond float32");
+    return not_applicable("clip positions are beyond the range of float32");
   }
   Check check = checked ? *std::move(checked) : failed_check(checked.error());
   if (known != nullptr) tell_known(*known, law, c, backend, index, check);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "cases/names.h"
@@ -26,9 +27,9 @@ struct Sign {
   std::string_view meaning;
 };
 
-constexpr Sign kRight{'#', "drawn as it has to be"};
-constexpr Sign kEmpty{'.', "not drawn, rightly"};
-constexpr std::array kWrong{Sign{'-', "missing"}, Sign{'+', "drawn, and must not be"},
+constexpr Sign kRight{'#', "drawn correctly"};
+constexpr Sign kEmpty{'.', "correctly not drawn"};
+constexpr std::array kWrong{Sign{'-', "missing"}, Sign{'+', "drawn but must not be"},
                             Sign{'!', "drawn with a wrong value"}};
 
 char sign_of(const oracle::JudgedSample& sample) {
@@ -56,11 +57,25 @@ bool shows(char sign, const records::Violation& violation) {
   }
 }
 
-std::string coverage_text(const cases::Coverage& coverage, cases::Basis basis) {
-  if (!coverage) return "exact coverage";
-  return fmt::format("coverage snapped to {} subpixel bits ({}), values of basis {}",
-                     coverage->subpixel_bits, cases::name_of(coverage->rounding),
-                     cases::name_of(basis));
+std::string_view triangle_of(cases::Basis basis) {
+  switch (basis) {
+    case cases::Basis::ideal:
+      return "the ideal triangle";
+    case cases::Basis::snapped:
+      return "the snapped triangle";
+    case cases::Basis::unspecified:
+      break;
+  }
+  return "the ideal or the snapped triangle";
+}
+
+/// The precision that a contract promises: "8 subpixel bits, rounding half_up, values of the
+/// snapped triangle".
+std::string precision_text(const cases::Contract& contract) {
+  if (!contract.coverage) return "exact coverage";
+  return fmt::format("{} subpixel bits, rounding {}, values of {}",
+                     contract.coverage->subpixel_bits, cases::name_of(contract.coverage->rounding),
+                     triangle_of(contract.basis));
 }
 
 std::string legend_of(const Signs& signs, bool has_empty) {
@@ -133,14 +148,13 @@ std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backe
   const auto it = signs.find({y, x});
   if (!shows(it == signs.end() ? kEmpty.sign : it->second, violation)) {
     lines.emplace_back(
-        "This is the case as it stands, judged alone; the law compares it with another drawing.");
+        "The picture shows the original drawing; the property failed on a changed copy.");
   }
   const bool is_as_asked =
       contract.coverage == clip->coverage && (!clip->coverage || contract.basis == clip->basis);
   if (!is_as_asked) {
     lines.push_back(
-        fmt::format("Judged by what the backend promises, not by what the case asks: {}.",
-                    coverage_text(contract.coverage, contract.basis)));
+        fmt::format("Judged by the backend's own precision: {}.", precision_text(contract)));
   }
   return lines;
 }

@@ -53,14 +53,15 @@ bool is_plain(std::string_view name) {
 std::string fault_of(const KnownEntry& entry, const cases::Case& c) {
   if (!c.found) return "has no 'found'";
   if (!records::is_of_law(entry, c.found->law)) {
-    return "is found by a law that is not of its entry";
+    return "violates a property that its entry does not name";
   }
   if (find_law(c.found->law) == nullptr) {
-    return "there is no law '" + cases::printable(c.found->law) + "'";
+    return "no property is called '" + cases::printable(c.found->law) + "'";
   }
   if (entry.laws.empty()) return "";  // A law may name a drawing's fault differently.
   const auto verdict = cases::from_name<records::FragmentClass>(c.found->verdict);
-  if (!verdict || !has_verdict(entry, *verdict)) return "has a verdict that is not of its entry";
+  if (!verdict || !has_verdict(entry, *verdict))
+    return "has a verdict that its entry does not name";
   return "";
 }
 
@@ -187,7 +188,7 @@ Result<void> add_list(FoundList found, const std::string& specification,
     if (const std::string pattern = unknown_law(entry); !pattern.empty()) {
       return tl::unexpected(Error{found.file,
                                   entry.expected ? entry.id : fmt::format("/entries/{}/laws", i),
-                                  "there is no law '" + cases::printable(pattern) + "'"});
+                                  "no property is called '" + cases::printable(pattern) + "'"});
     }
     if (!records::is_of_backend(entry, names)) continue;
     of_backend.list.entries.push_back(entry);
@@ -199,8 +200,8 @@ Result<void> add_list(FoundList found, const std::string& specification,
                      [&entry](const KnownDefect& one) { return one.entry.id == entry.id; });
     if (other != known.defects.end()) {
       if (other->entry == entry) continue;  // a copy of the list, as bisecting makes
-      return tl::unexpected(Error{found.file, cases::printable(entry.id),
-                                  "is an entry of another list of the backend, too"});
+      return tl::unexpected(
+          Error{found.file, cases::printable(entry.id), "is also in another list of the backend"});
     }
     KnownDefect defect{entry, std::nullopt, staleness_of(found.list, driver), has_run_out};
     if (!entry.expected) {

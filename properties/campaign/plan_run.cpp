@@ -49,10 +49,9 @@ Result<std::vector<std::string>> laws_matching(const std::vector<std::string>& p
   for (const std::string& pattern : patterns) {
     const auto is_meant = [&](const Law& law) { return matches(std::string(law.id), pattern); };
     if (std::none_of(laws().begin(), laws().end(), is_meant)) {
-      return tl::unexpected(
-          Error{"--property", cases::printable(pattern),
-                "no property has this id; stars match the rest of one, as in '*edge*' (see "
-                "rastercheck list properties)"});
+      return tl::unexpected(Error{"--property", cases::printable(pattern),
+                                  "no property is called this; use stars to match part of a name, "
+                                  "such as '*edge*' (see rastercheck list properties)"});
     }
   }
   std::vector<std::string> ids;

@@ -35,8 +35,8 @@ Result<void> save_unfinished(const std::string& directory, const Warn& warn) {
   }
   const std::size_t count = read->findings.counterexamples.size();
   warn({file, "",
-        "an unfinished run, which this one replaces (--resume would go on); counterexamples of it "
-        "that are kept: " +
+        "is an unfinished run, which this one replaces (--resume would have continued it); "
+        "counterexamples kept from it: " +
             std::to_string(count)});
   for (const records::Counterexample& one : read->findings.counterexamples) {
     const fs::path kept = fs::path(directory) / records::file_of(one);
@@ -69,7 +69,7 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
   const std::string file = checkpoint_file(directory);
   std::error_code ignored;
   if (!fs::exists(file, ignored)) {
-    return tl::unexpected(Error{file, "", "is not there: nothing was interrupted in this folder"});
+    return tl::unexpected(Error{file, "", "does not exist: no run was interrupted in this folder"});
   }
   Result<Checkpoint> read = read_checkpoint_file(file);
   if (!read) return read;
@@ -77,11 +77,13 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
   const auto refuse = [&file](const char* place, const std::string& reason) {
     return tl::unexpected(Error{file, place, reason});
   };
-  if (read->program != program) return refuse("/program", "was begun by another version");
-  if (plan.scene == "-") return refuse("/plan/scene", "was read from standard input");
+  if (read->program != program)
+    return refuse("/program", "was started by another version of RasterCheck");
+  if (plan.scene == "-")
+    return refuse("/plan/scene", "was read from standard input, which cannot be read again");
   for (const std::string& law : plan.laws) {
     if (find_law(law) == nullptr) {
-      return refuse("/plan/laws", "there is no law '" + cases::printable(law) + "'");
+      return refuse("/plan/laws", "no property is called '" + cases::printable(law) + "'");
     }
   }
   return read;
@@ -91,16 +93,15 @@ Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::C
                         const KnownByBackend& known) {
   const records::Plan& plan = checkpoint.plan;
   if (digest_of_known(known) != checkpoint.known_digest) {
-    return tl::unexpected(Error{plan.known.empty() ? "what is known of the backends"
-                                                   : fmt::format("{}", fmt::join(plan.known, ", ")),
-                                "",
-                                "is not as it was when the run was begun, or a driver is another"});
+    return tl::unexpected(
+        Error{plan.known.empty() ? "known defects" : fmt::format("{}", fmt::join(plan.known, ", ")),
+              "", "changed since the run was started, or a driver changed"});
   }
   const std::size_t tasks = tasks_of(checkpoint, corpus.size(), known).size();
   if (digest_of(corpus) == checkpoint.corpus_digest && tasks == checkpoint.is_done.size())
     return {};
   return tl::unexpected(Error{plan.corpus.empty() ? "the corpus" : plan.corpus, "",
-                              "is not as it was when the run was begun"});
+                              "changed since the run was started"});
 }
 
 }  // namespace rastercheck::properties

@@ -30,7 +30,7 @@ class ShardDifference {
 
   template <typename Value>
   void compare(std::string_view what, const Value& here, const Value& there) {
-    if (here != there) say(fmt::format("its {} is {}, and {} there", what, here, there));
+    if (here != there) say(fmt::format("its {} is {}, not {}", what, here, there));
   }
   /// Compares lists: names an element that only one of them has.
   void compare(std::string_view what, const std::vector<std::string>& here,
@@ -42,11 +42,11 @@ class ShardDifference {
       });
     };
     if (const auto one = missing(here, there); one != here.end()) {
-      say(fmt::format("its {} have '{}', which is not among those there", what, *one));
+      say(fmt::format("its {} include '{}', which the other shard lacks", what, *one));
     } else if (const auto other = missing(there, here); other != there.end()) {
-      say(fmt::format("its {} lack '{}', which is among those there", what, *other));
+      say(fmt::format("its {} lack '{}', which the other shard has", what, *other));
     } else {
-      say(fmt::format("its {} are '{}', and '{}' there", what, fmt::join(here, " "),
+      say(fmt::format("its {} are '{}', not '{}'", what, fmt::join(here, " "),
                       fmt::join(there, " ")));
     }
   }
@@ -57,9 +57,9 @@ class ShardDifference {
 
   Result<void> result(const std::string& file) const {
     if (!said_) return {};
-    return tl::unexpected(
-        Error{file, "",
-              cases::printable(fmt::format("is of another campaign than {}: {}", first_, *said_))});
+    return tl::unexpected(Error{
+        file, "",
+        cases::printable(fmt::format("belongs to another campaign than {}: {}", first_, *said_))});
   }
 
  private:
@@ -96,7 +96,7 @@ bool say_the_same(const records::KnownOfBackend& one, records::KnownOfBackend ot
 std::string other_promises(const Shard& here, const Shard& there) {
   const auto [one, other] = std::mismatch(here.promises.begin(), here.promises.end(),
                                           there.promises.begin(), there.promises.end());
-  return fmt::format("{} promises something else there",
+  return fmt::format("{} has another contract in the other shard",
                      one == here.promises.end() ? "a backend" : one->backend);
 }
 
@@ -111,23 +111,22 @@ Result<void> check_same_campaign(const Run& here, const Run& there, const std::s
   difference.compare("rules version", here.rules_version, there.rules_version);
   difference.compare("number of shards", here.plan.shard->count, there.plan.shard->count);
   difference.compare("seed", here.plan.seed, there.plan.seed);
-  difference.compare("number of cases of each law", here.plan.cases_per_law,
+  difference.compare("number of cases of each property", here.plan.cases_per_law,
                      there.plan.cases_per_law);
   difference.compare("backends", here.plan.backends, there.plan.backends);
-  difference.compare("laws", here.plan.laws, there.plan.laws);
+  difference.compare("properties", here.plan.laws, there.plan.laws);
   difference.compare("options", records::option_words(here.plan),
                      records::option_words(there.plan));
   difference.compare("scene", "'" + here.plan.scene + "'", "'" + there.plan.scene + "'");
-  difference.expect(here.plan.contract == there.plan.contract,
-                    "its contract file says something else");
+  difference.expect(here.plan.contract == there.plan.contract, "its contract file is different");
   difference.expect(here.plan.capabilities == there.plan.capabilities,
-                    "its backends draw other cases");
+                    "its backends support other features");
   difference.compare("corpus' digest", here.shard->corpus_digest, there.shard->corpus_digest);
   difference.compare("known drivers", drivers_of(here), drivers_of(there));
   difference.expect(here.shard->known_digest == there.shard->known_digest &&
                         std::equal(here.known.begin(), here.known.end(), there.known.begin(),
                                    there.known.end(), &say_the_same),
-                    "its lists of known defects say something else");
+                    "its lists of known defects are different");
   if (here.shard->promises != there.shard->promises) {
     difference.expect(false, other_promises(*here.shard, *there.shard));
   }
@@ -208,7 +207,7 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
   const auto refuse = [&file](const std::string& reason) {
     return tl::unexpected(Error{file, "", reason});
   };
-  if (!run.shard || !run.plan.shard) return refuse("is no shard: the run was not cut by --shard");
+  if (!run.shard || !run.plan.shard) return refuse("is not a shard: the run had no --shard option");
   const std::string name = "shard " + to_string(*run.plan.shard);
   if (!added_.empty()) {
     Result<void> same = check_same_campaign(run, first_, file, added_.begin()->second.file);
@@ -216,13 +215,12 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
   }
   if (run.cases_left > 0 || !run.shard->is_whole) {
     const std::string what = run.cases_left == 0
-                                 ? "not all counterexamples are shrunk"
-                                 : fmt::format("cases not checked: {}", run.cases_left);
-    return refuse(name + " was interrupted, " + what +
-                  "; `rastercheck run --resume` goes on with it");
+                                 ? "before all counterexamples were shrunk"
+                                 : fmt::format("with {} cases not checked", run.cases_left);
+    return refuse(name + " was interrupted " + what + "; `rastercheck run --resume` continues it");
   }
   const auto other = added_.find(run.plan.shard->index);
-  if (other != added_.end()) return refuse(name + " is there twice, also as " + other->second.file);
+  if (other != added_.end()) return refuse(name + " is given twice, also as " + other->second.file);
   for (const records::Counterexample& one : run.counterexamples) {
     if (!one.source.found) return refuse("a counterexample does not say how it was found");
   }
@@ -254,7 +252,7 @@ Result<void> ShardMerge::add(Run run, const std::string& file) {
 }
 
 Result<MergedRun> ShardMerge::finish() && {
-  if (added_.empty()) return tl::unexpected(Error{"merge", "", "there are no shards"});
+  if (added_.empty()) return tl::unexpected(Error{"merge", "", "no shards given"});
   const std::uint64_t count = first_.plan.shard->count;
   std::vector<std::uint64_t> missing;
   for (std::uint64_t index = 1; index <= count; ++index) {

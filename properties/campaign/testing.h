@@ -26,7 +26,7 @@ namespace rastercheck::properties {
 inline std::vector<std::string> ids_of_laws() {
   std::vector<std::string> ids;
   for (const Law& law : laws()) ids.emplace_back(law.id);
-  if (ids.empty()) ids.emplace_back("there are laws");
+  if (ids.empty()) ids.emplace_back("there are properties");
   return ids;
 }
 
@@ -50,8 +50,7 @@ inline void test_law(const std::string& law, const std::string& backend, const M
                      const char* file, int line) {
   const Law* const known = find_law(law);
   if (known == nullptr) {
-    ADD_FAILURE_AT(file, line)
-        << "no law is linked, as the target RasterCheck::testing has them be";
+    ADD_FAILURE_AT(file, line) << "no property is linked; link the target RasterCheck::testing";
     return;
   }
   const Result<TrialOptions> options = trial_options(RASTERCHECK_CORPUS_FOLDER);

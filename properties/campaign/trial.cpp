@@ -36,8 +36,9 @@ Result<void> read_number(const char* variable, std::uint64_t& number) {
   std::uint64_t read = 0;
   const auto [stop, problem] = std::from_chars(text.data(), end, read);
   if (stop != end || problem != std::errc()) {
-    return tl::unexpected(Error{
-        variable, "", fmt::format("'{}' is no whole number below 2^64", cases::printable(text))});
+    return tl::unexpected(
+        Error{variable, "",
+              fmt::format("'{}' is not an integer from 0 to 2^64 - 1", cases::printable(text))});
   }
   number = read;
   return {};
@@ -76,7 +77,7 @@ std::string violation_text(const Violation& v, const cases::Case& c) {
     text += "\n";
   }
   if (v.distance) {
-    text += fmt::format("    distance to the boundary that decides: {} pixels\n",
+    text += fmt::format("    distance to the deciding boundary: {} pixels\n",
                         records::to_decimal(*v.distance, kDigits));
   }
   if (!note.empty()) text += fmt::format("    {}\n", note);
@@ -90,7 +91,7 @@ std::string history_text(const Counterexample& one, const std::string& name) {
                          ? fmt::format("case {} of the corpus", found.index)
                          : records::random_case_text(found);
   if (!name.empty()) text += fmt::format(", “{}”", cases::printable(name));
-  if (!one.is_shrunk()) return text + ", as it was found";
+  if (!one.is_shrunk()) return text + ", as found";
   return text + fmt::format(", shrunk in {} tries", one.shrinking->tries);
 }
 
@@ -113,18 +114,18 @@ std::string file_text(const cases::Case& c, const std::string& folder) {
     std::filesystem::create_directories(folder, ignored);
     const Result<void> written = cases::write_file(file, cases::to_json(c));
     if (written) return commands_text(file);
-    problem = fmt::format("  It could not be saved: {}\n", to_string(written.error()));
+    problem = fmt::format("  The case could not be saved: {}\n", to_string(written.error()));
   }
-  return fmt::format("{}{}  The case file, which they read from standard input:\n{}", problem,
-                     commands_text("-"), cases::to_json(c));
+  return fmt::format("{}{}  The case file, to pass to these commands on standard input:\n{}",
+                     problem, commands_text("-"), cases::to_json(c));
 }
 
 std::string counterexample_text(const Law& law, const Counterexample& one,
                                 const TrialOptions& options) {
   const cases::Case& c = one.source;
-  std::string text =
-      fmt::format("{} violates the law “{}”: {}\n  The law: {}\n  Found in {}.\n", c.found->backend,
-                  law.sentence, c.found->verdict, law.reason, history_text(one, c.name));
+  std::string text = fmt::format(
+      "{} violates the property “{}”: {}\n  Why it must hold: {}\n  Found in {}.\n",
+      c.found->backend, law.sentence, c.found->verdict, law.reason, history_text(one, c.name));
   if (!one.violations.empty()) text += violation_text(one.violations.front(), c);
   if (one.violation_count > 1) {
     text += fmt::format("  … {} violations in all\n", one.violation_count);
@@ -143,7 +144,7 @@ std::string findings_text(const Law& law, backends::Backend& backend, const Find
   }
   const std::optional<std::string>& fault = findings.fault ? findings.fault : shrunk.fault;
   if (fault)
-    return fmt::format("“{}” could not be tried: {}", law.sentence, cases::printable(*fault));
+    return fmt::format("“{}” could not be checked: {}", law.sentence, cases::printable(*fault));
   return counterexample_text(law, shrunk.counterexamples.front(), options);
 }
 
@@ -181,11 +182,11 @@ std::string unreached_text(const Law& law, const std::string& name, backends::Ba
   std::string text;
   for (const records::UnreachedLabel& one :
        unreached_labels(law, promises_of(name, &backend, {}), records)) {
-    text += fmt::format("  “{}” was reached by {} of {} random cases, which is fewer than {}\n",
+    text += fmt::format("  “{}” was reached by {} of {} random cases; at least {} are required\n",
                         one.label, one.reached, one.checked, one.least);
   }
   if (text.empty()) return text;
-  return fmt::format("{} violates “{}” nowhere, but was hardly tested:\n{}", name, law.sentence,
+  return fmt::format("{} does not violate “{}”, but was hardly tested:\n{}", name, law.sentence,
                      text);
 }
 
@@ -216,11 +217,11 @@ Trial try_law(const Law& law, const std::string& name, const MakeTried& make,
     corpus = *std::move(read);
   }
   const std::unique_ptr<backends::Backend> backend = make();
-  if (!backend) return {Trial::Outcome::failed, name + " could not be made"};
+  if (!backend) return {Trial::Outcome::failed, name + " could not be created"};
   if (!is_promised(law, *backend)) {
     return {Trial::Outcome::skipped,
-            fmt::format("{} does not promise what “{}” is about, which says nothing of: {}", name,
-                        law.sentence, law.exceptions)};
+            fmt::format("{} does not promise “{}”, which does not apply to: {}", name, law.sentence,
+                        law.exceptions)};
   }
 
   const Findings findings = check_cases(law, name, *backend, corpus, options);
@@ -228,12 +229,12 @@ Trial try_law(const Law& law, const std::string& name, const MakeTried& make,
     return {Trial::Outcome::failed, findings_text(law, *backend, findings, options)};
   }
   if (const std::optional<Error> lost = backend->is_lost()) {
-    return {Trial::Outcome::failed, fmt::format("“{}” could not be tried: {}", law.sentence,
+    return {Trial::Outcome::failed, fmt::format("“{}” could not be checked: {}", law.sentence,
                                                 cases::printable(to_string(*lost)))};
   }
   if (checked_cases(findings.records) == 0) {
     return {Trial::Outcome::skipped,
-            fmt::format("nothing was checked: “{}” says nothing of any of {} cases", law.sentence,
+            fmt::format("nothing was checked: “{}” applies to none of {} cases", law.sentence,
                         corpus.size() + options.cases)};
   }
   std::string unreached = unreached_text(law, name, *backend, findings.records);

@@ -78,20 +78,23 @@ Result<Subject> tried(const cases::Case& source, const std::string& name,
   const auto refuse = [&name](const std::string& place, const std::string& why) {
     return tl::unexpected(Error{name, place, why});
   };
-  if (!source.found) return refuse("/found", "is missing: only a counterexample can be known");
+  if (!source.found)
+    return refuse("/found", "is missing; only a counterexample can be recorded as known");
   const Law* const law = find_law(source.found->law);
   if (law == nullptr) {
-    return refuse("/found/law", "there is no law '" + cases::printable(source.found->law) + "'");
+    return refuse("/found/law",
+                  "no property is called '" + cases::printable(source.found->law) + "'");
   }
   const std::uint64_t index = source.found->index;
   Check check = check_or_note(*law, source, backend, index, &known);
   if (check.fault) return refuse("", *check.fault);
   if (check.violation_count == 0) {
-    return refuse("", "the law " + source.found->law + " holds here: there is nothing to waive");
+    return refuse(
+        "", "the property " + source.found->law + " holds here, so there is nothing to waive");
   }
-  if (!check.known.empty()) return refuse("", "is known already: " + check.known.front());
+  if (!check.known.empty()) return refuse("", "is already known: " + check.known.front());
   const bool is_alike = check.violations.empty() || put_alike_first(check, source, *source.found);
-  if (!is_alike) return refuse("", "fails in another way now, and is no such counterexample");
+  if (!is_alike) return refuse("", "fails in another way than recorded in the file");
   Subject subject{&source, law, {source, check.violation_count, check.violations}, Scope::drawing};
   const bool is_drawn = check.violations.empty() || check.violations.front().has_place();
   if (!is_drawn) subject.scope = Scope::none;
@@ -99,7 +102,7 @@ Result<Subject> tried(const cases::Case& source, const std::string& name,
   if (verdict_of(check) == to_string(FragmentClass::hang)) return subject;
   subject.one.explanation = explain(*law, backend, subject.one, source, &known, {});
   const bool fails_again = subject.one.explanation && subject.one.explanation->fails_again;
-  if (!fails_again) return refuse("", "failed once, and not again when it was tried");
+  if (!fails_again) return refuse("", "failed once, but not when it was drawn again");
   if (is_drawn && subject.one.explanation->parts.empty()) subject.scope = Scope::laws;
   return subject;
 }
@@ -320,7 +323,7 @@ Result<Waiver> make_waiver(std::span<const cases::Case> counterexamples,
     if (!subject) return tl::unexpected(subject.error());
     if (!subjects.empty() && subjects.front().scope != subject->scope) {
       return tl::unexpected(
-          Error{names[i], "", "is of another cause than " + names[0] + ": add them one by one"});
+          Error{names[i], "", "has another cause than " + names[0] + "; add them one by one"});
     }
     add(*subject, backend, known, conditions);
     all.push_back(subject->one);
@@ -331,8 +334,8 @@ Result<Waiver> make_waiver(std::span<const cases::Case> counterexamples,
   if (!entry) {
     return tl::unexpected(
         Error{names[0], "",
-              "no conditions were found that it can be known by; " +
-                  std::string("docs/known-defects.md says how to write an entry")});
+              "no conditions were found that identify the defect; " +
+                  std::string("docs/known-defects.md explains how to write an entry by hand")});
   }
   return Waiver{*entry, causes_of(all).front().sentence};
 }

@@ -222,9 +222,9 @@ class Dispatcher {
     if (task.kind == TaskKind::random || task.kind == TaskKind::corpus) {
       which = "cases " + std::to_string(task.first) + " to " + std::to_string(task.last - 1);
     }
-    error_ = Error{
-        "worker", "",
-        worker.ending() + " at the law '" + task.law + "' with " + task.backend + ", " + which};
+    error_ = Error{"worker", "",
+                   worker.ending() + " while checking the property '" + task.law + "' on " +
+                       task.backend + ", " + which};
   }
 
   const std::vector<Task>* tasks_;

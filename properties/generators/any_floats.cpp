@@ -104,8 +104,8 @@ cases::Case make(Draw& draw) {
 }
 
 const GeneratorRegistration kRegistration(
-    {"any-floats", "clip positions of any finite floats, of one exponent or a few floats apart",
-     &make});
+    {"any-floats",
+     "clip positions of arbitrary finite floats, of one exponent or a few floats apart", &make});
 
 }  // namespace
 }  // namespace rastercheck::properties::any_floats_generator

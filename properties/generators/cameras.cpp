@@ -23,7 +23,7 @@ cases::Case make(Draw& draw) {
 }
 
 const GeneratorRegistration kRegistration(
-    {"cameras", "models before perspective, orthographic and oblique cameras, and around them",
+    {"cameras", "models in front of and around perspective, orthographic and oblique cameras",
      &make});
 
 }  // namespace

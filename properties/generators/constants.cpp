@@ -98,7 +98,8 @@ cases::Case make(Draw& draw) {
 }
 
 const GeneratorRegistration kRegistration(
-    {"constants", "equal weights, equal depths, constant attributes, or a float from that", &make});
+    {"constants", "equal weights, equal depths, constant attributes, or one float away from that",
+     &make});
 
 }  // namespace
 }  // namespace rastercheck::properties::constants_generator

@@ -124,7 +124,7 @@ cases::Case make(Draw& draw) {
 }
 
 const GeneratorRegistration kRegistration(
-    {"degenerate", "triangles of no area at all, beside and on others that are drawn", &make});
+    {"degenerate", "triangles without any area, next to and on others that are drawn", &make});
 
 }  // namespace
 }  // namespace rastercheck::properties::degenerate_generator

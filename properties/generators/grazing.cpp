@@ -119,7 +119,7 @@ cases::Case make(Draw& draw) {
 }
 
 const GeneratorRegistration kRegistration(
-    {"grazing", "vertices exactly on clip planes and viewport borders, or a float beside", &make});
+    {"grazing", "vertices exactly on clip planes and viewport borders, or one float away", &make});
 
 }  // namespace
 }  // namespace rastercheck::properties::grazing_generator

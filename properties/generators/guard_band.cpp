@@ -96,7 +96,7 @@ cases::Case make(Draw& draw) {
 }
 
 const GeneratorRegistration kRegistration(
-    {"guard-band", "vertices at 2^15 pixels and other ends of fixed point, or a float beside",
+    {"guard-band", "vertices at 2^15 pixels and other limits of fixed point, or one float away",
      &make});
 
 }  // namespace

@@ -278,7 +278,8 @@ cases::Case make(Draw& draw) {
 }
 
 const GeneratorRegistration kRegistration(
-    {"snap-ties", "window positions midway between points of a subpixel grid, and beside", &make});
+    {"snap-ties", "window positions midway between points of a subpixel grid, and next to that",
+     &make});
 
 }  // namespace
 }  // namespace rastercheck::properties::snap_ties_generator

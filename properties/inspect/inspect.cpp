@@ -273,18 +273,19 @@ Result<void> check_focus(const cases::Case& c, const Focus& focus, const Inspect
   const auto& [triangle, y, x, sample] = focus.at;
   const cases::FramebufferSize& size = c.framebuffer;
   if (triangle >= c.triangles.size()) {
-    return refuse(fmt::format("there is no triangle {}; it has {}", triangle, c.triangles.size()));
+    return refuse(
+        fmt::format("triangle {} does not exist; the case has {}", triangle, c.triangles.size()));
   }
   if (std::cmp_greater_equal(x, size.width) || std::cmp_greater_equal(y, size.height)) {
     return refuse(fmt::format("pixel ({}, {}) lies outside the framebuffer of {} × {} pixels", x, y,
                               size.width, size.height));
   }
   if (std::cmp_greater_equal(sample, size.samples)) {
-    return refuse(fmt::format("there is no sample {}; a pixel has {}", sample, size.samples));
+    return refuse(fmt::format("sample {} does not exist; a pixel has {}", sample, size.samples));
   }
   if (focus.attribute && *focus.attribute >= c.attributes.size()) {
-    return refuse(
-        fmt::format("there is no attribute {}; it has {}", *focus.attribute, c.attributes.size()));
+    return refuse(fmt::format("attribute {} does not exist; the case has {}", *focus.attribute,
+                              c.attributes.size()));
   }
   if (options.crop && !has(*options.crop, size, focus)) {
     return refuse("the part that is shown has no such pixel");

@@ -105,7 +105,7 @@ class AffineErrorCheck {
     findings_.report(place, attribute, actual,
                      "[" + value_text(static_cast<float>(lo - most)) + ", " +
                          value_text(static_cast<float>(hi + most)) + "]",
-                     "farther from perspective than a ratio of w allows");
+                     "farther from the perspective value than the ratio of w allows");
   }
 
   static constexpr double kNear = 0.9;
@@ -119,7 +119,7 @@ class AffineErrorCheck {
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     if (drawn.contract.claims != cases::Claim::affine)
-      return not_applicable("the contract claims perspective");
+      return not_applicable("the backend claims perspective-correct values");
     return AffineErrorCheck(clip, drawn.contract, drawn.fragments).run();
   });
 }

@@ -136,16 +136,14 @@ struct Fault {
 
 constexpr std::array<Fault, 11> kFaults{
     {{"an index beyond the vertices", "mesh", false, &spoil_index},
-     {"attribute values that are not one for each vertex and attribute", "mesh", false,
-      &spoil_values},
-     {"clip distances that are not one for each vertex and distance", "mesh", false,
-      &spoil_distances},
+     {"a wrong number of attribute values", "mesh", false, &spoil_values},
+     {"a wrong number of clip distances", "mesh", false, &spoil_distances},
      {"too many attributes or clip distances of a vertex", "mesh", false, &spoil_counts},
      {"a viewport that is not finite", "state", false, &spoil_viewport},
      {"a depth range beyond [0, 1]", "state", false, &spoil_depth_range},
      {"a scissor of negative size", "state", false, &spoil_scissor},
-     {"samples per pixel without a pattern", "target", false, &spoil_samples},
-     {"no pixels, or too many, along a side", "target", false, &spoil_size},
+     {"a number of samples that has no pattern", "target", false, &spoil_samples},
+     {"a side of no pixels or too many", "target", false, &spoil_size},
      {"vertices that are not finite", "empty", true, &spoil_positions},
      {"a viewport without area", "empty", true, &empty_viewport}}};
 
@@ -185,7 +183,8 @@ class RefusalCheck {
   }
 
   void see_target(const cases::Picture& before, const cases::Picture& after, bool is_refused) {
-    const std::string note = "the target was written, by a case with " + std::string(fault_->what) +
+    const std::string note = "the target was written to by a case with " +
+                             std::string(fault_->what) +
                              (is_refused ? ", which was refused" : ", which was not refused");
     if (before.size == after.size && before.channels == after.channels &&
         before.depth.size() == after.depth.size() && before.color.size() == after.color.size()) {
@@ -194,7 +193,7 @@ class RefusalCheck {
     ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::extra];
     records::Violation violation =
         violation_at({}, FragmentClass::extra, "a target of the same size", note);
-    violation.actual = "one of another size";
+    violation.actual = "a target of another size";
     properties::add_judged_violation(check_, violation);
   }
 
@@ -211,7 +210,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   clip.depth_test = cases::DepthTest::none;
   backends::PictureDrawer* const drawer = backend.picture_drawer();
   if (drawer == nullptr || clip.triangles.empty())
-    return not_applicable("the backend draws no pictures, or the case no triangles");
+    return not_applicable("the backend draws no pictures, or the case has no triangles");
   const cases::Pipeline pipeline = adding_pipeline(clip);
   const Result<cases::Picture> before = draw_picture(clip, backend, pipeline);
   if (!before) return tl::unexpected(before.error());

@@ -162,7 +162,7 @@ void check_stage(const Forms& forms, const cases::Case& camera,
       violation.error = one.error;
       violation.bound = one.bound;
       violation.note = std::string("clip ") + "xyzw"[k] + " of vertex " + std::to_string(v) +
-                       ", the matrices distributed otherwise";
+                       ", with the matrices distributed differently";
       add_judged_violation(check, violation);
     }
   }
@@ -331,7 +331,8 @@ Result<Check> check_forms(const Forms& forms, backends::Backend& backend) {
     const Result<cases::ClipCase> clip = oracle::to_clip_case(camera, "");
     if (!clip) return tl::unexpected(clip.error());
     if (clip->positions != forms.clip.positions) {
-      check.fault = "the harness makes other clip positions of other distributions of matrices";
+      check.fault =
+          "the harness computes other clip positions if the matrices are distributed differently";
       return check;
     }
     const auto bound = backend.contract(camera).transform_bound;

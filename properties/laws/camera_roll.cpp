@@ -84,8 +84,8 @@ void judge_positions(const cases::Case& c, const std::vector<cases::ClipVertex>&
       violation.actual = value_text(f[k]);
       violation.error = one.error;
       violation.bound = one.bound;
-      violation.note = fmt::format("clip {} of vertex {}, of the rolled camera and turned back",
-                                   "xyzw"[k], vertex);
+      violation.note = fmt::format(
+          "clip {} of vertex {}, drawn with the rolled camera and turned back", "xyzw"[k], vertex);
       add_judged_violation(check, violation);
     }
   }
@@ -101,7 +101,8 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
                             const QuarterTurn& turn, backends::Backend& backend,
                             std::uint64_t index) {
   const auto contract = turned_back(upright, backend.contract(rolled_clip));
-  if (!contract) return not_applicable("the contract does not turn with the case");
+  if (!contract)
+    return not_applicable("the contract does not cover the turned case in the same way");
   const Result<backends::Drawn> before = draw_promised(upright, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw_promised(rolled_clip, backend);
@@ -118,7 +119,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint6
   cases::Case source = c;
   move_centroids_to_samples(source);
   const std::optional<QuarterTurn> turn = quarter_turn_of(source);
-  if (!turn) return not_applicable("the turned camera is no float32");
+  if (!turn) return not_applicable("the turned camera cannot be stored as float32");
   cases::Case changed = turned_window(source, *turn);
   changed.camera->projection = rolled(source.camera->projection, *turn);
   Result<std::vector<cases::ClipVertex>> positions = positions_of(changed, backend);

@@ -209,7 +209,8 @@ PlaneClipping clipping_of(const cases::Case& c, const std::vector<Plane>& planes
       result.parted.triangle_of.push_back(t);
     }
   }
-  result.parted.note = std::string("drawn of what is left at the ") + word_of(result.plane);
+  result.parted.note =
+      std::string("drawn as the part that remains at the ") + word_of(result.plane);
 
   result.with_l = whole;
   result.with_l.attributes = {{"L", cases::Interpolation::smooth, cases::Location::sample}};
@@ -233,7 +234,7 @@ bool is_on_plane(Verdicts& with_l, const cases::SamplePlace& place) {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   const std::vector<Plane> planes = planes_of(backend.about().capabilities);
-  if (planes.empty()) return not_applicable("the backend clips at no plane");
+  if (planes.empty()) return not_applicable("the backend does not clip at any plane");
   PlaneClipping clipping = clipping_of(clip, planes);
   cases::Contract exact;
   exact.tie_rule = cases::TieRule::unspecified;  // so that no tie is forbidden

@@ -83,7 +83,8 @@ class ConstantsCheck {
     const bool has_some = std::any_of(constants_.begin(), constants_.end(),
                                       [](const auto& of_triangle) { return !of_triangle.empty(); });
     if (!has_some)
-      return not_applicable("no attribute is constant on a triangle and promised to stay so");
+      return not_applicable(
+          "no triangle has a constant attribute that is promised to stay constant");
     for (std::size_t i = 0; i < drawn_->size(); ++i) check_fragment(i);
     return tally_.finish();
   }

@@ -71,10 +71,11 @@ void find_shared(const cases::Fragments& of_fronts, const cases::Fragments& of_b
   for (std::size_t i = 0; i < of_backs.size(); ++i) {
     const cases::SamplePlace place = of_backs.place_of(i);
     if (!fronts.contains(place.triangle) || !reported.insert(place.triangle).second) continue;
-    add_violation(check,
-                  violation_at(place, FragmentClass::extra,
-                               "forbidden: culling back faces leaves some of this triangle too",
-                               "drawn with front faces culled"));
+    add_violation(
+        check,
+        violation_at(place, FragmentClass::extra,
+                     "forbidden: part of this triangle is also drawn when back faces are culled",
+                     "drawn with front faces culled"));
   }
 }
 
@@ -91,8 +92,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   if (!backs) return tl::unexpected(backs.error());
   cases::Fragments both = *fronts;
   append(both, *backs);
-  Check check = compare_drawings(source, *all, both,
-                                 "back faces culled and front faces culled, put together");
+  Check check =
+      compare_drawings(source, *all, both,
+                       "the drawings with back faces culled and with front faces culled, combined");
   find_shared(*fronts, *backs, check);
   if (fronts->size() > 0) add_label(check, "front faces");
   if (backs->size() > 0) add_label(check, "back faces");
@@ -104,9 +106,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
     const char* note;
   };
   for (const Turned& turned :
-       {Turned{Cull::none, &*all, "front faces turned round, without culling"},
-        Turned{Cull::front, &*fronts, "front faces turned round and culled"},
-        Turned{Cull::back, &*backs, "front faces turned round, back faces culled"}}) {
+       {Turned{Cull::none, &*all, "the definition of front faces reversed, without culling"},
+        Turned{Cull::front, &*fronts, "the definition of front faces reversed, front faces culled"},
+        Turned{Cull::back, &*backs, "the definition of front faces reversed, back faces culled"}}) {
     const Result<cases::Fragments> drawn = drawings.draw_with(turned.cull, true);
     if (!drawn) return tl::unexpected(drawn.error());
     merge(check, compare_drawings(source, *turned.expected, *drawn, turned.note));
@@ -144,7 +146,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_invariantly,
-     .unpromised = "the contract promises no invariance",
+     .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
      .covers = {cover(20, "both"), cover(30, "front faces"), cover(30, "back faces"),
                 cover(10, "clipped"), cover(5, "w <= 0")}});
 

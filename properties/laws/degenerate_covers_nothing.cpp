@@ -298,7 +298,7 @@ class DegenerateCheck {
     }
     const std::string kind = word_of(mixed_->kinds[place.triangle]);
     add_violation(found_, violation_at(place, FragmentClass::extra, "forbidden: it has no area",
-                                       "a triangle that was added: " + kind));
+                                       "an added triangle: " + kind));
   }
 
   const Mixed* mixed_;
@@ -312,7 +312,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   if (clip.triangles.empty()) return not_applicable("the case has no triangles");
   if (backend.contract(clip).coverage) clip.depth_test = cases::DepthTest::none;
   const Mixed with = mixed(clip, backend);
-  if (with.labels.empty()) return not_applicable("the backend draws no triangle without area");
+  if (with.labels.empty()) return not_applicable("the backend supports no triangles without area");
   const Result<backends::Drawn> before = draw_promised(clip, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw_promised(with.source, backend);
@@ -322,7 +322,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   DegenerateCheck degenerate(with, contract);
   Check check =
       compare_drawings(clip, before->fragments, degenerate.without_degenerate(drawn->fragments),
-                       "drawn with triangles without area between");
+                       "drawn with triangles without area in between");
   merge(check, degenerate.found());
   for (const std::string& label : with.labels) add_label(check, label);
   if (contract.coverage) add_label(check, "snapped");

@@ -95,7 +95,7 @@ Check find(const cases::Case& c, const backends::Drawn& drawn) {
   const cases::Fragments& fragments = drawn.fragments;
   const bool has_derivatives = fragments.size() == 0 || !fragments.derivatives.empty();
   if (!drawn.contract.derivative_bound || c.attributes.empty() || !has_derivatives) {
-    return not_applicable("the contract promises no derivatives, or the case has no attributes");
+    return not_applicable("the backend promises no derivatives, or the case has no attributes");
   }
   return DerivativesCheck(c, drawn.contract, fragments).run();
 }
@@ -124,7 +124,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the contract bounds no derivatives",
+     .unpromised = "the backend promises no bound for derivatives",
      .covers = {cover(12, "clipped"), cover(5, "no one derivative"), cover(17, "several samples"),
                 cover(8, "w <= 0")}});
 

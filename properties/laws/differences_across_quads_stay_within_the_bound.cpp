@@ -133,11 +133,11 @@ class DifferencesCheck {
     const AttributeKind kind = records::kind_of(case_->attributes[attribute].interpolation);
     if (judged.is_cancelled) tally_.label("cancellation");
     if (judged.fragment_class == FragmentClass::correct) return tally_.pass(kind);
-    records::Violation violation =
-        violation_at(place, judged.fragment_class, judged.exact.to_string(),
-                     fmt::format("the difference along window {} in its quad, errors in its ulp",
-                                 axis_ == WindowAxis::x ? "x" : "y"),
-                     {kind, attribute, computed});
+    records::Violation violation = violation_at(
+        place, judged.fragment_class, judged.exact.to_string(),
+        fmt::format("the difference along window {} in its quad; errors in ULP of the difference",
+                    axis_ == WindowAxis::x ? "x" : "y"),
+        {kind, attribute, computed});
     violation.error = judged.error;
     violation.bound = judged.bound;
     tally_.report(violation);
@@ -158,7 +158,8 @@ bool is_promised(backends::Backend& backend) {
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (!is_promised(backend) || clip.attributes.empty())
-    return not_applicable("no differences are promised, or the case has no attributes");
+    return not_applicable(
+        "the backend promises no differences across quads, or the case has no attributes");
   clip.depth_test = cases::DepthTest::none;
   Choices choices(choices_of(clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
@@ -195,7 +196,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &is_promised,
      .unpromised =
-         "the backend draws no pictures, or its contract bounds no differences across quads",
+         "the backend draws no pictures or promises no bound for differences across quads",
      .covers = {cover(25, "along x"), cover(24, "along y"), cover(35, "beyond the triangle"),
                 cover(26, "cancellation"), cover(11, "clipped"), cover(14, "several samples"),
                 cover(7, "w <= 0")}});

@@ -191,7 +191,7 @@ class DiscardCheck {
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2)
-    return not_applicable("the backend draws no pictures, or the case has no coordinates");
+    return not_applicable("the backend draws no pictures, or the case has no texture coordinates");
   clip.depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<backends::Drawn> fragments = draw_promised(clip, backend);

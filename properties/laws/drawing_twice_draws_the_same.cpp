@@ -128,8 +128,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   const Result<DrawnAtOnce> third = draw_all(clip, backend);
   if (!third) return tl::unexpected(third.error());
   Check check;
-  compare(clip, *second, *first, "drawn the first time; the second time it was the other", check);
-  compare(clip, *second, *third, "drawn after another case; before, it was the other", check);
+  compare(clip, *second, *first, "the first drawing; the second one had the expected value", check);
+  compare(clip, *second, *third,
+          "the drawing after another case; before, it had the expected value", check);
   return check;
 }
 

@@ -200,7 +200,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the contract does not keep equal depth equal",
+     .unpromised = "the backend does not promise equal depths for equal inputs",
      .covers = {cover(37, "different w"), cover(15, "middle between floats"),
                 cover(27, "several triangles"), cover(20, "several samples"), cover(27, "snapped"),
                 cover(18, "clipped"), cover(8, "w <= 0")}});

@@ -174,7 +174,7 @@ class PathsCheck {
         verdicts_of_general_(pair.general, of_general_) {}
 
   Check run(const cases::Fragments& equal, const cases::Fragments& general) {
-    constexpr const char* kNote = "drawn with vertices scaled each by another power of two";
+    constexpr const char* kNote = "drawn with each vertex scaled by another power of two";
     Closeness closeness;
     closeness.note = kNote;
     closeness.is_open = [this](const cases::SamplePlace& place) { return is_open(place); };
@@ -278,7 +278,7 @@ class PathsCheck {
     add_violation(check, violation_at(place, class_of_wrong(values[m], FragmentClass::beyond_bound),
                                       "the quotient of two smooth attributes, " +
                                           value_text(values[m + 1]) + " · " + value_text(r),
-                                      "drawn with vertices scaled each by another power of two",
+                                      "drawn with each vertex scaled by another power of two",
                                       {records::AttributeKind::smooth, attribute, values[m]}));
   }
 

@@ -160,7 +160,8 @@ bool is_promised(backends::Backend& backend) {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   if (!is_promised(backend) || clip.attributes.size() < 2)
-    return not_applicable("no filtering is promised, or the case has no coordinates");
+    return not_applicable(
+        "the backend promises no filtering, or the case has no texture coordinates");
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
@@ -177,7 +178,7 @@ const LawRegistration kRegistration(
      .generate = &textured_case,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the backend draws no pictures, or its contract bounds no filtered colours",
+     .unpromised = "the backend draws no pictures or promises no bound for filtered colours",
      .covers = {cover(9, "between levels"), cover(25, "bilinear"), cover(8, "clipped"),
                 cover(7, "last level"), cover(6, "level 0"), cover(14, "several samples"),
                 cover(24, "trilinear")}});

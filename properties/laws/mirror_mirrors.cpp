@@ -206,13 +206,12 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase clip = c;
   if (clip.framebuffer.samples > 1) move_centroids_to_samples(clip);
   const std::optional<Mirror> mirror = mirror_of(clip);
-  if (!mirror)
-    return not_applicable("the mirrored viewport or scissor is none that a case may have");
+  if (!mirror) return not_applicable("the mirrored viewport or scissor is not allowed in a case");
   const std::optional<cases::Case> changed = mirrored_case(clip, *mirror);
-  if (!changed)
-    return not_applicable("the mirrored viewport or scissor is none that a case may have");
+  if (!changed) return not_applicable("the mirrored viewport or scissor is not allowed in a case");
   const auto contract = mirrored_back(clip, backend.contract(*changed), *mirror);
-  if (!contract) return not_applicable("the contract is not the same in a mirror");
+  if (!contract)
+    return not_applicable("the contract does not cover the mirrored case in the same way");
 
   const Result<backends::Drawn> before = draw_promised(clip, backend);
   if (!before) return tl::unexpected(before.error());

@@ -59,8 +59,8 @@ class NearestCheck {
       const cases::SamplePlace place = tested.place_of(i);
       const auto found = candidates_.find(sample_of(place));
       if (!seen.insert(sample_of(place)).second) {
-        tally_.report(
-            violation_at(place, FragmentClass::extra, "forbidden: more than one is left", ""));
+        tally_.report(violation_at(place, FragmentClass::extra,
+                                   "forbidden: more than one fragment is left", ""));
       } else if (found == candidates_.end()) {
         tally_.report(violation_at(place, FragmentClass::extra,
                                    "forbidden: nothing is drawn there without a depth test", ""));
@@ -71,7 +71,8 @@ class NearestCheck {
     for (const auto& [sample, candidates] : candidates_) {
       if (seen.contains(sample) || candidates.has_nan || !has_to_be_drawn(candidates)) continue;
       tally_.report(violation_at(all_->place_of(candidates.nearest), FragmentClass::missing,
-                                 "required: it is the nearest there", "nothing is left there"));
+                                 "required: it is the nearest fragment there",
+                                 "nothing is left there"));
     }
     tally_.counts().required = candidates_.size();
     add_labels();
@@ -113,7 +114,7 @@ class NearestCheck {
       return all_->place_of(one).triangle == place.triangle;
     });
     if (left == there.all.end() || !may_be_left(there, *left)) {
-      const std::string why = there.is_tied ? " is as near, and drawn first" : " is nearer";
+      const std::string why = there.is_tied ? " is as near and was drawn first" : " is nearer";
       return tally_.report(violation_at(
           place, FragmentClass::wrong_triangle,
           "forbidden: triangle " + std::to_string(nearest.triangle) + why,
@@ -121,13 +122,14 @@ class NearestCheck {
               std::to_string(there.all.size()) + " at " + value_text(all_->depth[there.nearest])));
     }
     if (case_->depth_clear && !order_.may_be_less(all_->depth[*left], *case_->depth_clear)) {
-      return tally_.report(
-          violation_at(place, FragmentClass::extra,
-                       "forbidden: it is no nearer than what the depth buffer begins with",
-                       "at depth " + value_text(tested.depth[i])));
+      return tally_.report(violation_at(
+          place, FragmentClass::extra,
+          "forbidden: it is not nearer than the value that the depth buffer is cleared to",
+          "at depth " + value_text(tested.depth[i])));
     }
     const auto difference = find_difference(
-        *case_, *all_, *left, tested, i, "with a depth test `less`; without one, it was the other");
+        *case_, *all_, *left, tested, i,
+        "drawn with the depth test `less`; the drawing without a test has the expected value");
     if (difference) return tally_.report(*difference);
     tally_.pass(AttributeKind::coverage);
   }
@@ -216,7 +218,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_invariantly,
-     .unpromised = "the contract promises no invariance",
+     .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
      .covers = {cover(30, "overdraw"), cover(20, "equal nearest"), cover(20, "farther drawn first"),
                 cover(20, "three and more"), cover(5, "clipped"), cover(5, "several samples")}});
 

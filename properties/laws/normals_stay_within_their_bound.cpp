@@ -66,7 +66,7 @@ Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bou
       violation.exact = records::to_decimal(one.exact, 17);
       violation.actual = value_text(computed[vertex][i]);
       violation.note =
-          fmt::format("{} of the unit normal that ({}, {}, {}), position {}, becomes", "xyz"[i],
+          fmt::format("{} of the unit normal computed from ({}, {}, {}), position {}", "xyz"[i],
                       c.positions[vertex].x, c.positions[vertex].y, c.positions[vertex].z, vertex);
       add_judged_violation(found, violation);
     }
@@ -78,7 +78,7 @@ Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bou
 Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t /*index*/) {
   const std::optional<float> bound = backend.contract(c).normal_bound;
   if (!c.camera || backend.vertex_stage() == nullptr || !bound)
-    return not_applicable("no normals are promised, or the case has no camera");
+    return not_applicable("the backend promises no normals, or the case has no camera");
   const auto computed = transform_normals(c.camera->model, normals_of(c), backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);
@@ -216,7 +216,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check_given = &check,
      .is_promised = &is_promised,
-     .unpromised = "the backend has no vertex stage, or its contract bounds no normals",
+     .unpromised = "the backend has no vertex stage or promises no bound for normals",
      .covers = {cover(14, "mirrored"), cover(22, "no direction"), cover(13, "singular")}});
 
 }  // namespace

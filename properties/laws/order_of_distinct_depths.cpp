@@ -84,9 +84,9 @@ class OrderCheck {
     ++tally_.counts().required;
     if (is_of_case(*case_, place)) tally_.see(place.triangle);
     if (place.triangle == other.triangle) {
-      const auto difference =
-          find_difference(*case_, *forward_, i, *backward_, j,
-                          "the triangles drawn in the reverse order; before, it was the other");
+      const auto difference = find_difference(*case_, *forward_, i, *backward_, j,
+                                              "the triangles drawn in the reverse order; in "
+                                              "submission order, they had the expected value");
       if (difference) return tally_.report(*difference);
     } else if (order_.is_surely_less(depth, other_depth) ||
                order_.is_surely_less(other_depth, depth)) {
@@ -119,7 +119,7 @@ class OrderCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (clip.triangles.size() < 2) return not_applicable("the case has one triangle");
+  if (clip.triangles.size() < 2) return not_applicable("the case has fewer than two triangles");
   clip.depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> all = draw_promised(clip, backend);
   if (!all) return tl::unexpected(all.error());
@@ -184,7 +184,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_invariantly,
-     .unpromised = "the contract promises no invariance",
+     .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
      .covers = {cover(13, "clipped"), cover(45, "depth test"), cover(36, "distinct depths"),
                 cover(7, "equal depths"), cover(17, "several samples"), cover(23, "three and more"),
                 cover(9, "w <= 0")}});

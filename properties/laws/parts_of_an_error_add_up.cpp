@@ -137,7 +137,7 @@ class SplitCheck {
       if (!expected.empty()) return report(place, attribute, actual, expected);
     }
     if (told && is_of_other_positions(*told, *seen)) {
-      return report(place, attribute, actual, "a trace of the clip positions that were handed on");
+      return report(place, attribute, actual, "a trace of the clip positions that were passed on");
     }
     tally_.pass(kind);
     if (kind == AttributeKind::flat) return;
@@ -163,7 +163,7 @@ class SplitCheck {
     const auto range =
         attribute ? truth_->attribute(*attribute, x, y, sample) : truth_->depth(x, y, sample);
     if (range && range->lo == range->hi && !is_centroid && split.exact != range->lo) {
-      return "parts of what is off from " + range->lo.to_string();
+      return "parts of the error against " + range->lo.to_string();
     }
     if (!attribute) return "";
     const records::Enclosure total =
@@ -175,7 +175,7 @@ class SplitCheck {
   void report(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute, float actual,
               const std::string& expected) {
     tally_.report(violation_at(place, FragmentClass::beyond_bound, expected,
-                               "the error is not what its parts are",
+                               "the parts do not add up to the error",
                                {kind_of(*case_, attribute), attribute, actual}));
   }
 

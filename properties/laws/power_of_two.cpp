@@ -143,7 +143,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   const Result<backends::Drawn> drawn = draw_promised(changed.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = compare_drawings(own, before->fragments, drawn->fragments,
-                                 "all coordinates times a power of two");
+                                 "drawn with all coordinates multiplied by a power of two");
   for (const std::string& label : changed.labels) add_label(check, label);
   return check;
 }
@@ -158,7 +158,7 @@ const LawRegistration kRegistration(
      .generate = &generate_any,
      .check = &check,
      .is_promised = &draws_invariantly,
-     .unpromised = "the contract promises no invariance",
+     .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
      .covers = {cover(35, "larger"), cover(35, "smaller"), cover(25, "far"), cover(10, "clipped"),
                 cover(7, "w <= 0")}});
 

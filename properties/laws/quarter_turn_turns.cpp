@@ -34,11 +34,12 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase clip = c;
   move_centroids_to_samples(clip);
   const std::optional<QuarterTurn> turn = quarter_turn_of(clip);
-  if (!turn) return not_applicable("the turned viewport or scissor is none that a case may have");
+  if (!turn) return not_applicable("the turned viewport or scissor is not allowed in a case");
   cases::Case changed = turned_window(clip, *turn);
   for (cases::ClipVertex& p : changed.positions) p = turned(p, *turn);
   const auto contract = turned_back(clip, backend.contract(changed));
-  if (!contract) return not_applicable("the contract does not turn with the case");
+  if (!contract)
+    return not_applicable("the contract does not cover the turned case in the same way");
 
   const Result<backends::Drawn> drawn = draw_promised(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -151,8 +151,8 @@ class PatternCheck {
                                : "[" + value_text(static_cast<float>(range.lo)) + ", " +
                                      value_text(static_cast<float>(range.hi)) + "]";
     findings_.report(place, coordinate.attribute, actual, at,
-                     coordinate.axis == PatternAxis::x ? "not the window x where it is evaluated"
-                                                       : "not the window y where it is evaluated");
+                     coordinate.axis == PatternAxis::x ? "not the window x of the sample position"
+                                                       : "not the window y of the sample position");
   }
 
   /// Widens the range by what the contract leaves open; unchanged if the contract allows only a

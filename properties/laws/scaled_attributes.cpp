@@ -317,7 +317,7 @@ class AffinityCheck {
   }
 
   static std::string note_of(const Affine& map) {
-    return fmt::format("{} r + {}, of the value r as it was", map.alpha, map.beta);
+    return fmt::format("{} r + {}, for the original value r", map.alpha, map.beta);
   }
 
   void report_value(const cases::SamplePlace& place, AttributeKind kind, float expected,
@@ -346,7 +346,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   // Both drawings are judged by the same contract.
   const cases::Contract contract = backend.contract(clip);
   if (backend.contract(changed) != contract) {
-    return not_applicable("the contract promises something else of the changed case");
+    return not_applicable("the contract differs for the changed case");
   }
   const Result<backends::Drawn> before = draw_promised(clip, backend);
   if (!before) return tl::unexpected(before.error());
@@ -382,7 +382,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_invariantly,
-     .unpromised = "the contract promises no invariance",
+     .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
      .covers = {cover(15, "scaled"), cover(25, "scaled and moved"), cover(5, "flat")}});
 
 }  // namespace

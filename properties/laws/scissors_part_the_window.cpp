@@ -97,8 +97,8 @@ class PartingCheck {
                                    "forbidden: it is not drawn in the whole window",
                                    text_of(part)));
       } else if (!seen_.insert(place).second) {
-        tally_.report(
-            violation_at(place, FragmentClass::extra, "forbidden: more than once", text_of(part)));
+        tally_.report(violation_at(place, FragmentClass::extra, "forbidden: drawn more than once",
+                                   text_of(part)));
       } else if (const auto difference =
                      find_difference(*case_, *whole_, expected->second, drawn, i,
                                      "another value than in the whole window; " + text_of(part))) {
@@ -113,7 +113,7 @@ class PartingCheck {
       if (!seen_.contains(place)) {
         tally_.report(violation_at(place, FragmentClass::missing,
                                    "required: it is drawn in the whole window",
-                                   "drawn in no part"));
+                                   "not drawn in any part"));
       } else if (is_of_case(*case_, place)) {
         tally_.see(place.triangle);
       }

@@ -106,8 +106,8 @@ class SharedEdgeCheck {
     for (const TrianglePair& pair : pairs_of(*case_)) check_pair(pair);
     return has_pairs_ ? tally_.finish()
                       : not_applicable(
-                            "no two triangles with a common edge are certain to lie beside each "
-                            "other, uncut");
+                            "no two triangles with a common edge certainly lie side by side "
+                            "without being clipped");
   }
 
  private:
@@ -208,8 +208,8 @@ class SharedEdgeCheck {
                                 : "triangle " + first + " draws it as well";
     records::Violation violation =
         violation_at({is_missing ? pair.first : pair.second, y, x, s}, fragment_class,
-                     is_missing ? "required: of one of two triangles"
-                                : "forbidden: of more than one of two triangles",
+                     is_missing ? "required: one of the two triangles must cover it"
+                                : "forbidden: only one of the two triangles may cover it",
                      who + "; they share the edge of vertices " + std::to_string(pair.corners[0]) +
                          " and " + std::to_string(pair.corners[2]));
     violation.distance = a.distance(static_cast<int>(x), static_cast<int>(y), static_cast<int>(s));

@@ -161,7 +161,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const Indexed indexed = indices_of(expanded);
   expanded.triangles = triangles_of(c.rules, indexed);
   if (backend.assembler() == nullptr || expanded.triangles.empty())
-    return not_applicable("the backend assembles no strips, or the case has no triangles");
+    return not_applicable("the backend does not assemble strips, or the case has no triangles");
   const Result<cases::Fragments> drawn =
       draw_assembled(expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());
@@ -226,7 +226,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the backend assembles no strips and fans",
+     .unpromised = "the backend does not assemble strips and fans",
      .covers = {cover(7, "clipped"), cover(9, "culled"), cover(42, "drawn"), cover(19, "fan"),
                 cover(10, "list"), cover(21, "restart"), cover(16, "several samples"),
                 cover(20, "strip"), cover(6, "w <= 0")}});

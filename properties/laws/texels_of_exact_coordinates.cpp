@@ -140,7 +140,7 @@ class TexelCheck {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2)
-    return not_applicable("the backend draws no pictures, or the case has no coordinates");
+    return not_applicable("the backend draws no pictures, or the case has no texture coordinates");
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

@@ -56,19 +56,19 @@ using Weights = std::array<double, 3>;
 
 /// Returns what is wrong with the weights at (u, v); empty if they are right.
 std::string fault_of_weights(const SampleTrace& trace, const Weights& weights, double u, double v) {
-  if (!trace.lines || !trace.frame) return "the trace has weights and no lines";
+  if (!trace.lines || !trace.frame) return "the trace has weights but no lines";
   for (std::size_t i = 0; i < 3; ++i) {
     const records::TracedLine& line = (*trace.lines)[i];
     const double expected = value_at(line, *trace.frame, line.c * trace.frame->t, u, v);
     if (weights[i] != expected) {
-      return fmt::format("weight {} is {}, and its line gives {}", i, weights[i], expected);
+      return fmt::format("weight {} is {}, but its line gives {}", i, weights[i], expected);
     }
   }
   return {};
 }
 
 std::string fault_of_weights(const SampleTrace& trace) {
-  if (!trace.edges) return trace.lines ? "the trace has lines and no weights" : "";
+  if (!trace.edges) return trace.lines ? "the trace has lines but no weights" : "";
   return fault_of_weights(trace, *trace.edges, trace.u, trace.v);
 }
 
@@ -76,10 +76,10 @@ std::string fault_of_plane(const SampleTrace& trace, const TracedValue& value,
                            const std::optional<records::TracedPlane>& plane,
                            const std::optional<double>& at) {
   if (!plane && !at) return {};
-  if (!plane || !at || !trace.frame) return "a plane, what it gives or its frame lacks";
+  if (!plane || !at || !trace.frame) return "a plane, its value or its frame is missing";
   const double expected = value_at(*plane, *trace.frame, plane->c, value.u, value.v);
   if (*at == expected) return {};
-  return fmt::format("a plane is {} there, and gives {}", *at, expected);
+  return fmt::format("a plane is traced as {}, but evaluates to {}", *at, expected);
 }
 
 std::string fault_of_value(const SampleTrace& trace, const TracedValue& value) {
@@ -170,7 +170,7 @@ class TraceCheck {
     check_value(at, AttributeKind::depth, std::nullopt, drawn_->depth[i], *trace, trace->depth);
     const auto drawn = drawn_->attributes_of(i);
     if (trace->attributes.size() != drawn.size()) {
-      return note_fault(at, "the trace has another number of attributes");
+      return note_fault(at, "the trace has another number of attributes than the case");
     }
     for (std::uint32_t a = 0; a < drawn.size(); ++a) {
       check_value(at, records::kind_of(case_->attributes[a].interpolation), a, drawn[a], *trace,
@@ -204,7 +204,7 @@ class TraceCheck {
 
   void note_fault(const cases::SamplePlace& at, const std::string& fault) {
     if (fault.empty()) return;
-    report(at, FragmentClass::beyond_bound, "a trace that holds together", "a trace", fault);
+    report(at, FragmentClass::beyond_bound, "a consistent trace", "a trace", fault);
   }
 
   void report(const cases::SamplePlace& at, FragmentClass found, const char* exact,
@@ -223,7 +223,7 @@ class TraceCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (backend.tracer() == nullptr) return not_applicable("the backend shows no stages");
+  if (backend.tracer() == nullptr) return not_applicable("the backend does not trace");
   clip.depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -326,11 +326,11 @@ class CoveredOnce {
       return;
     }
     if (drawn == 0) {
-      report(first_covering(place), FragmentClass::missing, "required: of one triangle");
+      report(first_covering(place), FragmentClass::missing, "required: one triangle must cover it");
     } else {
       report(place, FragmentClass::extra,
-             wanted == Times::none ? "forbidden: beyond the plane, or the viewport"
-                                   : "forbidden: of more than one triangle");
+             wanted == Times::none ? "forbidden: beyond the plane or the viewport"
+                                   : "forbidden: only one triangle may cover it");
     }
   }
 
@@ -382,7 +382,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const auto screen = planes ? Screen::of(clip, *planes, error) : std::nullopt;
   if (!screen || !is_triangulation(clip, contract, verdicts)) {
     return not_applicable(
-        "it is no triangulation of the screen that nothing may clip or turn round");
+        "the case is not a triangulation of the screen that cannot be clipped or turned over");
   }
   const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -179,8 +179,9 @@ class MonotoneCheck {
                      way == Way::up ? "at least about " + value_text(expected)
                                     : (way == Way::down ? "at most about " + value_text(expected)
                                                         : "about " + value_text(expected)),
-                     "turns back on the " + std::string(to_string(direction_)) + " from " +
-                         std::to_string(line.front().at) + " to " + std::to_string(line.back().at));
+                     "changes direction along the " + std::string(to_string(direction_)) +
+                         " from " + std::to_string(line.front().at) + " to " +
+                         std::to_string(line.back().at));
   }
 
   /// A bound for rounding errors of this check, relative to the allowed errors.

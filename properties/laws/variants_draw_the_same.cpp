@@ -78,7 +78,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
     (*variant)->hold_to(backend.terms());
     const Result<backends::Drawn> drawn = draw_promised(clip, **variant);
     if (!drawn) return tl::unexpected(drawn.error());
-    const std::string note = specification + " draws the other";
+    const std::string note = specification + " draws the expected value";
     merge(check, compare_drawings(clip, drawn->fragments, own->fragments, note));
     if (!picture || (*variant)->picture_drawer() == nullptr) continue;
     const Result<cases::Picture> other = draw_picture(clip, **variant, pipeline);
@@ -119,7 +119,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "no other backend is promised to draw the same bits",
+     .unpromised = "needs another backend that promises identical bits",
      .covers = {cover(40, "drawn"), cover(10, "beyond 64 pixels"), cover(15, "several samples"),
                 cover(20, "three attributes and more"), cover(10, "clipped")}});
 

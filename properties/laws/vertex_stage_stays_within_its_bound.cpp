@@ -71,7 +71,7 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
       violation.actual = value_text(coordinates_of(computed[vertex])[k]);
       violation.error = one.error;
       violation.bound = one.bound;
-      violation.note = fmt::format("clip {} of vertex {}, errors in its ulp", "xyzw"[k], vertex);
+      violation.note = fmt::format("clip {} of vertex {}; errors in its ULP", "xyzw"[k], vertex);
       add_judged_violation(found, violation);
     }
   }
@@ -82,7 +82,7 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
 Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t /*index*/) {
   const std::optional<float> bound = backend.contract(c).transform_bound;
   if (!c.camera || backend.vertex_stage() == nullptr || !bound)
-    return not_applicable("no vertex stage is promised, or the case has no camera");
+    return not_applicable("the backend promises no vertex stage, or the case has no camera");
   const Result<std::vector<cases::ClipVertex>> computed = transform(c, backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);
@@ -239,7 +239,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check_given = &check,
      .is_promised = &is_promised,
-     .unpromised = "the backend has no vertex stage, or its contract does not bound it",
+     .unpromised = "the backend has no vertex stage or promises no bound for it",
      .covers = {cover(5, "cancellation"), cover(6, "subnormal"), cover(41, "w <= 0")}});
 
 }  // namespace

@@ -124,8 +124,8 @@ class VertexCheck {
     const Rational exact{double{expected}};
     records::Violation violation =
         violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), exact.to_string(),
-                     fmt::format("vertex {} lies exactly there and has {}", triangle[vertex],
-                                 value_text(expected)),
+                     fmt::format("vertex {} lies exactly at this sample and has {}",
+                                 triangle[vertex], value_text(expected)),
                      {kind, attribute, actual});
     if (std::isfinite(actual)) {
       violation.error = oracle::scale_ulp_error(
@@ -160,7 +160,7 @@ class VertexCheck {
 
 Check find(const cases::Case& c, const backends::Drawn& drawn) {
   if (!drawn.contract.keeps_vertex_values)
-    return not_applicable("the contract does not keep vertices' values");
+    return not_applicable("the backend does not promise to keep the vertices' values");
   return VertexCheck(c, drawn.contract, drawn.fragments).run();
 }
 
@@ -355,7 +355,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the contract does not keep the vertices' values",
+     .unpromised = "the backend does not promise to keep the vertices' values",
      .covers = {cover(17, "several samples"), cover(30, "snapped"), cover(44, "vertex value"),
                 cover(30, "vertex value far below the others"), cover(11, "vertex zero")}});
 

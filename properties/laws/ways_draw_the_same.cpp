@@ -57,7 +57,7 @@ void find_repeated(const cases::Fragments& drawn, const std::string& by, Check& 
     if (drawn.place_of(i) != drawn.place_of(i - 1)) continue;
     add_violation(check,
                   violation_at(drawn.place_of(i), records::FragmentClass::extra,
-                               "forbidden: it was drawn already", "drawn more than once by " + by));
+                               "forbidden: drawn more than once", "drawn more than once by " + by));
   }
 }
 

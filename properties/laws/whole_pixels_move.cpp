@@ -109,17 +109,17 @@ std::uint16_t moved_back(std::uint16_t at, int by) {
 
 std::string note_of(const Move& move) {
   return "drawn " + std::to_string(move.du) + " columns and " + std::to_string(move.dv) +
-         " rows farther";
+         " rows further on";
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std::uint64_t index) {
   const Move move = move_of(clip);
   const std::optional<Moved> moved = moved_by(clip, move);
-  if (!moved) return not_applicable("it cannot be moved by whole pixels");
+  if (!moved) return not_applicable("the case cannot be moved by whole pixels");
   const cases::Contract contract = backend.contract(moved->after);
   if (contract.coverage && !(keeps_even_points(*contract.coverage, move.du) &&
                              keeps_even_points(*contract.coverage, move.dv))) {
-    return not_applicable("the contract rounds moved positions otherwise");
+    return not_applicable("the contract rounds moved positions differently");
   }
 
   const Result<backends::Drawn> before = draw_promised(moved->before, backend);

@@ -242,9 +242,13 @@ std::optional<Basis> read_basis(Subject& subject, const MeasuredGrid& grid,
                                 const std::string& where) {
   const ValueShares values = value_shares(subject, grid);
   const Shares facing = facing_shares(subject, grid);
-  const std::string declared(name_of(subject.declared().basis));
+  const Basis declared = subject.declared().basis;
   const auto add = [&](const char* of, const Shares& shares) {
-    subject.add(fmt::format("basis of {}{}", of, where), declared, shares.text(), shares.detail());
+    const auto basis = shares.basis();
+    subject
+        .add(fmt::format("basis of {}{}", of, where), std::string(name_of(declared)), shares.text(),
+             shares.detail())
+        .contradicts = declared != Basis::unspecified && basis && *basis != declared;
   };
   add("smooth attributes", values.smooth);
   add("noperspective attributes", values.noperspective);
@@ -259,7 +263,7 @@ void measure_basis(Subject& subject, const Sight& sight) {
   const MeasuredGrid& grid = sight.fit.grid;
   cases::ContractTerms& terms = subject.result.terms;
   if (grid.is_none()) {
-    subject.add("basis", kNotDeclared, "no grid: there is one only");
+    subject.add("basis", kNotDeclared, "no grid, so there is only one basis");
     const bool is_exact = terms.coverage == cases::CoverageTerm(cases::Coverage());
     terms.basis = is_exact ? Basis::ideal : Basis::unspecified;
     return;
@@ -273,11 +277,11 @@ void measure_basis(Subject& subject, const Sight& sight) {
   asked.basis = Basis::snapped;
   subject.ask(asked);
   const std::size_t before = subject.result.rows.size();
-  const auto snapped = read_basis(subject, grid, " where snapped is asked");
+  const auto snapped = read_basis(subject, grid, " if snapped is requested");
   asked.basis = Basis::ideal;
   subject.ask(asked);
   const std::size_t between = subject.result.rows.size();
-  const auto ideal = read_basis(subject, grid, " where ideal is asked");
+  const auto ideal = read_basis(subject, grid, " if ideal is requested");
   subject.ask(said);
   if (snapped == Basis::snapped && ideal == Basis::ideal) {
     terms.basis = cases::AsAsked{};
@@ -289,7 +293,7 @@ void measure_basis(Subject& subject, const Sight& sight) {
   std::vector<records::Measured>& rows = subject.result.rows;
   rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(between), rows.end());
   for (std::size_t i = before; i < rows.size(); ++i) {
-    rows[i].what = rows[i].what.substr(0, rows[i].what.find(" where "));
+    rows[i].what = rows[i].what.substr(0, rows[i].what.find(" if "));
   }
 }
 

@@ -112,7 +112,7 @@ struct ClippingOutcomes {
   int empty = 0;  ///< nothing had to be drawn, and nothing was
 
   std::string text() const {
-    if (right == 0 && left_out == 0 && wrong == 0) return "nothing to draw, and nothing drawn";
+    if (right == 0 && left_out == 0 && wrong == 0) return "nothing to draw, nothing drawn";
     if (left_out == 0 && wrong == 0) return "drawn right";
     if (right == 0 && wrong == 0) return "left out";
     return fmt::format("right {}, left out {}, wrong {}", right, left_out, wrong);
@@ -154,11 +154,15 @@ void measure_clipping(Subject& subject) {
       continue;
     }
     const auto tolerance = tolerance_of(subject, drawn);
+    cases::ContractTerms promised = subject.result.terms;
+    promised.clip_tolerance = declared.clip_tolerance;
     if (tolerance) greatest = std::max(greatest, *tolerance);
-    subject.add(fmt::format("clip tolerance, {}", cut.name), units,
-                tolerance ? fmt::format("{:g} grid units", *tolerance)
-                          : fmt::format("more than {} grid units", 1 << kGreatestExponent),
-                within_a_unit(subject, drawn));
+    subject
+        .add(fmt::format("clip tolerance, {}", cut.name), units,
+             tolerance ? fmt::format("{:g} grid units", *tolerance)
+                       : fmt::format("more than {} grid units", 1 << kGreatestExponent),
+             within_a_unit(subject, drawn))
+        .contradicts = declared.coverage && !subject.holds(drawn, promised);
   }
   // The drawn triangles need not show the worst case, which for corners rounded to the grid is
   // about a unit. A tolerance beyond a pixel would permit any triangle; instead, a run shows such

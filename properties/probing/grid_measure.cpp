@@ -38,6 +38,15 @@ Snapping named(const MeasuredGrid& grid) {
   return snapping;
 }
 
+/// True if drawings on the measured grid break the declared coverage. A position error may account
+/// for any other grid, and is measured by itself.
+bool contradicts(const cases::Coverage& declared, const MeasuredGrid& grid) {
+  if (!declared) return !grid.is_none();
+  if (declared->position_error > 0) return false;
+  if (grid.is_none() || grid.bits != declared->subpixel_bits) return true;
+  return declared->rounding != Rounding::unspecified && named(grid).rounding != declared->rounding;
+}
+
 std::string declared_of(const cases::Coverage& coverage) {
   if (!coverage) return "none: exact";
   std::string text =
@@ -147,7 +156,7 @@ void measure_position_error(Subject& subject, const Sight& sight) {
   for (const FineDrawing& one : sight.drawings) exact.push_back(one.drawn);
   const int bits = grid.subpixel_bits;
   const std::array<std::pair<std::string, std::vector<DrawnCase>>, 3> sorts{
-      {{"of positions that floats hold", exact},
+      {{"of positions that floats can represent", exact},
        {"of others, 64 pixels", draw_inexact(subject, bits, 64)},
        {"of others, viewport of 8192", draw_inexact(subject, bits, 8192)}}};
   const bool is_exact = sight.fit.grid.is_none() && sight.fit.mismatches == 0;
@@ -195,13 +204,14 @@ void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   for (int bits = 0; bits <= cases::kMaxSubpixelBits; ++bits) {
     const int drawn = grid_asked({bits, Rounding::nearest_even, 0}).bits;
     if (drawn != bits)
-      others += fmt::format("{}{} for {}", others.empty() ? "" : ", ", drawn, bits);
+      others += fmt::format("{}{} instead of {}", others.empty() ? "" : ", ", drawn, bits);
   }
-  subject.add("bits asked for", kNotDeclared,
-              others.empty() ? "0 to 16, all followed" : "all of 0 to 16 but " + others);
+  subject.add("bits requested", kNotDeclared,
+              others.empty() ? "0 to 16, all honoured" : "0 to 16, except " + others);
   const MeasuredGrid half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
-  subject.add("grid where half_up is asked", declared_of(subject.declared().coverage),
-              to_string(half_up));
+  const cases::Coverage declared = subject.declared().coverage;
+  subject.add("grid if half_up is requested", declared_of(declared), to_string(half_up))
+      .contradicts = contradicts(declared, half_up);
   subject.ask(as_before);
 
   cases::ContractTerms& terms = subject.result.terms;
@@ -230,7 +240,7 @@ void measure_grid(Subject& subject, Sight& sight) {
   sight.drawings = draw_grid_cases(subject);
   sight.fit = fit_grid(sight.drawings);
   const MeasuredGrid unasked = sight.fit.grid;
-  const std::string declared = declared_of(subject.declared().coverage);
+  const cases::Coverage declared = subject.declared().coverage;
   if (!said.coverage) {
     asked.coverage = cases::Coverage(Snapping{kAskedBits - 1, Rounding::nearest_even, 0});
     subject.ask(asked);
@@ -242,21 +252,23 @@ void measure_grid(Subject& subject, Sight& sight) {
     subject.ask(asked);
     sight.drawings = draw_grid_cases(subject);
     sight.fit = fit_grid(sight.drawings);
-    subject.add("grid where exact is asked", declared, to_string(unasked));
+    subject.add("grid if exact is requested", declared_of(declared), to_string(unasked))
+        .contradicts = contradicts(declared, unasked);
   } else {
     subject.ask(said);
   }
   const GridFit& fit = sight.fit;
-  const std::string on = declared_of(subject.declared().coverage);
+  const cases::Coverage on = subject.declared().coverage;
   const std::string what = sight.follows_coverage
-                               ? fmt::format("grid where {} bits are asked", kAskedBits)
+                               ? fmt::format("grid if {} bits are requested", kAskedBits)
                                : "subpixel grid";
   std::string detail = fmt::format("{} samples", fit.samples);
   if (fit.mismatches > 0) {
-    detail +=
-        fmt::format(", {} drawn otherwise, by {:.2g} pixels at most", fit.mismatches, fit.farthest);
+    detail += fmt::format(", {} drawn differently, by at most {:.2g} pixels", fit.mismatches,
+                          fit.farthest);
   }
-  subject.add(what, on, to_string(fit.grid), detail);
+  subject.add(what, declared_of(on), to_string(fit.grid), detail).contradicts =
+      contradicts(on, fit.grid);
   measure_position_error(subject, sight);
   if (sight.follows_coverage) measure_what_is_followed(subject, asked);
 }

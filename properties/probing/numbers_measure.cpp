@@ -113,6 +113,14 @@ std::string subnormal_text(const ExponentRange& range) {
   return range.least < kNormal ? "kept" : "lost";
 }
 
+/// True if numbers that are promised do not come out right: a power of two within the promise lies
+/// beyond those that do.
+bool loses_promised(const cases::MagnitudeRange& declared, const ExponentRange& range) {
+  if (range.least > range.greatest) return true;
+  return (range.least > kLeast && declared.least <= std::ldexp(1.0, range.least - 1)) ||
+         (range.greatest < kGreatest && declared.greatest >= std::ldexp(1.0, range.greatest + 1));
+}
+
 }  // namespace
 
 void measure_numbers(Subject& subject) {
@@ -135,11 +143,14 @@ void measure_numbers(Subject& subject) {
   });
   const cases::MagnitudeRange declared = subject.declared().numbers;
   const std::string says = fmt::format("{:g} to {:g}", declared.least, declared.greatest);
-  subject.add("clip positions that draw right", says, range_text(positions, ""));
-  subject.add("attribute values that come back", says, range_text(values, ""));
+  subject.add("clip positions that draw right", says, range_text(positions, "")).contradicts =
+      loses_promised(declared, positions);
+  subject.add("attribute values that come back", says, range_text(values, "")).contradicts =
+      loses_promised(declared, values);
   subject.add("subnormal clip positions", kNotDeclared, subnormal_text(positions));
   subject.add("subnormal attribute values", kNotDeclared, subnormal_text(values));
-  subject.add("infinities and NaN", kNotDeclared, "not measured", "cases hold finite numbers");
+  subject.add("infinities and NaN", kNotDeclared, "not measured",
+              "cases contain finite numbers only");
   if (positions.least > positions.greatest || values.least > values.greatest) return;
   cases::MagnitudeRange numbers;
   const int least = std::max(positions.least, values.least);

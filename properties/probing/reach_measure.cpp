@@ -105,10 +105,7 @@ class Reach {
     return good;
   }
 
-  /// True if the backend refused to draw farther out, instead of drawing wrongly.
-  bool is_refused() const { return is_refused_; }
-
- private:
+  /// True if triangles with vertices that far out are drawn right.
   bool holds(double distance, const cases::ContractTerms& terms) {
     const auto [at, is_new] = drawn_.try_emplace(distance);
     if (is_new) at->second = draw_far(*subject_, distance);
@@ -117,6 +114,10 @@ class Reach {
     return false;
   }
 
+  /// True if the backend refused to draw farther out, instead of drawing wrongly.
+  bool is_refused() const { return is_refused_; }
+
+ private:
   Subject* subject_;
   bool is_refused_ = false;
   std::map<double, std::optional<DrawnCase>> drawn_;
@@ -144,10 +145,11 @@ void measure_reach(Subject& subject) {
     lax.position_error = std::max(lax.position_error, 0x1p-14F);
     placed.coverage = cases::Coverage(lax);
   }
-  const auto add = [&](const char* what, const std::string& says, double pixels) {
+  const auto add = [&](const char* what, const std::string& says,
+                       double pixels) -> records::Measured& {
     const bool is_last = pixels > 0 && pixels < std::ldexp(1.0, kFarthest);
-    subject.add(what, says, reach_text(pixels),
-                is_last && reach.is_refused() ? "farther out nothing is drawn" : "");
+    return subject.add(what, says, reach_text(pixels),
+                       is_last && reach.is_refused() ? "nothing is drawn farther out" : "");
   };
   if (known) {
     cases::ContractTerms strict = placed;
@@ -155,7 +157,9 @@ void measure_reach(Subject& subject) {
     strict.clip_tolerance = 0.0F;
     const double band = reach.greatest(strict);
     add("guard band",
-        declared.coverage ? fmt::format("{:g} pixels", declared.guard_band) : kNotDeclared, band);
+        declared.coverage ? fmt::format("{:g} pixels", declared.guard_band) : kNotDeclared, band)
+        .contradicts = declared.coverage && band < declared.guard_band &&
+                       !reach.holds(declared.guard_band, strict);
     terms.guard_band = placed.guard_band = static_cast<float>(band);
   }
   add("greatest coordinate drawn right", kNotDeclared, reach.greatest(placed));

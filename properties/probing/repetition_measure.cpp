@@ -21,7 +21,7 @@ constexpr int kCasesEach = 5;
 struct RepetitionCounts {
   int checked = 0;
   int violated = 0;
-  std::string detail() const { return fmt::format("{} of {} cases otherwise", violated, checked); }
+  std::string detail() const { return fmt::format("{} of {} cases differ", violated, checked); }
 };
 
 RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
@@ -74,7 +74,8 @@ void measure_repetition(Subject& subject) {
     const RepetitionCounts counts = count_repetitions(subject, law, promised);
     const bool keeps = counts.checked > 0 && counts.violated == 0;
     const char* const measured = counts.checked == 0 ? "not seen" : keeps ? "kept" : "not kept";
-    subject.add(what, is_declared ? "kept" : "not promised", measured, counts.detail());
+    subject.add(what, is_declared ? "kept" : "not promised", measured, counts.detail())
+        .contradicts = is_declared && counts.violated > 0;
     terms.*term = keeps;
   };
   keep("constants to the bit", "constants-stay-constant", declared.keeps_constants,

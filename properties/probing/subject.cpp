@@ -136,10 +136,11 @@ records::Judgement Subject::judgement(const DrawnCase& drawn,
   return oracle::judge(scene, drawn.fragments, options).judgement;
 }
 
-void Subject::add(std::string what, std::string declared, std::string measured,
-                  std::string detail) {
+records::Measured& Subject::add(std::string what, std::string declared, std::string measured,
+                                std::string detail) {
   result.rows.push_back(
       {std::move(what), std::move(declared), std::move(measured), std::move(detail)});
+  return result.rows.back();
 }
 
 }  // namespace rastercheck::properties

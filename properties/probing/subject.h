@@ -73,7 +73,9 @@ class Subject {
   /// Returns the judge's full result, by kind of value.
   records::Judgement judgement(const DrawnCase& drawn, const cases::ContractTerms& terms) const;
 
-  void add(std::string what, std::string declared, std::string measured, std::string detail = "");
+  /// Adds a row and returns it.
+  records::Measured& add(std::string what, std::string declared, std::string measured,
+                         std::string detail = "");
 
   records::Probe result;  ///< rows and terms measured so far
 

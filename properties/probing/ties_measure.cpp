@@ -59,7 +59,8 @@ bool owns(TieRule rule, bool is_y_up, std::size_t x, std::size_t y) {
 }
 
 struct TieReading {
-  std::optional<TieRule> rule;
+  std::optional<TieRule> rule;  ///< empty if ties were not seen, or not all went by one rule
+  bool is_seen = false;
   std::string text;
   std::string detail;
 };
@@ -85,6 +86,7 @@ TieReading read(const Directions& directions, bool is_y_up) {
     }
   }
   TieReading reading;
+  reading.is_seen = seen > 0;
   reading.detail = fmt::format("{} ties", seen);
   if (against > 0) reading.detail += fmt::format(", {} the other way", against);
   if (seen == 0) {
@@ -114,23 +116,27 @@ void measure_ties(Subject& subject, const Sight& sight) {
     subject.ask(asked);
     return read(directions_of(sight.fit.grid, draw_grid_cases(subject)), is_y_up);
   };
-  const auto declared = [&subject] { return declared_tie_rule(subject.declared().tie_rule); };
+  const auto declared = [&subject] { return subject.declared().tie_rule; };
+  const auto add = [&subject](const char* what, TieRule rule, const TieReading& reading) {
+    subject.add(what, declared_tie_rule(rule), reading.text, reading.detail).contradicts =
+        rule != TieRule::unspecified && reading.is_seen && reading.rule != rule;
+  };
   cases::ContractTerms& terms = subject.result.terms;
   if (said.fill_rule) {
     const TieReading reading = read(directions_of(sight.fit.grid, sight.drawings), is_y_up);
-    subject.add("tie rule", declared(), reading.text, reading.detail);
+    add("tie rule", declared(), reading);
     terms.tie_rule = reading.rule.value_or(TieRule::unspecified);
     return;
   }
   const TieReading bottom = reading_of(TieRule::bottom_left);
-  const std::string bottom_declared = declared();
+  const TieRule bottom_declared = declared();
   const TieReading top = reading_of(TieRule::top_left);
   const bool is_followed = top.rule == TieRule::top_left && bottom.rule == TieRule::bottom_left;
   if (is_followed || top.rule != bottom.rule) {
-    subject.add("tie rule where top_left is asked", declared(), top.text, top.detail);
-    subject.add("tie rule where bottom_left is asked", bottom_declared, bottom.text, bottom.detail);
+    add("tie rule if top_left is requested", declared(), top);
+    add("tie rule if bottom_left is requested", bottom_declared, bottom);
   } else {
-    subject.add("tie rule", declared(), top.text, top.detail);
+    add("tie rule", declared(), top);
   }
   if (is_followed) {
     terms.tie_rule = cases::AsAsked{};

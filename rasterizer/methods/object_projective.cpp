@@ -224,7 +224,7 @@ std::string_view to_string(ClusterError error) {
       return "a cluster has an attribute that is not the state's, not smooth or in another "
              "cluster, or it has none";
     case ClusterError::w_r_count:
-      return "there is not one w_r for each vertex";
+      return "the number of w_r differs from the number of vertices";
     case ClusterError::w_r_zero:
       return "a w_r is 0: the vertex has its parameters at infinity";
     case ClusterError::w_r_range:

@@ -80,13 +80,13 @@ std::string_view to_string(PolygonError error) {
     case PolygonError::corner_count:
       return "a polygon has 3 to 16 corners";
     case PolygonError::attribute_values:
-      return "a corner has not one value for each attribute";
+      return "a corner does not have one value for each attribute";
     case PolygonError::clip_distance_values:
-      return "a corner has not one value for each clip distance";
+      return "a corner does not have one value for each clip distance";
     case PolygonError::not_finite:
       return "a number of a corner is not finite";
     case PolygonError::location:
-      return "an attribute of a polygon is evaluated elsewhere than at samples";
+      return "an attribute of a polygon is not evaluated at samples";
     case PolygonError::degenerate:
       return "the polygon has no area as seen from the eye";
     case PolygonError::not_convex:

@@ -111,7 +111,7 @@ SizedMatrix product(const SizedMatrix& a, const SizedMatrix& b) {
 std::string_view to_string(QuadError error) {
   switch (error) {
     case QuadError::not_finite:
-      return "a position or parameter of the quad is infinite or no number";
+      return "a position or parameter of the quad is infinite or NaN";
     case QuadError::corners_in_line:
       return "three corners of the quad lie on a line on the screen";
     case QuadError::not_convex:
@@ -119,7 +119,7 @@ std::string_view to_string(QuadError error) {
     case QuadError::parameters_in_line:
       return "the parameters of three corners lie on a line";
     case QuadError::parameters_not_convex:
-      return "the parameters of the corners are no convex quad: the map has a pole inside";
+      return "the parameters of the corners are not a convex quad: the map has a pole inside";
     case QuadError::factors_out_of_range:
       return "the quad is so nearly degenerate that its map's numbers are out of range";
   }

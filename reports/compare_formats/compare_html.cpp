@@ -27,13 +27,23 @@ constexpr std::string_view kPolicy =
 std::string write(const Gate& gate) {
   const std::string headline = compare_headline(gate);
   std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n"
+      "<html lang=\"en\">\n"
+      "<head>\n"
+      "<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<title>RasterCheck: {}</title>\n<style>\n{}{}{}{}</style>\n</head>\n<body>\n<main>\n"
-      "<header>\n<p class=\"name\">RasterCheck: against the baseline</p>\n"
-      "<h1 class=\"{}\">{}</h1>\n</header>\n",
+      "<title>RasterCheck: {}</title>\n"
+      "<style>\n"
+      "{}{}{}{}</style>\n"
+      "</head>\n"
+      "<body>\n"
+      "<main>\n"
+      "<header>\n"
+      "<p class=\"name\">RasterCheck: comparison with the baseline</p>\n"
+      "<h1 class=\"{}\">{}</h1>\n"
+      "</header>\n",
       kPolicy, html(headline), kReportStyle, kViewerStyle, kCompareStyle, picture_style(),
       refused(gate.comparisons) > 0 ? "violated" : "held", html(headline));
   for (std::size_t i = 0; i < gate.comparisons.size(); ++i) {

@@ -18,7 +18,7 @@ constexpr std::size_t kMostStages = 5;
 std::string table_of(const records::Comparison& comparison, records::Change change) {
   if (count_of(comparison, change) == 0) return "";
   std::string text = fmt::format(
-      "\n## {}\n\n| law | kind | stratum | figure | baseline | now | allowed |\n"
+      "\n## {}\n\n| property | kind | stratum | figure | baseline | now | allowed |\n"
       "|---|---|---|---|--:|--:|---|\n",
       change == records::Change::worse ? "Worse" : "Better");
   std::size_t entries = 0;
@@ -65,12 +65,12 @@ std::string stages_of(const records::Comparison& comparison) {
 std::string laws_of(const records::Comparison& comparison) {
   std::string text;
   for (const std::string& law : comparison.new_laws) {
-    text += fmt::format("- new, and held against nothing: {}\n", markdown(law));
+    text += fmt::format("- new, so not compared: {}\n", markdown(law));
   }
   for (const std::string& law : comparison.gone_laws) {
     text += fmt::format("- gone: {}\n", markdown(law));
   }
-  return text.empty() ? "" : "\n## Laws\n\n" + text;
+  return text.empty() ? "" : "\n## Properties\n\n" + text;
 }
 
 std::string policy_of(const records::PolicyReview& review) {
@@ -79,7 +79,7 @@ std::string policy_of(const records::PolicyReview& review) {
     text += fmt::format("- expired: {}\n", markdown(line));
   }
   for (const std::string& line : review.unused) {
-    text += fmt::format("- allows nothing any more, and may go: {}\n", markdown(line));
+    text += fmt::format("- unused, so it can be removed: {}\n", markdown(line));
   }
   return text.empty() ? "" : "\n## Policy\n\n" + text;
 }
@@ -90,7 +90,7 @@ std::string taken_text(const records::Taken& taken) {
 }
 
 std::string write(const Gate& gate) {
-  std::string text = "# RasterCheck: held against the baseline\n";
+  std::string text = "# RasterCheck: comparison with the baseline\n";
   for (const records::Comparison& comparison : gate.comparisons) {
     text += fmt::format("\n**{}**\n\n{}\n\n", markdown(verdict_sentence(comparison)),
                         markdown(bits_sentence(comparison)));
@@ -101,7 +101,7 @@ std::string write(const Gate& gate) {
             laws_of(comparison);
   }
   text += policy_of(gate.policy);
-  return text + "\n## To take the new figures over\n\n" + command_block(approve_command(gate));
+  return text + "\n## To accept the new numbers\n\n" + command_block(approve_command(gate));
 }
 
 const CompareFormatRegistration kRegistration({"markdown", "compare.md", &write});

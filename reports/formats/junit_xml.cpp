@@ -18,6 +18,7 @@
 #include "records/share.h"
 #include "records/summary.h"
 #include "reports/commands.h"
+#include "reports/finding_text.h"
 #include "reports/format.h"
 #include "reports/internal/html.h"
 #include "reports/internal/wording.h"
@@ -65,7 +66,7 @@ std::string failure_text(const Run& run, const LawSummary& row) {
     if (found.law != row.law || found.backend != row.backend) continue;
     text += replay_command(run, records::file_of(counterexample)) + "\n";
     for (const records::Violation& violation : counterexample.violations) {
-      text += violation_text(violation, counterexample.source) + "\n";
+      text += finding_text(violation, counterexample.source) + "\n";
     }
   }
   return text;

@@ -2,6 +2,7 @@
 // follow links and show inspections.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string>
 #include <vector>
@@ -48,6 +49,11 @@ std::string known_of(const Run& run) {
   return text + "</tbody>\n</table>\n</section>\n";
 }
 
+/// The page's title, for a tab: what it comes to, and of whom.
+std::string title_of(const Run& run, const std::vector<LawSummary>& rows) {
+  return html(fmt::format("{}: {}", fmt::join(run.plan.backends, ", "), headline(run, rows)));
+}
+
 std::string write(const Run& run) {
   const std::vector<LawSummary> rows = records::summarize(run);
   std::string text = fmt::format(
@@ -55,10 +61,13 @@ std::string write(const Run& run) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<title>RasterCheck: {}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
-      viewer_policy(), html(verdict_sentence(rows)), kReportStyle, kViewerStyle);
-  text += front_of(run, rows) + findings_of(run) + power_of(rows) + laws_of(run, rows) +
-          pictures_of(run) + known_of(run) + "</main>\n";
+      "<title>{} – RasterCheck</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
+      viewer_policy(), title_of(run, rows), kReportStyle, kViewerStyle);
+  const Findings findings = findings_of(run);
+  text += front_of(run, rows) + findings.counterexamples + scene_section(run) +
+          judged_section(run, rows) + properties_section(run, rows) + gaps_section(run, rows) +
+          power_of(rows) + findings.worst + pictures_of(run) + known_of(run) + again_section(run) +
+          "</main>\n";
   return text + viewer_scripts() + "</body>\n</html>\n";
 }
 

@@ -8,6 +8,7 @@
 
 #include "records/summary.h"
 #include "reports/commands.h"
+#include "reports/finding_text.h"
 #include "reports/format.h"
 #include "reports/internal/wording.h"
 
@@ -32,7 +33,7 @@ json result_of(const Run& run, const records::Counterexample& counterexample) {
   std::string text = counted(counterexample.violation_count, "violation", "violations") + " on " +
                      found.backend + ".";
   if (!counterexample.violations.empty()) {
-    text += " " + violation_text(counterexample.violations.front(), counterexample.source) + ".";
+    text += " " + finding_text(counterexample.violations.front(), counterexample.source) + ".";
   }
   text += " Replay with: " + replay_command(run, records::file_of(counterexample));
   const json location = {{"physicalLocation",

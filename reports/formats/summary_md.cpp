@@ -8,6 +8,7 @@
 #include "records/summary.h"
 #include "reports/cause_text.h"
 #include "reports/commands.h"
+#include "reports/finding_text.h"
 #include "reports/format.h"
 #include "reports/internal/markdown.h"
 #include "reports/internal/wording.h"
@@ -29,7 +30,8 @@ std::string verdict_of(const LawSummary& row) {
 
 std::string table_of(const std::vector<LawSummary>& rows) {
   std::string text =
-      "| law | backend | cases | fragments | not judged | worst ULP | p99 ULP | beyond contract | "
+      "| property | backend | cases | fragments | not judged | worst ULP | p99 ULP | after "
+      "allowances | "
       "verdict |\n"
       "|---|---|--:|--:|--:|--:|--:|--:|---|\n";
   for (const LawSummary& row : rows) {
@@ -104,7 +106,7 @@ std::string counterexample_text(const Run& run, const Counterexample& counterexa
           command_block(replay_command(run, records::file_of(counterexample)));
   if (!counterexample.violations.empty()) text += "\n";
   for (const records::Violation& violation : counterexample.violations) {
-    text += fmt::format("- {}\n", markdown(violation_text(violation, counterexample.source)));
+    text += fmt::format("- {}\n", markdown(finding_text(violation, counterexample.source)));
   }
   if (!counterexample.close_up.empty()) text += "\n";
   for (const std::string& line : counterexample.close_up) text += command_block(line);
@@ -113,7 +115,7 @@ std::string counterexample_text(const Run& run, const Counterexample& counterexa
 
 std::string write(const Run& run) {
   const std::vector<LawSummary> rows = records::summarize(run);
-  std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", verdict_sentence(rows));
+  std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", headline(run, rows));
   for (const std::string& caveat : records::caveats(run)) text += markdown(caveat) + "\n\n";
   text += table_of(rows);
   if (!run.unreached.empty() || !run.unexpected.empty() || !run.scenes.empty()) text += "\n";

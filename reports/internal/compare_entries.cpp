@@ -186,7 +186,7 @@ std::string section_of(const records::Comparison& comparison, std::size_t number
       entry.allowed_because ? "<span class=\"held\">✓</span>" : "<span class=\"violated\">✗</span>",
       html(to_string(entry.key)));
   if (entry.allowed_because) {
-    text += "<p>Worse, and allowed by the policy: " + html(*entry.allowed_because) + "</p>\n";
+    text += "<p>Worse, but allowed by the policy: " + html(*entry.allowed_because) + "</p>\n";
   }
   return text + "<div class=\"entry\">\n" + distribution_of(entry) + "<div>\n" +
          figure_table(entry) + stages_of(entry) + "</div>\n</div>\n</details>\n";
@@ -232,7 +232,7 @@ std::string worse_table(const records::Comparison& comparison, std::size_t numbe
   };
   std::string text = rows(0, first);
   if (shown > first) {
-    text += fmt::format("<details><summary>{} more that are worse</summary>\n{}</details>\n",
+    text += fmt::format("<details><summary>{} more worse entries</summary>\n{}</details>\n",
                         shown - first, rows(first, shown));
   }
   return text + more_line(worse.size(), kMostRows);
@@ -267,12 +267,13 @@ std::string other_entries(const records::Comparison& comparison) {
         rows + "</tbody>\n</table>\n" + more_line(all, kMostRows);
   }
   if (!comparison.new_laws.empty()) {
-    text += "<p>Laws held against nothing, as the baseline does not have them: " +
-            names_of_laws(comparison.new_laws) + "</p>\n";
+    text += "<p>Properties that the baseline does not have: " + names_of_laws(comparison.new_laws) +
+            "</p>\n";
   }
   if (!comparison.gone_laws.empty()) {
-    text += "<p>Laws of the baseline that were not run: " + names_of_laws(comparison.gone_laws) +
-            "</p>\n";
+    text +=
+        "<p>Properties of the baseline that were not run: " + names_of_laws(comparison.gone_laws) +
+        "</p>\n";
   }
   return text + "</section>\n";
 }

@@ -56,7 +56,7 @@ std::string largest_growth(const Gate& gate, std::size_t number) {
                         to_string(growth.outcome_after));
   }
   if (growth.mismatches_after > growth.mismatches_before) {
-    text += fmt::format(": <strong>{} → {} came out wrong</strong>",
+    text += fmt::format(": <strong>{} → {} wrong samples and values</strong>",
                         grouped(growth.mismatches_before), grouped(growth.mismatches_after));
   }
   text += ".</p>\n";
@@ -83,12 +83,12 @@ std::string gate_facts(const Gate& gate, const records::Comparison& comparison) 
   for (const std::string& word : records::option_words(comparison.plan)) options += " " + word;
   return "<dl class=\"facts\">\n" + definition("baseline", html(to_string(comparison.key))) +
          definition("of the file", "<code>" + html(gate.baseline_file) + "</code>") +
-         definition("taken with", taken_text(comparison.before)) +
+         definition("recorded with", taken_text(comparison.before)) +
          definition("now", html(comparison.backend)) +
          definition("of the file", "<code>" + html(gate.current_file) + "</code>") +
          definition("drawn with", taken_text(comparison.after)) +
          definition("seed", std::to_string(comparison.plan.seed)) +
-         definition("cases per law", grouped(comparison.plan.cases_per_law)) +
+         definition("cases per property", grouped(comparison.plan.cases_per_law)) +
          (options.empty() ? "" : definition("options", html(options.substr(1)))) + "</dl>\n";
 }
 
@@ -118,7 +118,7 @@ std::string compare_front(const Gate& gate, std::size_t number) {
   return text + "<div class=\"front\">\n<section>\n" +
          (worse.empty() ? "<p>No entry is worse than the baseline.</p>\n" : worse) +
          "</section>\n<aside>\n<h2>What was compared</h2>\n" + gate_facts(gate, comparison) +
-         "<h2>To take the new figures over</h2>\n<p><code>" + html(approve_command(gate)) +
+         "<h2>To accept the new numbers</h2>\n<p><code>" + html(approve_command(gate)) +
          "</code></p>\n</aside>\n</div>\n";
 }
 
@@ -126,10 +126,10 @@ std::string policy_section(const records::PolicyReview& review) {
   if (review.expired.empty() && review.unused.empty()) return "";
   std::string text = "<section>\n<h2>The policy</h2>\n<ul class=\"gaps\">\n";
   for (const std::string& line : review.expired) {
-    text += "<li>Expired, and allows nothing any more: " + html(line) + "</li>\n";
+    text += "<li>Expired: " + html(line) + "</li>\n";
   }
   for (const std::string& line : review.unused) {
-    text += "<li>Allows nothing that is worse, and may go: " + html(line) + "</li>\n";
+    text += "<li>Unused, so it can be removed: " + html(line) + "</li>\n";
   }
   return text + "</ul>\n</section>\n";
 }

@@ -40,7 +40,7 @@ std::string place_of_error(const WorstError& at) {
 std::string error_row(std::string_view whose, const WorstError& worst) {
   return "<tr>" + cell(std::string(whose)) + named_cell("where", place_of_error(worst)) +
          named_cell("exact", html(exact_text(worst.exact, kLongestExact))) +
-         named_cell("actual", actual_text(worst.actual)) +
+         named_cell("drawn", actual_text(worst.actual)) +
          number_cell("error, ULP", number_text(worst.error)) + "</tr>\n";
 }
 
@@ -57,14 +57,16 @@ std::string grown_value_name(const records::Inspection& inspection) {
 /// The case's largest error, before and now.
 std::string errors_of(const records::CaseGrowth& growth) {
   std::string text =
-      "<table class=\"worst-of\">\n<thead><tr><th>largest error</th><th>where</th><th>exact</th>"
-      "<th>actual</th><th class=\"number\">error<br><small>scale ULP</small></th></tr></thead>\n"
+      "<table class=\"worst-of\">\n"
+      "<thead><tr><th>largest error</th><th>where</th><th>exact</th><th>drawn</th><th "
+      "class=\"number\">error<br><small>scale ULP</small></th></tr></thead>\n"
       "<tbody>\n";
   if (growth.before) {
     text += error_row("baseline", *growth.before);
   } else {
     text +=
-        "<tr><td>baseline</td><td colspan=\"4\">no value was off, or none was judged</td></tr>\n";
+        "<tr><td>baseline</td><td colspan=\"4\">no value had an error, or none was "
+        "judged</td></tr>\n";
   }
   if (growth.after) text += error_row("now", *growth.after);
   return text + "</tbody>\n</table>\n";
@@ -88,7 +90,7 @@ std::string split_of(const CloserLook& look) {
   for (const records::ErrorSplit& split : look.inspection.splits) {
     if (split.attribute != look.inspection.attribute) continue;
     return fmt::format("<h4>The new error by stage{}</h4>\n{}",
-                       split.is_traced ? "" : " <small>as far as it can be told</small>",
+                       split.is_traced ? "" : " <small>as far as it is known</small>",
                        split_table(split));
   }
   return "";
@@ -125,7 +127,7 @@ std::string entry_link(const records::Comparison& comparison, std::size_t number
                             one.key.kind == growth.kind && one.key.stratum == growth.stratum;
                    });
   if (entry == comparison.entries.end()) return "";
-  return fmt::format("<p>Of the entry <a href=\"#{}\">{}</a>.</p>\n",
+  return fmt::format("<p>Entry: <a href=\"#{}\">{}</a>.</p>\n",
                      fmt::format("entry-{}-{}", number, entry - comparison.entries.begin()),
                      html(to_string(entry->key)));
 }
@@ -155,8 +157,8 @@ std::string growth_section(const Gate& gate, std::size_t number, std::size_t i) 
     text += subject_of(*look) + compare_pictures(*look, reach_of(growth)) + split_of(*look);
   } else {
     text +=
-        "<p class=\"missing\">There is no picture of it: it was not drawn again, or the drawing "
-        "is one that the law made of the case.</p>\n";
+        "<p class=\"missing\">No picture: the case was not drawn again, or the property "
+        "compares a changed copy of it, which is not kept.</p>\n";
   }
   return text + entry_link(comparison, number, growth) + commands_of(gate, comparison, growth) +
          "</details>\n";
@@ -182,9 +184,10 @@ std::string kept_sections(const Gate& gate, std::size_t number) {
     ++shown;
   }
   if (text.empty()) return "";
-  return "<section>\n<h2>Pixels that are others</h2>\n<p class=\"unit\">Of the parts of drawings "
-         "that "
-         "the baseline kept, those that changed most; whether for better or worse.</p>\n" +
+  return "<section>\n"
+         "<h2>Changed pixels</h2>\n"
+         "<p class=\"unit\">The parts of drawings kept in the baseline that changed most, for "
+         "better or worse.</p>\n" +
          text + "</section>\n";
 }
 

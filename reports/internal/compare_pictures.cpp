@@ -55,7 +55,7 @@ ShownPixel shown_error(const std::optional<float>& value, const std::optional<do
   if (!value) return {};
   if (error) return {step_class(*error), size_text(*error) + " ULP off"};
   if (!std::isfinite(*value)) return {"odd", fmt::format("{}", *value), true};
-  return {"odd", "drawn, with no exact value", true};
+  return {"odd", "drawn, without an exact value", true};
 }
 
 ShownPixel shown_before(const CropCell& cell) {
@@ -66,9 +66,9 @@ ShownPixel shown_after(const CropCell& cell) { return shown_error(cell.after, ce
 ShownPixel shown_change(const CropCell& cell) {
   if (!cell.change) return {};
   if (*cell.change == 0) return {"same", "same bits"};
-  if (!cell.before) return {"odd", "drawn now only", true};
-  if (!cell.after) return {"odd", "drawn then only", true};
-  if (std::isinf(*cell.change)) return {"odd", "no number on one side", true};
+  if (!cell.before) return {"odd", "drawn only now", true};
+  if (!cell.after) return {"odd", "drawn only in the baseline", true};
+  if (std::isinf(*cell.change)) return {"odd", "NaN or infinite in one drawing", true};
   return {step_class(*cell.change), size_text(*cell.change) + " ULP apart"};
 }
 
@@ -145,7 +145,7 @@ std::optional<double> largest(const std::vector<CropCell>& cells, const Number& 
 }
 
 std::string up_to(const std::optional<double>& most) {
-  return most ? fmt::format("up to {} ULP", size_text(*most)) : std::string("no number to show");
+  return most ? fmt::format("up to {} ULP", size_text(*most)) : std::string("no numbers to show");
 }
 
 /// "12 of 80 pixels that are drawn changed; 1 drawn in one of them only".
@@ -158,9 +158,9 @@ std::string change_summary(const std::vector<CropCell>& cells) {
   const auto once = count([](const CropCell& cell) {
     return cell.change && cell.before.has_value() != cell.after.has_value();
   });
-  std::string text = fmt::format("{} of {} changed", changed,
-                                 counted(drawn, "pixel that is drawn", "pixels that are drawn"));
-  if (once > 0) text += fmt::format("; {} drawn in one of them only", once);
+  std::string text =
+      fmt::format("{} of {} changed", changed, counted(drawn, "drawn pixel", "drawn pixels"));
+  if (once > 0) text += fmt::format("; {} drawn in only one of them", once);
   return text;
 }
 
@@ -172,8 +172,8 @@ std::string kept_pictures(const Frame& frame, const std::vector<CropCell>& cells
                  "Old errors, " + up_to(before), &shown_before) +
          picture(frame, cells, "New: how far values are off now, " + up_to(after),
                  "New errors, " + up_to(after), &shown_after) +
-         picture(frame, cells, "Difference, new from old: " + changes,
-                 "Difference of new and old: " + changes, &shown_change);
+         picture(frame, cells, "Difference, old to new: " + changes,
+                 "Difference between new and old: " + changes, &shown_change);
 }
 
 /// Pictures for a baseline without pixels: the new errors, and the certain part of the change.
@@ -194,9 +194,9 @@ std::string certain_pictures(const Frame& frame, const std::vector<CropCell>& ce
   const std::string most = up_to(largest(cells, least));
   return text + picture(frame, cells,
                         fmt::format("Difference, at least: no value of this case was more than {} "
-                                    "ULP off, so pixels changed by {} or more",
+                                    "ULP off, so pixels changed by at least this much: {}",
                                     size_text(reach), most),
-                        "Least difference of new and old, " + most, [&](const CropCell& cell) {
+                        "Least difference between new and old, " + most, [&](const CropCell& cell) {
                           const std::optional<double> size = least(cell);
                           if (!size) return shown_after(cell);
                           if (*size == 0) return ShownPixel{"same", "perhaps unchanged"};
@@ -262,15 +262,12 @@ std::string compare_pictures(const records::CloserLook& look,
 
 std::string picture_legend() {
   return "<div class=\"key-of-crops\">\n" + legend_svg(ulp_scale()) +
-         "<p><span class=\"swatch same\"></span> same bits, or perhaps unchanged "
-         "<span class=\"swatch\"></span> not drawn <span class=\"swatch odd\">×</span> drawn in "
-         "one "
-         "only, no number, or without an exact value <span class=\"swatch looked\"></span> the "
-         "pixel "
-         "in question. Each pixel says its number when it is pointed at; the triangle's exact "
-         "outline is drawn over them. Of several samples a pixel shows the one that changed "
-         "most.</p>"
-         "\n</div>\n";
+         "<p><span class=\"swatch same\"></span> same bits, or perhaps unchanged <span "
+         "class=\"swatch\"></span> not drawn <span class=\"swatch odd\">×</span> drawn in only "
+         "one, NaN or infinite, or without an exact value <span class=\"swatch looked\"></span> "
+         "the pixel in question. Point at a pixel to see its number. The triangle's exact outline "
+         "is drawn on top. A pixel with several samples shows the one that changed most.</p>\n"
+         "</div>\n";
 }
 
 std::string picture_style() {

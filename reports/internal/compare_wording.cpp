@@ -84,7 +84,7 @@ std::string verdict_sentence(const records::Comparison& comparison) {
       refused_ones > 0
           ? fmt::format("Regression: {} of {} worse than the baseline of {}", refused_ones,
                         counted_entries(comparison.entries.size()), to_string(comparison.key))
-          : fmt::format("No regression: {} held against the baseline of {}",
+          : fmt::format("No regression: {} compared with the baseline of {}",
                         counted_entries(comparison.entries.size()), to_string(comparison.key));
   std::string rest;
   const auto add = [&rest](std::uint64_t number, std::string_view what) {
@@ -101,15 +101,15 @@ std::string verdict_sentence(const records::Comparison& comparison) {
 
 std::string bits_sentence(const records::Comparison& comparison) {
   if (comparison.changed_cases == 0) {
-    return fmt::format("All {} gave the same, to the bit.",
+    return fmt::format("All {} drew the same bits.",
                        counted(comparison.compared_cases, "case", "cases"));
   }
   std::string text = fmt::format(
-      "{} of {} did not give the same bits; errors grew in {}.", grouped(comparison.changed_cases),
+      "{} of {} drew different bits; errors grew in {}.", grouped(comparison.changed_cases),
       counted(comparison.compared_cases, "case", "cases"), grouped(comparison.grown_cases));
   if (count_of(comparison, records::Change::worse) == 0 &&
       count_of(comparison, records::Change::better) == 0) {
-    text += " No figure changed: that is no regression.";
+    text += " No number changed, so this is not a regression.";
   }
   return text;
 }

@@ -38,7 +38,7 @@ std::string place_text(const records::CaseGrowth& growth, const records::WorstEr
 
 /// Labels of the lines about a case's outcome and about the number of wrong samples and values.
 inline constexpr std::string_view kOutcomeLine = "outcome: ";
-inline constexpr std::string_view kMismatchesLine = "came out wrong: ";
+inline constexpr std::string_view kMismatchesLine = "wrong samples and values: ";
 
 /// Lines with the sizes of both errors, exact and actual values, outcomes, and counts of wrong
 /// samples and values.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include "cases/json.h"
 #include "reports/internal/wording.h"
@@ -11,30 +12,51 @@
 namespace rastercheck::reports {
 namespace {
 
-/// "0.333333333" for "1/3", with the digits of float32. Empty if the text is not a fraction, or if
-/// its value is beyond the range of doubles.
-std::string decimal_of(const std::string& fraction) {
-  if (fraction.find_first_not_of("-0123456789/") != std::string::npos) return "";
-  const std::size_t slash = fraction.find('/');
-  double value = std::strtod(fraction.c_str(), nullptr);
-  if (slash != std::string::npos) value /= std::strtod(fraction.c_str() + slash + 1, nullptr);
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "";
+/// The finite number that starts at `at`; moves `at` to its end.
+std::optional<double> read_number(const char*& at) {
+  char* end = nullptr;
+  const double value = std::strtod(at, &end);
+  if (end == at || !std::isfinite(value)) return std::nullopt;
+  at = end;
+  return value;
+}
+
+/// The value of "1/3", "2" or "0.5 (0x1p-1)".
+std::optional<double> number_in(const std::string& text) {
+  const char* at = text.c_str();
+  const std::optional<double> numerator = read_number(at);
+  if (!numerator) return std::nullopt;
+  if (*at == '/') {
+    const std::optional<double> denominator = read_number(++at);
+    if (!denominator || *denominator == 0 || *at != '\0') return std::nullopt;
+    return *numerator / *denominator;
+  }
+  const bool is_all = *at == '\0' || std::string_view(at).starts_with(" (0x") ||
+                      std::string_view(at).starts_with(" (-0x");
+  return is_all ? numerator : std::nullopt;
 }
 
 }  // namespace
 
+std::optional<NumberRange> numbers_in(const std::string& text) {
+  const std::size_t comma = text.find(", ");
+  if (!text.starts_with('[') || !text.ends_with(']') || comma == std::string::npos) {
+    const std::optional<double> number = number_in(text);
+    return number ? std::optional(NumberRange{*number, *number}) : std::nullopt;
+  }
+  const std::optional<double> lo = number_in(text.substr(1, comma - 1));
+  const std::optional<double> hi = number_in(text.substr(comma + 2, text.size() - comma - 3));
+  return lo && hi ? std::optional(NumberRange{*lo, *hi}) : std::nullopt;
+}
+
 std::string exact_text(const std::string& exact, std::size_t most) {
   std::string text = most == 0 ? cases::printable(exact) : cases::printable(elided(exact, most));
   if (exact.find('/') == std::string::npos) return text;
-  const std::size_t comma = exact.find(", ");
-  if (!exact.starts_with('[') || !exact.ends_with(']') || comma == std::string::npos) {
-    const std::string decimal = decimal_of(exact);
-    return decimal.empty() ? text : fmt::format("{} (about {})", text, decimal);
-  }
-  const std::string low = decimal_of(exact.substr(1, comma - 1));
-  const std::string high = decimal_of(exact.substr(comma + 2, exact.size() - comma - 3));
-  if (low.empty() || high.empty()) return text;
-  return fmt::format("{} (about {} to {})", text, low, high);
+  const std::optional<NumberRange> numbers = numbers_in(exact);
+  if (!numbers) return text;
+  // Nine digits tell all float32 numbers apart.
+  if (!exact.starts_with('[')) return fmt::format("{} (about {:.9g})", text, numbers->lo);
+  return fmt::format("{} (about {:.9g} to {:.9g})", text, numbers->lo, numbers->hi);
 }
 
 }  // namespace rastercheck::reports

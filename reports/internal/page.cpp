@@ -89,14 +89,6 @@ std::string verdict_word(const LawSummary& row) {
                      verdict_sign(row.verdict), html(verdict_text(row)));
 }
 
-std::string verdict_mark(const LawSummary& row) {
-  const std::string why = records::why_not_checked(row);
-  const bool is_unchecked = row.verdict == LawVerdict::not_checked;
-  return fmt::format(R"(<span class="{}">{} {}{}</span>)", verdict_class(row.verdict),
-                     verdict_sign(row.verdict), html(verdict_text(row)),
-                     is_unchecked && !why.empty() ? "<br><small>" + html(why) + "</small>" : "");
-}
-
 std::string law_link(std::string_view law) { return "law=" + url_encoded(law); }
 std::string inspection_link(std::size_t inspection) {
   return fmt::format("inspection={}", inspection);

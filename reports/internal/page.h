@@ -26,8 +26,6 @@ std::string definition(std::string_view term, const std::string& content);
 std::string counted_spans(const std::map<std::string, std::uint64_t>& all);
 
 /// The verdict as a word, with a sign for readers who skim, and a class for its colour.
-std::string verdict_mark(const records::LawSummary& row);
-/// verdict_mark() without the reason why a law did not judge.
 std::string verdict_word(const records::LawSummary& row);
 /// The class for the verdict's colour.
 std::string_view verdict_class(records::LawVerdict verdict);

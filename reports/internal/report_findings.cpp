@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "reports/cause_text.h"
 #include "reports/commands.h"
 #include "reports/counterexample_text.h"
+#include "reports/finding_text.h"
 #include "reports/internal/html.h"
 #include "reports/internal/inspection_data.h"
 #include "reports/internal/page.h"
@@ -28,6 +30,7 @@ using records::Inspection;
 using records::Run;
 
 constexpr std::size_t kLongestValue = 160;    ///< characters
+constexpr std::size_t kLongestTitle = 240;    ///< characters
 constexpr std::size_t kMostData = 3'500'000;  ///< for the inspections in the page, in bytes
 
 std::string shortened_value(std::string_view text) {
@@ -78,28 +81,30 @@ std::string cause_of(const Inspection& inspection, const std::optional<std::uint
     if (!largest) return "";
     switch (*largest) {
       case records::Stage::left_open:
-        return "; most of it is what the <strong>contract leaves open</strong>";
+        return "; most of this error is <strong>allowed</strong>";
       case records::Stage::excess:
-        return "; most of it is <strong>beyond what the contract leaves open</strong>";
+        return "";
       default:
-        return fmt::format("; most of it is from <strong>{}</strong>", to_string(*largest));
+        return fmt::format("; most of this error is from <strong>{}</strong>", to_string(*largest));
     }
   }
   return "";
 }
 
-std::string value_sentence(const Inspection& inspection, const InspectedValue& value) {
-  std::string text =
-      fmt::format("<p class=\"finding\">{}: {} is exactly {}", place_of(inspection),
-                  name_of(inspection, value.attribute),
-                  value.exact.empty() ? "not defined" : shortened_value(value.exact));
+/// The exact value and the drawn one in full, after `start`.
+std::string value_sentence(const Inspection& inspection, const InspectedValue& value,
+                           const std::string& start) {
+  std::string text = fmt::format(
+      "<p class=\"finding\">{}{} is exactly {}", start, name_of(inspection, value.attribute),
+      value.exact.empty() ? "not defined" : shortened_value(value.exact));
   if (value.nearest && value.exact.find('/') != std::string::npos) {
     text += fmt::format(" ≈ {}", shortened_value(fmt::format("{}", *value.nearest)));
   }
   if (!value.actual) return text + ", and was not drawn.</p>\n";
-  text +=
-      fmt::format(", and was drawn as {} <small>{}</small>",
-                  shortened_value(fmt::format("{}", *value.actual)), cases::to_hex(*value.actual));
+  text += fmt::format(
+      ", and was drawn as {} <small>{}</small>",
+      shortened_value(std::isnan(*value.actual) ? "NaN" : fmt::format("{}", *value.actual)),
+      cases::to_hex(*value.actual));
   if (value.scale_error) {
     text +=
         fmt::format(": <strong>{} scale ULP</strong> off", html(number_text(value.scale_error)));
@@ -111,10 +116,18 @@ std::string value_sentence(const Inspection& inspection, const InspectedValue& v
 std::string sentence_of(const Inspection& inspection) {
   const InspectedSample* const sample = inspected_sample(inspection);
   if (sample == nullptr) return "";
+  // The heading of a counterexample names the place already.
+  const std::string start =
+      inspection.occasion == records::Occasion::counterexample ? "" : place_of(inspection) + ": ";
   for (const InspectedValue& value : sample->values) {
     const bool is_of_coverage = !inspection.attribute && inspection.splits.empty();
+    // A heading with "NaN" or "inf" says it all.
+    if (start.empty() && !is_of_coverage && value.attribute == inspection.attribute &&
+        value.actual && !std::isfinite(*value.actual)) {
+      return "";
+    }
     if (value.attribute == inspection.attribute && !is_of_coverage) {
-      return value_sentence(inspection, value);
+      return value_sentence(inspection, value, start);
     }
   }
   return coverage_sentence(inspection, *sample);
@@ -127,7 +140,10 @@ std::string splits_of(const Inspection& inspection) {
     if (inspection.attribute && split.attribute != inspection.attribute) continue;
     text += fmt::format(
         "<div>\n<h4>Error of {} by stage{}</h4>\n{}</div>\n", name_of(inspection, split.attribute),
-        split.is_traced ? "" : " <small>as far as it can be told</small>", split_table(split));
+        split.is_traced ? ""
+                        : " <small>(this backend does not report its stages: “left open” is what "
+                          "its contract allows, “excess” the rest)</small>",
+        split_table(split));
   }
   return text.empty() ? "" : "<div class=\"splits\">\n" + text + "</div>\n";
 }
@@ -140,13 +156,14 @@ struct Shown {
 };
 
 std::string inspection_of(const Shown& shown) {
-  std::string text = sentence_of(*shown.inspection) + splits_of(*shown.inspection);
+  std::string text = sentence_of(*shown.inspection);
   // Without the inspected sample, the viewer has nothing to select at first.
-  if (shown.data.empty() || inspected_sample(*shown.inspection) == nullptr) return text;
-  return text +
-         fmt::format(
-             "<div class=\"viewer-place\"></div>\n<script type=\"application/json\">{}</script>\n",
-             shown.data);
+  if (!shown.data.empty() && inspected_sample(*shown.inspection) != nullptr) {
+    text += fmt::format(
+        "<div class=\"viewer-place\"></div>\n<script type=\"application/json\">{}</script>\n",
+        shown.data);
+  }
+  return text + splits_of(*shown.inspection);
 }
 
 /// The start of a finding's section. `title` is HTML.
@@ -169,10 +186,10 @@ std::string violation_row(const records::Violation& violation, const cases::Case
   if (violation.has_place()) what += fmt::format(", {}", to_string(violation.kind));
   if (!violation.note.empty()) what += "<br><small>" + html(violation.note) + "</small>";
   return "<tr>" + cell(html(place_text(violation, source))) + cell(what) +
-         named_cell("exact", violation.has_place() ? shortened_value(violation.exact) : "–") +
-         named_cell("actual", violation.has_place() ? shortened_value(violation.actual) : "–") +
+         named_cell("must be", violation.has_place() ? shortened_value(violation.exact) : "–") +
+         named_cell("drawn", violation.has_place() ? shortened_value(violation.actual) : "–") +
          number_cell("error, ULP", number(violation.error)) +
-         number_cell("bound, ULP", number(violation.bound)) +
+         number_cell("allowed, ULP", number(violation.bound)) +
          number_cell("distance, pixels", number(violation.distance)) + "</tr>\n";
 }
 
@@ -183,9 +200,9 @@ std::string violations_of(const Counterexample& counterexample) {
           ? fmt::format(", the first {}:", counterexample.violations.size())
           : ":");
   text +=
-      "<table class=\"sortable\">\n<thead><tr><th>where</th><th>what</th><th>exact</th>"
-      "<th>actual</th><th class=\"number\">error<br><small>scale ULP</small></th>"
-      "<th class=\"number\">bound<br><small>scale ULP</small></th>"
+      "<table class=\"sortable\">\n<thead><tr><th>where</th><th>what</th><th>must be</th>"
+      "<th>drawn</th><th class=\"number\">error<br><small>scale ULP</small></th>"
+      "<th class=\"number\">allowed<br><small>scale ULP</small></th>"
       "<th class=\"number\">distance<br><small>pixels</small></th></tr></thead>\n<tbody>\n";
   for (const records::Violation& violation : counterexample.violations) {
     text += violation_row(violation, counterexample.source);
@@ -202,45 +219,83 @@ std::string close_up_of(const Counterexample& counterexample, bool has_viewer) {
   return text + "</pre>\n";
 }
 
-/// The state, vertices and triangles, written as on a terminal.
-std::string case_of(const cases::Case& source) {
-  return "<details class=\"case\"><summary>The case: state, vertices, triangles</summary>\n<pre>" +
-         html(case_text(source)) + "</pre></details>\n";
+/// The state, vertices and triangles, written as on a terminal. `origin` names the case that it was
+/// made from; may be empty.
+std::string case_of(const cases::Case& source, const std::string& origin, bool is_open) {
+  return fmt::format(
+      "<details class=\"case\"{}><summary>The case: state, vertices, "
+      "triangles</summary>\n<pre>{}</pre>"
+      "\n{}</details>\n",
+      is_open ? " open" : "", html(case_text(source)),
+      origin.empty() ? "" : fmt::format("<p><small>{}</small></p>\n", html(origin)));
+}
+
+/// The commands that help next: they need the folder that the page is in.
+std::string next_commands(const Run& run, const Counterexample& counterexample) {
+  const std::string file = records::file_of(counterexample);
+  std::string text = fmt::format(
+      "<dl class=\"next\">\n<div><dt>check it again</dt><dd><code>{}</code></dd></div>\n",
+      html(replay_command(run, file)));
+  const auto& violations = counterexample.violations;
+  if (!violations.empty() && violations.front().has_place()) {
+    records::WorstError place;
+    place.place = violations.front().place;
+    text += fmt::format("<div><dt>see how it comes about</dt><dd><code>{}</code></dd></div>\n",
+                        html(explain_command(run, file, place)));
+  }
+  return text + "</dl>\n";
+}
+
+/// The counterexample's fault in a line, or its verdict if nothing is known of a place.
+std::string title_of(const Counterexample& counterexample, const cases::Found& found) {
+  if (counterexample.violations.empty()) return found.verdict;
+  return finding_text(counterexample.violations.front(), counterexample.source);
 }
 
 std::string counterexample_section(const Run& run, const Counterexample& counterexample,
                                    const Shown* shown, bool is_open) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
-  std::string way = found.verdict;
-  for (const std::string& word : records::special_words(found)) way += ", " + word;
   std::string text = section_start(
       shown, "<span class=\"violated\">✗</span>",
-      fmt::format("<span class=\"title\">{}</span> <small>on {}: {}, case {}</small>",
-                  html(found.law), html(found.backend), html(way), found.index % records::kRedrawn),
+      fmt::format("<span class=\"title\">{}</span> <small>{}{}, case {}</small>",
+                  html(elided(title_of(counterexample, found), kLongestTitle)), html(found.law),
+                  run.plan.backends.size() == 1 ? "" : " on " + html(found.backend),
+                  found.index % records::kRedrawn),
       is_open);
-  if (!counterexample.source.name.empty()) {
-    // The name is that of the original case, and may no longer describe this one.
-    text += fmt::format("<p>{}“{}”</p>\n", counterexample.is_shrunk() ? "Made smaller from " : "",
-                        html(counterexample.source.name));
-  }
   if (shown != nullptr) text += inspection_of(*shown);
-  text += violations_of(counterexample);
   text += close_up_of(counterexample, shown != nullptr && !shown->data.empty());
-  text += case_of(counterexample.source);
-  return text + fmt::format("<p><code>{}</code></p>\n</details>\n",
-                            html(replay_command(run, records::file_of(counterexample))));
+  // The heading has the first violation.
+  const auto& violations = counterexample.violations;
+  if (counterexample.violation_count > 1 || violations.empty() || !violations.front().has_place()) {
+    text += violations_of(counterexample);
+  }
+  // The name is that of the original case, and may no longer describe this one.
+  const std::string& name = counterexample.source.name;
+  const std::string origin =
+      name.empty() ? ""
+                   : fmt::format("{} the case “{}”, whose name is no diagnosis of this backend.",
+                                 counterexample.is_shrunk() ? "Shrunk from" : "This is", name);
+  text += case_of(counterexample.source, origin, is_open);
+  return text + next_commands(run, counterexample) + "</details>\n";
 }
 
-/// Says what some counterexamples have in common, and what was tried on the first of them.
+/// Says what the counterexamples of a cause have in common, and what was tried on the first.
 std::string cause_heading(const Run& run, std::size_t index) {
   const records::Cause& cause = run.causes[index];
-  std::string text =
-      fmt::format("<h3>Cause {}: {}</h3>\n", index + 1, html(cause_line(run, cause)));
+  std::string text = fmt::format("<h3>{}. {}</h3>\n", index + 1, html(cause_line(run, cause)));
   if (cause.hint) text += "<p><b>Hint:</b> " + html(hint_text(cause)) + ".</p>\n";
-  if (cause.tried.empty()) return text;
-  text += "<p>Of the first:</p>\n<ul>\n";
-  for (const std::string& tried : cause.tried) text += "<li>it " + html(tried) + "</li>\n";
-  return text + "</ul>\n";
+  return text;
+}
+
+/// Lists the experiments on the first counterexample of a cause.
+std::string tried_of(const records::Cause& cause, bool is_open) {
+  if (cause.tried.empty()) return "";
+  std::string text = fmt::format(
+      "<details class=\"tried\"{}><summary>Experiments on its smallest "
+      "counterexample</summary>\n<ul>\n",
+      is_open ? " open" : "");
+  for (const std::string& tried : cause.tried) text += "<li>It " + html(tried) + "</li>\n";
+  return text + "</ul>\n</details>\n";
 }
 
 std::string worst_section(const Shown& shown) {
@@ -261,7 +316,25 @@ std::string worst_section(const Shown& shown) {
                                 what, error, html(inspection.backend), html(inspection.law)),
                     false);
   if (!inspection.source.name.empty()) text += "<p>“" + html(inspection.source.name) + "”</p>\n";
-  return text + inspection_of(shown) + case_of(inspection.source) + "</details>\n";
+  return text + inspection_of(shown) + case_of(inspection.source, "", false) + "</details>\n";
+}
+
+/// The run's inspections. Those of counterexamples in coverage show coverage: a sample that must
+/// not be drawn may have the right values.
+std::vector<Inspection> shown_inspections(const Run& run) {
+  std::vector<Inspection> all = run.inspections;
+  for (Inspection& inspection : all) {
+    if (inspection.occasion != records::Occasion::counterexample ||
+        inspection.counterexample >= run.counterexamples.size()) {
+      continue;
+    }
+    const auto& violations =
+        run.counterexamples[static_cast<std::size_t>(inspection.counterexample)].violations;
+    if (violations.empty() || violations.front().kind != records::AttributeKind::coverage) continue;
+    inspection.attribute.reset();
+    inspection.splits.clear();
+  }
+  return all;
 }
 
 const Shown* shown_of(const std::vector<Shown>& all, std::size_t counterexample) {
@@ -274,41 +347,55 @@ const Shown* shown_of(const std::vector<Shown>& all, std::size_t counterexample)
 
 }  // namespace
 
-std::string findings_of(const Run& run) {
-  std::vector<std::string> data = inspection_data(run.inspections, kMostData);
+Findings findings_of(const Run& run) {
+  const std::vector<Inspection> inspections = shown_inspections(run);
+  std::vector<std::string> data = inspection_data(inspections, kMostData);
   std::vector<Shown> all;
-  std::string worst;
-  for (std::size_t i = 0; i < run.inspections.size(); ++i) {
-    all.push_back({&run.inspections[i], i, std::move(data[i])});
-    if (run.inspections[i].occasion == records::Occasion::worst) worst += worst_section(all.back());
-  }
-  std::string text;
-  if (!run.counterexamples.empty()) {
-    text +=
-        "<section id=\"counterexamples\">\n<h2>Counterexamples</h2>\n<p class=\"unit\">One of each "
-        "law, backend and way to fail. Commands are for the folder that this file is in.</p>\n";
-    bool is_first = true;
-    const auto add = [&](std::size_t i) {
-      text += counterexample_section(run, run.counterexamples[i], shown_of(all, i), is_first);
-      is_first = false;
-    };
-    for (std::size_t i = 0; i < run.causes.size(); ++i) {
-      text += cause_heading(run, i);
-      for (const std::uint64_t place : run.causes[i].counterexamples) {
-        add(static_cast<std::size_t>(place));
-      }
+  Findings findings;
+  for (std::size_t i = 0; i < inspections.size(); ++i) {
+    all.push_back({&inspections[i], i, std::move(data[i])});
+    if (inspections[i].occasion == records::Occasion::worst) {
+      findings.worst += worst_section(all.back());
     }
-    for (const std::size_t i : without_cause(run)) add(i);
+  }
+  const auto section = [&](std::size_t i, bool is_open) {
+    return counterexample_section(run, run.counterexamples[i], shown_of(all, i), is_open);
+  };
+  std::string text;
+  const std::size_t causes = run.counterexamples.empty() ? 0 : run.causes.size();
+  for (std::size_t i = 0; i < causes; ++i) {
+    const std::vector<std::uint64_t>& of = run.causes[i].counterexamples;
+    text += "<section class=\"cause\">\n" + cause_heading(run, i) +
+            tried_of(run.causes[i], i == 0) + section(static_cast<std::size_t>(of.front()), i == 0);
+    std::string others;
+    for (std::size_t k = 1; k < of.size(); ++k) {
+      others += section(static_cast<std::size_t>(of[k]), false);
+    }
+    if (!others.empty()) {
+      text += fmt::format("<details class=\"others\"><summary>{}</summary>\n{}</details>\n",
+                          counted(of.size() - 1, "more counterexample", "more counterexamples"),
+                          others);
+    }
     text += "</section>\n";
   }
-  if (!worst.empty()) {
-    text +=
-        "<section id=\"worst\">\n<h2>Worst cases</h2>\n<p class=\"unit\">The largest error against "
-        "the exact triangle of each backend, kind and stratum, whether it violates a law or "
-        "not.</p>\n" +
-        worst + "</section>\n";
+  bool is_first = text.empty();
+  for (const std::size_t i : without_cause(run)) {
+    text += section(i, is_first);
+    is_first = false;
   }
-  return text;
+  if (!text.empty()) {
+    findings.counterexamples =
+        "<section id=\"counterexamples\">\n<h2>What is wrong</h2>\n" + text +
+        "<p class=\"unit\">Commands are for the folder that this page is in.</p>\n</section>\n";
+  }
+  if (!findings.worst.empty()) {
+    findings.worst =
+        "<section id=\"worst\">\n<h2>Largest errors</h2>\n<p class=\"unit\">Against the exact "
+        "triangle, one of each backend, kind and stratum. Most of such an error may be allowed: "
+        "what is wrong stands above.</p>\n" +
+        findings.worst + "</section>\n";
+  }
+  return findings;
 }
 
 }  // namespace rastercheck::reports

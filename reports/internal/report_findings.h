@@ -6,8 +6,12 @@
 
 namespace rastercheck::reports {
 
-/// The findings to look at: each counterexample and each worst case. Findings that were inspected
-/// include the viewer's data (internal/inspection_data.h). Empty if there are no findings.
-std::string findings_of(const records::Run& run);
+/// Sections of report.html; empty if they have nothing to show.
+struct Findings {
+  /// The causes, largest first, each with its counterexamples. The first counterexample is open.
+  std::string counterexamples;
+  std::string worst;  ///< the largest errors, right or wrong
+};
+Findings findings_of(const records::Run& run);
 
 }  // namespace rastercheck::reports

@@ -24,58 +24,10 @@ using records::LawSummary;
 using records::LawVerdict;
 using records::Run;
 
-/// Explains the terms in the table below.
+/// Explains the terms in the table.
 constexpr std::string_view kJudgedSentence =
-    "A backend is a rasterizer or driver, a case some triangles to draw, a sample a place of a "
-    "pixel that a triangle covers or not, a law what is true of every right drawing. Whatever was "
-    "drawn has been judged in exact arithmetic.";
-
-/// Sorts the rows that need attention to the front. Rows of equal urgency keep the order of the
-/// laws.
-std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
-  const auto rank = [](const LawSummary& row) {
-    switch (row.verdict) {
-      case LawVerdict::violated:
-        return 0;
-      case LawVerdict::known:
-        return 1;
-      case LawVerdict::thin:
-        return 2;
-      case LawVerdict::held:
-        return 3;
-      case LawVerdict::not_checked:
-        break;
-    }
-    return 4;
-  };
-  std::stable_sort(rows.begin(), rows.end(),
-                   [&rank](const LawSummary& a, const LawSummary& b) { return rank(a) < rank(b); });
-  return rows;
-}
-
-std::string table_of(const Run& run, const std::vector<LawSummary>& rows) {
-  // If the run has a single backend, the heading names it, so rows need not.
-  std::string text = fmt::format("<table class=\"verdicts sortable{}\">\n",
-                                 run.plan.backends.size() == 1 ? " of-one" : "");
-  text +=
-      "<thead><tr><th>law</th><th>backend</th>"
-      "<th>verdict</th><th class=\"number\">worst<br><small>scale ULP</small></th>"
-      "<th class=\"number\">p99<br><small>scale ULP</small></th>"
-      "<th class=\"number\">beyond<br>contract<br><small>scale ULP</small></th>"
-      "<th class=\"number\">cases</th><th class=\"number\">fragments</th>"
-      "<th class=\"number\">not<br>judged</th></tr></thead>\n<tbody>\n";
-  for (const LawSummary& row : by_urgency(rows)) {
-    const std::string law = fmt::format("<a href=\"#{}\">{}</a>", law_link(row.law), html(row.law));
-    text += "<tr>" + cell(law) + cell(html(row.backend)) + cell(verdict_word(row)) +
-            number_cell("worst ULP", number_text(row.ideal.worst)) +
-            number_cell("p99 ULP", at_most_text(row.ideal.p99)) +
-            number_cell("beyond contract", number_text(row.excess.worst)) +
-            number_cell("cases", grouped(row.cases.checked)) +
-            number_cell("fragments", grouped(row.judged.fragments)) +
-            number_cell("not judged", not_judged_share(row.judged)) + "</tr>\n";
-  }
-  return text + "</tbody>\n</table>\n";
-}
+    "Each property was checked on many small drawings (cases). Samples and values were compared "
+    "with the exact answer wherever the contract promises one.";
 
 /// How many answers each level of the oracle gave; empty if no such counts are known.
 std::string levels_of(const LawSummary& total) {
@@ -127,22 +79,31 @@ std::string figure(std::string_view term, const std::string& number, const std::
   return definition(term, fmt::format("<strong>{}</strong> <small>{}</small>", number, of));
 }
 
+/// The verdicts of a backend as signs and words.
+std::string verdicts_of(const Run& run, const std::vector<LawSummary>& rows,
+                        std::string_view backend) {
+  std::string text;
+  for (const VerdictCount& count : verdict_counts(run, rows, backend)) {
+    text +=
+        fmt::format("{}<span class=\"{}\">{} {}</span>", text.empty() ? "" : ", ",
+                    verdict_class(count.verdict), verdict_sign(count.verdict), html(count.text));
+  }
+  return text;
+}
+
 /// The result of each backend, if there are several.
-std::string backends_table(const std::vector<BackendFigures>& all) {
+std::string backends_table(const Run& run, const std::vector<LawSummary>& rows) {
   std::string text =
       "<table class=\"backends\">\n<thead><tr><th>backend</th><th>verdict</th>"
       "<th class=\"number\">worst error<br><small>scale ULP</small></th>"
-      "<th class=\"number\">p99 error<br><small>largest of a law</small></th>"
-      "<th class=\"number\">beyond contract<br><small>scale "
+      "<th class=\"number\">p99 error<br><small>largest of all</small></th>"
+      "<th class=\"number\">after allowances<br><small>scale "
       "ULP</small></th></tr></thead>\n<tbody>\n";
-  for (const BackendFigures& of : all) {
-    const LawVerdict verdict = records::verdict_of(of.rows);
-    text += "<tr>" + cell(html(of.backend)) +
-            cell(fmt::format("<span class=\"{}\">{} {}</span>", verdict_class(verdict),
-                             verdict_sign(verdict), html(verdict_sentence(of.rows)))) +
+  for (const BackendFigures& of : by_backend(run, rows)) {
+    text += "<tr>" + cell(html(of.backend)) + cell(verdicts_of(run, rows, of.backend)) +
             number_cell("worst error", number_text(of.worst)) +
             number_cell("p99 error", at_most_text(of.p99)) +
-            number_cell("beyond contract", number_text(of.excess)) + "</tr>\n";
+            number_cell("after allowances", number_text(of.excess)) + "</tr>\n";
   }
   return text + "</tbody>\n</table>\n";
 }
@@ -153,16 +114,16 @@ std::string run_figures(const Run& run, const std::vector<LawSummary>& rows,
   const records::Counts& counts = total.counts;
   std::string text =
       "<dl class=\"figures\">\n" +
-      figure("cases checked", grouped(total.cases.checked),
-             counted(rows.size(), "check", "checks")) +
+      figure("cases checked", grouped(total.cases.checked), "of all properties") +
       figure("samples judged", grouped(counts.required + counts.forbidden + counts.permitted),
              fmt::format("{} undecided", grouped(counts.undecided)));
   const std::vector<BackendFigures> all = by_backend(run, rows);
   if (all.size() == 1) {
     text += figure("worst error", number_text(all[0].worst), "scale ULP") +
-            figure("p99 error", at_most_text(all[0].p99), "scale ULP, the largest of a law");
+            figure("p99 error", at_most_text(all[0].p99), "scale ULP, the largest of a property") +
+            figure("after allowances", number_text(all[0].excess), "scale ULP, the worst");
   }
-  return text + "</dl>\n" + (all.size() > 1 ? backends_table(all) : "");
+  return text + "</dl>\n";
 }
 
 std::string facts_of(const LawSummary& total) {
@@ -191,14 +152,19 @@ std::string reasons_text(const LawSummary& row) {
   return text;
 }
 
+/// " on cpu"; empty if the run has no other backend.
+std::string on_text(const Run& run, const std::string& backend) {
+  return run.plan.backends.size() == 1 ? "" : " on " + backend;
+}
+
 /// Lists laws that held, but on too few cases to say much; empty if there are none.
-std::string thin_of(const std::vector<LawSummary>& rows) {
+std::string thin_of(const Run& run, const std::vector<LawSummary>& rows) {
   std::string text;
   for (const LawSummary& row : rows) {
     if (row.verdict != LawVerdict::thin) continue;
     const std::string why = reasons_text(row);
     text += fmt::format("<li>{}</li>\n",
-                        html(fmt::format("{} on {}: {}{}", row.law, row.backend,
+                        html(fmt::format("{}{}: {}{}", row.law, on_text(run, row.backend),
                                          records::thin_words(row), why.empty() ? "" : "; " + why)));
   }
   if (text.empty()) return "";
@@ -225,24 +191,76 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
   for (const LawSummary& row : rows) {
     if (row.verdict != LawVerdict::not_checked) continue;
     const std::string why = reasons_text(row);
-    laws[{row.backend, why.empty() ? "no case says anything of it" : why}].push_back(row.law);
+    laws[{row.backend, why.empty() ? "no case was made for it" : why}].push_back(row.law);
   }
   for (const auto& [reason, names] : laws) {
-    add(fmt::format("{} on {}: {}",
-                    names.size() == 1 ? names[0] : counted(names.size(), "", "laws"), reason.first,
-                    reason.second));
+    add(fmt::format("{}{}: {}",
+                    names.size() == 1 ? names[0] : counted(names.size(), "", "properties"),
+                    on_text(run, reason.first), reason.second));
   }
   const std::uint64_t permitted = totals(rows).counts.permitted;
   if (permitted > 0) {
-    add(counted(permitted, "sample was permitted either way: whatever was drawn is right",
-                "samples were permitted either way: whatever was drawn is right"));
+    add(counted(permitted, "sample", "samples") +
+        " may be drawn or not, as the contract leaves it open");
   }
   if (text.empty()) text = "<li>Nothing was left out.</li>\n";
   return "<section>\n<h2>Not checked</h2>\n<ul class=\"gaps\">\n" + text + "</ul>\n</section>\n";
 }
 
-/// The scene's result, with a preview of the drawing; empty if the run has no scene.
-std::string scene_of(const Run& run) {
+/// The known defects that a run saw, each with its reason; empty if there are none.
+std::string known_ways(const Run& run) {
+  std::string text;
+  for (const records::KnownSummary& known : records::known_defects(run)) {
+    if (known.cases == 0) continue;
+    text += fmt::format("<li>{} <small>({}, {})</small></li>\n", html(known.entry.reason),
+                        html(known.entry.id), counted(known.cases, "case", "cases"));
+  }
+  return text.empty() ? "" : "<p>Known defects that it shows:</p>\n<ul>\n" + text + "</ul>\n";
+}
+
+/// Names what was judged: backends, cases, scene.
+std::string judged_of(const Run& run) {
+  std::string text;
+  for (const std::string& backend : run.plan.backends) {
+    text += fmt::format("{}<b>{}</b>", text.empty() ? "" : ", ", html(backend));
+    const auto drawn_by = run.environment.find(records::drawn_by_key(backend));
+    if (drawn_by != run.environment.end()) text += fmt::format(" ({})", html(drawn_by->second));
+  }
+  text +=
+      fmt::format(" · {} of each property, seed {}",
+                  counted(run.plan.cases_per_law, "random case", "random cases"), run.plan.seed);
+  if (!run.plan.scene.empty()) text += " · scene " + html(run.plan.scene);
+  return text;
+}
+
+std::string_view mood_class(Mood mood) {
+  switch (mood) {
+    case Mood::good:
+      return "held";
+    case Mood::mixed:
+      return "mixed";
+    case Mood::bad:
+      break;
+  }
+  return "violated";
+}
+
+}  // namespace
+
+std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
+  std::string text = fmt::format(
+      "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n"
+      "<p class=\"judged\">{}</p>\n",
+      mood_class(mood_of(rows)), html(headline(run, rows)), judged_of(run));
+  if (run.plan.backends.size() == 1) {
+    text += fmt::format("<p>{}</p>\n", verdicts_of(run, rows, run.plan.backends[0]));
+  } else {
+    text += backends_table(run, rows);
+  }
+  return text + known_ways(run) + "</header>\n";
+}
+
+std::string scene_section(const Run& run) {
   if (run.scenes.empty()) return "";
   std::string text = "<section>\n<h2>The scene</h2>\n";
   for (const records::SceneResult& scene : run.scenes) {
@@ -257,32 +275,25 @@ std::string scene_of(const Run& run) {
   return text + "</section>\n";
 }
 
-/// Says how to repeat the run, and what it ran on.
-std::string again(const Run& run) {
-  std::string text = fmt::format(
-      "<section>\n<h2>To do it again</h2>\n<p><code>{}</code></p>\n<dl class=\"facts\">\n{}",
-      html(run_command(run)), definition("seed", std::to_string(run.plan.seed)));
-  for (const auto& [name, value] : run.environment) text += definition(html(name), html(value));
-  return text + "</dl>\n</section>\n";
+std::string judged_section(const Run& run, const std::vector<LawSummary>& rows) {
+  const LawSummary total = totals(rows);
+  return fmt::format("<section>\n<h2>What was judged</h2>\n<p class=\"unit\">{}</p>\n",
+                     html(kJudgedSentence)) +
+         run_figures(run, rows, total) +
+         fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) + facts_of(total) +
+         "</section>\n";
 }
 
-}  // namespace
+std::string gaps_section(const Run& run, const std::vector<LawSummary>& rows) {
+  return thin_of(run, rows) + gaps_of(run, rows);
+}
 
-std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
-  const LawSummary total = totals(rows);
-  return fmt::format(
-             "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n<p>{}</p>\n"
-             "</header>\n",
-             verdict_class(total.verdict), html(verdict_sentence(rows)), html(kJudgedSentence)) +
-         run_figures(run, rows, total) +
-         fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
-         "<div class=\"front\">\n<section>\n<h2>Every law on " +
-         (run.plan.backends.size() == 1 ? html(run.plan.backends[0])
-                                        : std::string("every backend")) +
-         "</h2>\n" + table_of(run, rows) +
-         fmt::format("<p class=\"unit\">{}</p>\n", html(kExcessSentence)) + facts_of(total) +
-         "</section>\n<aside>\n" + scene_of(run) + again(run) + thin_of(rows) + gaps_of(run, rows) +
-         "</aside>\n</div>\n";
+std::string again_section(const Run& run) {
+  std::string text = fmt::format(
+      "<section>\n<h2>To repeat this run</h2>\n<p><code>{}</code></p>\n<dl class=\"facts\">\n",
+      html(run_command(run)));
+  for (const auto& [name, value] : run.environment) text += definition(html(name), html(value));
+  return text + "</dl>\n</section>\n";
 }
 
 }  // namespace rastercheck::reports

@@ -6,10 +6,23 @@
 #include "records/run.h"
 #include "records/summary.h"
 
+// The parts of report.html that speak of the whole run.
+
 namespace rastercheck::reports {
 
-/// The first screen of report.html: the verdict, the figures of the whole run, every law on every
-/// backend, what was not checked, how to repeat the run, and where it ran.
+/// The headline: what was judged, whether it is right, how many causes, known defects.
 std::string front_of(const records::Run& run, const std::vector<records::LawSummary>& rows);
+
+/// The scene's result, with a preview of the drawing; empty if the run has no scene.
+std::string scene_section(const records::Run& run);
+
+/// How much was judged, and the largest errors, in large type.
+std::string judged_section(const records::Run& run, const std::vector<records::LawSummary>& rows);
+
+/// Lists what held on few cases or was not checked, and why.
+std::string gaps_section(const records::Run& run, const std::vector<records::LawSummary>& rows);
+
+/// How to repeat the run, and what it ran on.
+std::string again_section(const records::Run& run);
 
 }  // namespace rastercheck::reports

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "reports/internal/histogram_svg.h"
@@ -92,7 +94,7 @@ std::string reasons_list(const LawSummary& row) {
     text += fmt::format("<p class=\"labels\">{}: {}</p>\n", title, counted_spans(all));
   };
   add("Known defects", row.known);
-  add("Not of cases, because", row.not_applicable_because);
+  add("Does not apply to cases, because", row.not_applicable_because);
   return text;
 }
 
@@ -111,65 +113,77 @@ Limit limit_of(const records::Run& run, const LawSummary& row) {
   return {bound->hi, "bound"};
 }
 
-std::string backend_section(const records::Run& run, const LawSummary& row) {
-  std::string text =
-      fmt::format("<section class=\"backend\">\n<h3>{} <small>on {}</small></h3>\n<p>{}",
-                  html(row.law), html(row.backend), verdict_mark(row));
-  text += fmt::format(", {} checked", counted(row.cases.checked, "case", "cases"));
+/// Shows where a row's figures come from: histograms, strata, stages, classes, labels.
+std::string details_of(const records::Run& run, const LawSummary& row) {
+  std::string text = reasons_list(row);
   if (row.cases.not_applicable > 0) {
-    text += fmt::format(", {} more that it says nothing of", grouped(row.cases.not_applicable));
+    text += fmt::format("<p>The property does not apply to {}.</p>\n",
+                        counted(row.cases.not_applicable, "other case", "other cases"));
   }
-  text += "</p>\n" + reasons_list(row);
   if (row.ideal.values + row.excess.values > 0) {
     const Limit rounding{records::kRoundingError, "correct rounding"};
-    text +=
-        "<div class=\"charts\">\n" +
-        histogram_figure(row.ideal, "Against the exact triangle", rounding) +
-        histogram_figure(row.excess, "Beyond what the contract leaves open", limit_of(run, row)) +
-        "</div>\n" + worst_text(row.ideal) + precision_of(row);
+    text += "<div class=\"charts\">\n" +
+            histogram_figure(row.ideal, "Against the exact triangle", rounding) +
+            histogram_figure(row.excess, "After allowances", limit_of(run, row)) + "</div>\n" +
+            worst_text(row.ideal) + precision_of(row);
   }
-  text += stage_table(row);
-  return text + "<h4>Fragments and values by class</h4>\n" + classes_of(row.classes) +
-         labels_of(row) + "</section>\n";
+  return text + stage_table(row) + "<h4>Fragments and values by class</h4>\n" +
+         classes_of(row.classes) + labels_of(row);
 }
 
-/// The section of one law, which is given by its consecutive rows.
-std::string law_section(const records::Run& run, const LawSummary* first, const LawSummary* last) {
-  std::string verdicts;
-  bool is_violated = false;
-  for (const LawSummary* row = first; row != last; ++row) {
-    is_violated = is_violated || row->verdict == LawVerdict::violated;
-    verdicts +=
-        fmt::format(" <span class=\"{}\">{}</span> <small>{}</small>", verdict_class(row->verdict),
-                    verdict_sign(row->verdict), html(row->backend));
-  }
-  // The heading also shows the law's id, which tables and commands use.
-  const std::string& sentence = records::sentence_of(run, first->law);
-  const std::string id =
-      sentence == first->law ? "" : fmt::format(" <code>{}</code>", html(first->law));
-  std::string text = fmt::format(
-      "<details class=\"law\" id=\"{}\" data-law=\"{}\"{}>\n<summary><span "
-      "class=\"title\">{}</span>{}"
-      "{}</summary>\n",
-      law_link(first->law), html(first->law), is_violated ? " open" : "", html(sentence), id,
-      verdicts);
-  for (const LawSummary* row = first; row != last; ++row) text += backend_section(run, *row);
-  return text + "</details>\n";
+std::string number_cells(const LawSummary& row) {
+  return number_cell("worst ULP", number_text(row.ideal.worst)) +
+         number_cell("p99 ULP", at_most_text(row.ideal.p99)) +
+         number_cell("after allowances", number_text(row.excess.worst)) +
+         number_cell("cases", grouped(row.cases.checked)) +
+         number_cell("fragments", grouped(row.judged.fragments)) +
+         number_cell("not judged", not_judged_share(row.judged));
+}
+
+/// One property on one backend: a row of figures, and one that opens with all else. `is_first` is
+/// true for the first row of the property, which the address #law=… leads to.
+std::string property_rows(const records::Run& run, const LawSummary& row, bool is_first) {
+  const std::string& sentence = records::sentence_of(run, row.law);
+  std::string text =
+      fmt::format("<tbody>\n<tr>{}{}{}{}</tr>\n", cell(html(row.law)), cell(html(row.backend)),
+                  cell(verdict_word(row)), number_cells(row));
+  return text + fmt::format(
+                    "<tr class=\"more\"><td colspan=\"9\"><details class=\"law\"{} "
+                    "data-law=\"{}\">\n<summary>{}</summary>\n{}</details></td></tr>\n</tbody>\n",
+                    is_first ? fmt::format(" id=\"{}\"", law_link(row.law)) : std::string(),
+                    html(row.law), html(sentence), details_of(run, row));
 }
 
 }  // namespace
 
-std::string laws_of(const records::Run& run, const std::vector<LawSummary>& rows) {
+std::string properties_section(const records::Run& run, const std::vector<LawSummary>& all) {
+  std::vector<LawSummary> rows;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
+               [](const LawSummary& row) { return row.verdict != LawVerdict::not_checked; });
   if (rows.empty()) return "";
-  std::string text = "<section>\n<h2>Law by law</h2>\n";
-  if (has_precision(rows))
-    text += fmt::format("<p class=\"unit\">{}</p>\n", html(kPrecisionSentence));
-  const LawSummary* const end = rows.data() + rows.size();
-  for (const LawSummary* first = rows.data(); first != end;) {
-    const LawSummary* const next =
-        std::find_if(first, end, [first](const LawSummary& row) { return row.law != first->law; });
-    text += law_section(run, first, next);
-    first = next;
+  // The most urgent first; otherwise the order of the properties.
+  std::stable_sort(rows.begin(), rows.end(), [](const LawSummary& a, const LawSummary& b) {
+    return urgency(a.verdict) < urgency(b.verdict);
+  });
+  // If the run has a single backend, the heading names it, so rows need not.
+  std::string text = fmt::format(
+      "<section id=\"properties\">\n<h2>Properties</h2>\n<p class=\"unit\">{}</p>\n"
+      "<table class=\"verdicts sortable{}\">\n<thead><tr><th>property</th><th>backend</th>"
+      "<th>verdict</th><th class=\"number\">worst<br><small>scale ULP</small></th>"
+      "<th class=\"number\">p99<br><small>scale ULP</small></th>"
+      "<th class=\"number\">after<br>allowances<br><small>scale ULP</small></th>"
+      "<th class=\"number\">cases</th><th class=\"number\">fragments</th>"
+      "<th class=\"number\">not<br>judged</th></tr></thead>\n",
+      html(kExcessSentence), run.plan.backends.size() == 1 ? " of-one" : "");
+  std::set<std::string_view> named;
+  for (const LawSummary& row : rows) text += property_rows(run, row, named.insert(row.law).second);
+  text += "</table>\n";
+  if (has_precision(rows)) {
+    text += fmt::format(
+        "<details>\n<summary>How to read the tables of precision</summary>\n<p "
+        "class=\"unit\">{}</p>\n"
+        "</details>\n",
+        html(kPrecisionSentence));
   }
   return text + "</section>\n";
 }

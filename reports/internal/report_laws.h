@@ -8,8 +8,9 @@
 
 namespace rastercheck::reports {
 
-/// The part of report.html with the findings of each law on each backend. Violated laws are
-/// expanded.
-std::string laws_of(const records::Run& run, const std::vector<records::LawSummary>& rows);
+/// The part of report.html with a row for each property and backend that was checked, the most
+/// urgent first. Each row opens with histograms, strata, stages, classes and labels.
+std::string properties_section(const records::Run& run,
+                               const std::vector<records::LawSummary>& rows);
 
 }  // namespace rastercheck::reports

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 
 #include "records/share.h"
@@ -21,6 +22,18 @@ std::string noticed_text(const records::Power& power, records::Defect defect) {
   return fmt::format("{} <small>{} of {}</small>", share, grouped(noticed), grouped(drawings));
 }
 
+/// "435 drawings of gl:softpipe made wrong on purpose, 400 noticed", for each backend.
+std::string power_words(const std::map<std::string, records::Power>& backends) {
+  std::string text;
+  for (const auto& [backend, power] : backends) {
+    const records::Noticed sum = records::total(power);
+    text +=
+        fmt::format("{}{} of {} made wrong on purpose, {} noticed", text.empty() ? "" : "; ",
+                    counted(sum.drawings, "drawing", "drawings"), backend, grouped(sum.noticed));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string power_of(const std::vector<records::LawSummary>& rows) {
@@ -29,11 +42,12 @@ std::string power_of(const std::vector<records::LawSummary>& rows) {
   std::set<records::Defect> defects;
   std::string text = fmt::format(
       "<section id=\"power\">\n<h2>What this run would have noticed</h2>\n"
-      "<p class=\"unit\">Some drawings that were right were made wrong on purpose, and judged "
-      "again by the same contract: of so many each defect was noticed. Below {} drawings the share "
-      "says little; <code>--power</code> with a smaller number makes more.</p>\n"
-      "<table class=\"power sortable\">\n<thead><tr><th>defect</th>",
-      records::kEnoughDrawings);
+      "<p class=\"unit\">Some right drawings were made wrong on purpose and judged again under the "
+      "same contract. A share of fewer than {} drawings says little; <code>--power</code> with a "
+      "smaller number makes more.</p>\n"
+      "<details>\n<summary>{}</summary>\n<table class=\"power "
+      "sortable\">\n<thead><tr><th>defect</th>",
+      records::kEnoughDrawings, html(power_words(backends)));
   for (const auto& [backend, power] : backends) {
     text += fmt::format("<th class=\"number\">{}</th>", html(backend));
     for (const auto& [defect, noticed] : power) defects.insert(defect);
@@ -46,7 +60,7 @@ std::string power_of(const std::vector<records::LawSummary>& rows) {
     }
     text += "</tr>\n";
   }
-  return text + "</tbody>\n</table>\n</section>\n";
+  return text + "</tbody>\n</table>\n</details>\n</section>\n";
 }
 
 }  // namespace rastercheck::reports

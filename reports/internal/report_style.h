@@ -8,12 +8,12 @@ namespace rastercheck::reports {
 /// light or dark mode. Nothing is loaded from elsewhere.
 inline constexpr std::string_view kReportStyle = R"css(:root {
   --paper: #fbfbf9; --card: #ffffff; --ink: #1d2327; --muted: #5d666d; --line: #dcdfe0;
-  --accent: #3a6ea5; --good: #1f7a4d; --bad: #b3202c;
+  --accent: #3a6ea5; --good: #1f7a4d; --bad: #b3202c; --warn: #8a5a00;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --paper: #15181b; --card: #1d2125; --ink: #e6e8ea; --muted: #9aa4ac; --line: #343a40;
-    --accent: #78aee0; --good: #62c48f; --bad: #ff7a80;
+    --accent: #78aee0; --good: #62c48f; --bad: #ff7a80; --warn: #e3b341;
   }
 }
 * { box-sizing: border-box; }
@@ -59,7 +59,6 @@ figure { margin: 0; min-width: 0; }
 .pictures img.small { image-rendering: pixelated; }
 figcaption { font-size: .88rem; color: var(--muted); }
 .pictures figcaption { padding: .6rem .8rem; }
-.law { padding: 1.25rem 0; border-top: 1px solid var(--line); }
 svg { display: block; width: 100%; max-width: 34rem; height: auto; }
 svg rect { fill: var(--accent); } svg line { stroke: var(--muted); }
 svg .axis { fill: var(--muted); font-size: 10px; }
@@ -80,7 +79,7 @@ svg .axis { fill: var(--muted); font-size: 10px; }
   td.number::before, td.named::before {
     display: block; content: attr(data-name); color: var(--muted); font-size: .75rem;
   }
-  .verdicts td:nth-child(2), .verdicts td:nth-child(3) { grid-column: span 3; }
+  .verdicts > * > tr > td:nth-child(2), .verdicts > * > tr > td:nth-child(3) { grid-column: span 3; }
 }
 @media print { body { background: none; } section.law { break-inside: avoid; } }
 )css";

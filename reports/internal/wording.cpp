@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "cases/json.h"
 #include "records/share.h"
@@ -33,6 +35,36 @@ std::string rounded_up(double value, int digits) {
   std::from_chars(sign_skipped, text.data() + text.size(), exponent);
   const double unit = to_double(fmt::format("1e{}", exponent - digits + 1));
   return fmt::format("{:.{}g}", nearest + unit, digits);
+}
+
+/// The verdict as it follows "3 properties".
+std::string_view verdict_words(LawVerdict verdict) {
+  switch (verdict) {
+    case LawVerdict::violated:
+      return "violated";
+    case LawVerdict::known:
+      return "violated in known ways only";
+    case LawVerdict::thin:
+      return "held on few cases";
+    case LawVerdict::held:
+      return "held";
+    case LawVerdict::not_checked:
+      break;
+  }
+  return "not checked";
+}
+
+std::uint64_t count_of(const std::vector<LawSummary>& rows, LawVerdict verdict) {
+  return static_cast<std::uint64_t>(
+      std::count_if(rows.begin(), rows.end(),
+                    [verdict](const LawSummary& row) { return row.verdict == verdict; }));
+}
+
+/// The number of known defects that a run saw.
+std::uint64_t known_defect_count(const records::Run& run) {
+  const std::vector<records::KnownSummary> all = records::known_defects(run);
+  return static_cast<std::uint64_t>(std::count_if(
+      all.begin(), all.end(), [](const records::KnownSummary& known) { return known.cases > 0; }));
 }
 
 }  // namespace
@@ -106,34 +138,81 @@ std::string elided(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, start)) + "…" + std::string(text.substr(end));
 }
 
-std::string verdict_sentence(const std::vector<LawSummary>& rows) {
-  const auto count = [&rows](LawVerdict verdict) {
-    return std::count_if(rows.begin(), rows.end(),
-                         [verdict](const LawSummary& row) { return row.verdict == verdict; });
-  };
-  const auto violated = count(LawVerdict::violated);
-  const auto unchecked = count(LawVerdict::not_checked);
-  const auto known = count(LawVerdict::known);
-  const auto thin = count(LawVerdict::thin);
-  const std::string rest =
-      (known > 0 ? fmt::format("; {} violated in known ways only", known) : "") +
-      (thin > 0 ? fmt::format("; {} held thinly", thin) : "") +
-      (unchecked > 0 ? fmt::format("; {} not checked", unchecked) : "");
-  switch (records::verdict_of(rows)) {
+int urgency(LawVerdict verdict) {
+  switch (verdict) {
     case LawVerdict::violated:
-      return fmt::format("Violated: {} of {} checks{}.", violated, rows.size(), rest);
-    case LawVerdict::held:
-      return rest.empty() ? fmt::format("Held: all {} checks.", rows.size())
-                          : fmt::format("Held: {} of {} checks{}.", count(LawVerdict::held),
-                                        rows.size(), rest);
+      return 0;
     case LawVerdict::known:
-      return fmt::format("Violated in known ways only: {} of {} checks.", known, rows.size());
+      return 1;
     case LawVerdict::thin:
-      return fmt::format("Held thinly: {} of {} checks.", thin, rows.size());
+      return 2;
+    case LawVerdict::held:
+      return 3;
     case LawVerdict::not_checked:
       break;
   }
-  return "Nothing was checked.";
+  return 4;
+}
+
+std::vector<VerdictCount> verdict_counts(const records::Run& run,
+                                         const std::vector<LawSummary>& rows,
+                                         std::string_view backend) {
+  constexpr std::array kWorstFirst{LawVerdict::violated, LawVerdict::known, LawVerdict::thin,
+                                   LawVerdict::held, LawVerdict::not_checked};
+  std::vector<VerdictCount> counts;
+  for (const LawVerdict verdict : kWorstFirst) {
+    const auto count = static_cast<std::uint64_t>(std::count_if(
+        rows.begin(), rows.end(),
+        [&](const LawSummary& row) { return row.backend == backend && row.verdict == verdict; }));
+    if (count == 0) continue;
+    std::string text =
+        counts.empty() ? counted(count, "property", "properties") : std::to_string(count);
+    text += fmt::format(" {}", verdict_words(verdict));
+    if (verdict == LawVerdict::violated) {
+      const auto causes = static_cast<std::uint64_t>(
+          std::count_if(run.causes.begin(), run.causes.end(),
+                        [&](const records::Cause& cause) { return cause.backend == backend; }));
+      if (causes > 0) text += fmt::format(" ({})", counted(causes, "cause", "causes"));
+    }
+    counts.push_back({verdict, std::move(text)});
+  }
+  return counts;
+}
+
+Mood mood_of(const std::vector<LawSummary>& rows) {
+  const LawVerdict verdict = records::verdict_of(rows);
+  if (verdict == LawVerdict::violated) return Mood::bad;
+  if (verdict != LawVerdict::held || count_of(rows, LawVerdict::known) > 0) return Mood::mixed;
+  return 2 * count_of(rows, LawVerdict::held) > rows.size() ? Mood::good : Mood::mixed;
+}
+
+std::string headline(const records::Run& run, const std::vector<LawSummary>& rows) {
+  // With several backends a property counts once, with its worst verdict.
+  std::map<std::string_view, LawVerdict> worst;
+  for (const LawSummary& row : rows) {
+    LawVerdict& verdict = worst.try_emplace(row.law, row.verdict).first->second;
+    if (urgency(row.verdict) < urgency(verdict)) verdict = row.verdict;
+  }
+  const auto count = [&worst](LawVerdict verdict) {
+    return static_cast<std::uint64_t>(
+        std::count_if(worst.begin(), worst.end(),
+                      [verdict](const auto& entry) { return entry.second == verdict; }));
+  };
+  const std::string all = counted(worst.size(), "property", "properties");
+  if (const std::uint64_t violated = count(LawVerdict::violated); violated > 0) {
+    std::string text = fmt::format("{} of {} violated", violated, all);
+    if (!run.causes.empty()) text += ", " + counted(run.causes.size(), "cause", "causes");
+    return text;
+  }
+  if (const std::uint64_t known = count(LawVerdict::known); known > 0) {
+    return fmt::format("Nothing new: {} violated in {}", counted(known, "property", "properties"),
+                       counted(known_defect_count(run), "known way", "known ways"));
+  }
+  const std::uint64_t held = count(LawVerdict::held);
+  if (held > 1 && held == worst.size()) return fmt::format("All {} held", all);
+  if (held > 0) return fmt::format("{} of {} held", held, all);
+  const std::uint64_t thin = count(LawVerdict::thin);
+  return thin > 0 ? fmt::format("{} of {} held, on few cases", thin, all) : "Nothing was checked";
 }
 
 std::string not_judged_share(const records::Judged& judged) {
@@ -189,24 +268,6 @@ std::string place_text(const records::Violation& violation, const cases::Case& s
                 ? ", attribute " + cases::printable(source.attributes[attribute].name)
                 : fmt::format(", attribute {}", attribute);
   }
-  return text;
-}
-
-std::string violation_text(const records::Violation& violation, const cases::Case& source) {
-  constexpr std::size_t kLongestValue = 60;  // characters
-  if (!violation.has_place()) {
-    return fmt::format("{}: {}", to_string(violation.fragment_class), violation.note);
-  }
-  std::string text =
-      fmt::format("{} ({}) at {}; exact: {}; actual: {}", to_string(violation.fragment_class),
-                  to_string(violation.kind), place_text(violation, source),
-                  elided(violation.exact, kLongestValue), elided(violation.actual, kLongestValue));
-  if (violation.error) text += fmt::format("; error {} ULP", number_text(violation.error));
-  if (violation.bound) text += fmt::format(", bound {}", number_text(violation.bound));
-  if (violation.distance) {
-    text += fmt::format("; {} pixels from the boundary", number_text(violation.distance));
-  }
-  if (!violation.note.empty()) text += "; " + violation.note;
   return text;
 }
 

@@ -21,9 +21,11 @@ inline constexpr std::string_view kUnitSentence =
     "that a correctly rounded value is off by at most 0.5; depth counts the spacing at the "
     "greater end of the depth range.";
 inline constexpr std::string_view kExcessSentence =
-    "Worst and p99 are against the exact triangle, and 99 of 100 errors are at most p99; beyond "
-    "contract is the worst against all that the backend's contract leaves open, and is what its "
-    "bounds are held against.";
+    "Worst and p99 are errors against the exact triangle; 99 of 100 are at most p99. The worst "
+    "error "
+    "after allowances is what remains after everything that the backend's contract leaves open, "
+    "such "
+    "as snapping, and is what its limits apply to.";
 
 inline constexpr std::string_view kPrecisionSentence =
     "Precision is against the exact triangle. Min and max are the largest errors below and above "
@@ -67,8 +69,30 @@ std::string_view stratum_text(const records::Precision& precision);
 /// whole.
 std::string elided(std::string_view text, std::size_t most);
 
-/// "Violated: 2 of 12 checks." A check is one law on one backend.
-std::string verdict_sentence(const std::vector<records::LawSummary>& rows);
+/// The rank of a verdict in tables, the most urgent first: 0 for a violated property.
+int urgency(records::LawVerdict verdict);
+
+/// How many properties of a backend have one verdict: "2 properties violated (3 causes)". The
+/// first of several parts names what is counted, the others do not: "40 held".
+struct VerdictCount {
+  records::LawVerdict verdict = records::LawVerdict::held;
+  std::string text;
+};
+/// The verdicts of one backend, the worst first.
+std::vector<VerdictCount> verdict_counts(const records::Run& run,
+                                         const std::vector<records::LawSummary>& rows,
+                                         std::string_view backend);
+
+/// Sums up a run in one line, without a full stop: "2 of 46 properties violated, 3 causes".
+std::string headline(const records::Run& run, const std::vector<records::LawSummary>& rows);
+
+/// The impression that a headline should make.
+enum class Mood {
+  good,   ///< more than half of all rows held, and none was violated, not even in known ways
+  mixed,  ///< nothing new is wrong, but little was judged or defects are known
+  bad,    ///< something is wrong
+};
+Mood mood_of(const std::vector<records::LawSummary>& rows);
 
 /// "violated in 3 cases", "known in 2 cases", "held", "not checked".
 std::string verdict_text(const records::LawSummary& row);
@@ -84,9 +108,5 @@ bool has_precision(const std::vector<records::LawSummary>& rows);
 
 /// "triangle 0, pixel (3, 5), sample 0, attribute u"; "–" if there is no place.
 std::string place_text(const records::Violation& violation, const cases::Case& source);
-
-/// The class, the place, the exact and the drawn value, the error, and the law's note. If there is
-/// no place, only the class and the note. On one line if the note is. Long values are elided.
-std::string violation_text(const records::Violation& violation, const cases::Case& source);
 
 }  // namespace rastercheck::reports

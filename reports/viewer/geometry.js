@@ -2,6 +2,7 @@
 
 const kMargin = { left: 30, top: 6, right: 6, bottom: 22 };
 const kLargestPixel = 72;
+const kSmallPicture = 360; // height up to which few pixels are drawn larger, CSS pixels
 
 /** How much of a pixel's side one of its samples is drawn with. */
 const kSides = { 1: 1, 2: 0.5, 4: 0.42, 8: 0.27, 16: 0.19 };
@@ -13,7 +14,7 @@ const kSides = { 1: 1, 2: 0.5, 4: 0.42, 8: 0.27, 16: 0.19 };
 export function geometryOf(inspection, room) {
   const { left, top, width, height, pattern } = inspection;
   const across = room - kMargin.left - kMargin.right;
-  const pixel = Math.max(4, Math.min(across / width, kLargestPixel));
+  const pixel = Math.max(4, Math.min(across / width, Math.max(kLargestPixel, kSmallPicture / height)));
   const isUp = inspection.rules === 'opengl'; // window y points up there
   const x = (u) => kMargin.left + (u - left) * pixel;
   const y = (v) => kMargin.top + (isUp ? top + height - v : v - top) * pixel;

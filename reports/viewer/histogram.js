@@ -40,7 +40,7 @@ const share = (part, whole) => {
 
 function spokenOf(bar, data, total, bars) {
   const below = data.zero + d3.sum(bars.filter((b) => b.to <= bar.to), (b) => b.count);
-  if (bar.to === Infinity) return `${bar.count.toLocaleString('en')} values off by more than 2^40 scale ULP`;
+  if (bar.to === Infinity) return `${bar.count.toLocaleString('en')} values with errors above 2^40 scale ULP`;
   const range = bar.from === 0 && bar.to === 0 ? 'error 0' : `error ≤ ${brief(bar.to)} scale ULP`;
   return `${bar.count.toLocaleString('en')} values in this bar; ${range}: ${share(below, total)} of all`;
 }

@@ -9,9 +9,9 @@ const kReasons = {
   inside: 'strictly inside every edge',
   tie: 'exactly on an edge: the tie rule decides',
   snapping: 'inside for some placements of the snapped vertices only',
-  'clip edge': 'close to an edge that clipping made or moved',
-  'w <= 0': 'close to an edge that was cut as some w ≤ 0',
-  depth: 'which fragment is nearest is left open',
+  'clip edge': 'close to an edge that clipping created or moved',
+  'w <= 0': 'close to an edge that was cut because some w ≤ 0',
+  depth: 'it is left open which fragment is nearest',
   outside: 'beyond an edge',
   clipped: 'beyond a clip plane',
   viewport: 'outside the viewport, scissor or target',
@@ -46,9 +46,9 @@ function valueFacts(value) {
     facts.push(fact('exact, nearest double', code(String(value.nearest))));
   }
   if (value.hex === null) {
-    facts.push(fact('actual', 'not drawn'));
+    facts.push(fact('drawn', 'not drawn'));
   } else {
-    facts.push(fact('actual', code(shortestFloat32(value.actual)), ' ',
+    facts.push(fact('drawn', code(shortestFloat32(value.actual)), ' ',
       note(`${value.hex} = ${bitsOf(value.actual)}`)));
   }
   return facts;
@@ -57,7 +57,7 @@ function valueFacts(value) {
 const kUnits = {
   scaleError: ['error, scale ULP', 'in float32 spacings at the largest vertex value'],
   localError: ['error, local ULP', 'in float32 spacings at the exact value'],
-  excess: ['beyond contract', 'scale ULP outside of what the contract leaves open'],
+  excess: ['after allowances', 'scale ULP beyond what the contract allows'],
   kappa: ['κ', 'how relative errors of the weights are amplified'],
   kappaD: ['κ_D', 'how much cancellation the weights went through'],
 };

@@ -46,7 +46,7 @@ function ofView(inspection, view, attribute) {
   if (view === 'difference') {
     const most = largestDifference(inspection, attribute);
     const colour = differenceColours(1);
-    return [ramp(-most, most, (t) => colour(2 * t - 1), 'actual − exact'),
+    return [ramp(-most, most, (t) => colour(2 * t - 1), 'drawn − exact'),
       ...oddItems(inspection)];
   }
   const values = ramp(...rangeOf(inspection, attribute), d3.interpolateViridis, 'value');
@@ -57,5 +57,5 @@ function ofView(inspection, view, attribute) {
 /** The legend of a view. */
 export function legendOf(inspection, view, attribute) {
   const target = element('span', { class: 'target-sign', 'aria-hidden': 'true' });
-  return [...ofView(inspection, view, attribute), item(target, 'what was looked for')];
+  return [...ofView(inspection, view, attribute), item(target, 'the sample in question')];
 }

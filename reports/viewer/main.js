@@ -41,7 +41,7 @@ function stateOf(link) {
 }
 
 function openSection(section) {
-  section.open = true;
+  for (let node = section; node; node = node.parentElement?.closest('details')) node.open = true;
   section.scrollIntoView();
 }
 

@@ -22,12 +22,17 @@ function compare(a, b) {
   return a < b ? -1 : a > b ? 1 : 0;
 }
 
-/** Sorts a table's rows by a column; equal ones stay as they are. */
+/** Sorts a table by a column: its bodies, if a body is a row with its details, or else its rows. Equal ones stay. */
 function sortBy(table, column, direction, numeric) {
-  const body = table.tBodies[0];
-  const rows = [...body.rows].map((row) => ({ row, key: keyOf(row.cells[column], numeric) }));
-  rows.sort((a, b) => direction * compare(a.key, b.key));
-  body.append(...rows.map(({ row }) => row));
+  const bodies = [...table.tBodies];
+  const isByBody = bodies.length > 1 || bodies[0].querySelector(':scope > tr.more') !== null;
+  const parts = isByBody ? bodies : [...bodies[0].rows];
+  const keyed = parts.map((part) => {
+    const row = part.rows ? part.rows[0] : part;
+    return { part, key: keyOf(row.cells[column], numeric) };
+  });
+  keyed.sort((a, b) => direction * compare(a.key, b.key));
+  (isByBody ? table : bodies[0]).append(...keyed.map(({ part }) => part));
 }
 
 /** Makes the headers of a table sort it. Numbers come largest first. */

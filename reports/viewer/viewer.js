@@ -8,7 +8,7 @@ import { Picture } from './picture.js';
 import { kViews } from './views.js';
 
 const kLeastRoom = 240; // CSS pixels
-const kKeys = 'Arrow keys move, S takes the pixel’s next sample, Enter pins, Escape lets go.';
+const kKeys = 'Arrow keys move, S selects the pixel’s next sample, Enter pins, Escape unpins.';
 
 /**
  * @typedef {object} State
@@ -131,7 +131,7 @@ export class Viewer {
     });
     this.swipeRow = element('p', { class: 'swipe' },
       element('span', { 'aria-hidden': 'true' }, 'expected'), this.swipe,
-      element('label', { for: id }, 'actual',
+      element('label', { for: id }, 'drawn',
         element('span', { class: 'unseen' }, ': percent of the picture that shows expected values')));
     return this.swipeRow;
   }
@@ -147,10 +147,10 @@ export class Viewer {
     const { samples } = this.inspection;
     const odd = samples.filter(isOdd);
     const next = () => odd[(odd.indexOf(this.current()) + 1) % odd.length];
-    const jumps = [jump('Looked for', () => sampleAt(this.inspection, this.inspection.x,
+    const jumps = [jump('Sample in question', () => sampleAt(this.inspection, this.inspection.x,
       this.inspection.y, this.inspection.sample)),
     jump('Largest error', () => worstOf(this.inspection, this.state.attribute))];
-    if (odd.length > 0) jumps.push(jump(`Next oddity (${odd.length})`, next));
+    if (odd.length > 0) jumps.push(jump(`Next wrong sample (${odd.length})`, next));
     const row = element('p', { class: 'jumps' }, 'Go to: ', ...jumps);
     if (this.inspection.pattern.length > 1) row.append(this.buildSamples());
     return row;

@@ -8,7 +8,7 @@ import { errorSign, errorStep, inkOn, kOddFill, kOddInk } from './palette.js';
 export const kViews = [
   ['coverage', 'Coverage'],
   ['expected', 'Expected'],
-  ['actual', 'Actual'],
+  ['actual', 'Drawn'],
   ['compare', 'Compare'],
   ['difference', 'Difference'],
   ['ulp', 'ULP'],

@@ -228,7 +228,7 @@ TEST(AppendedDrawing, RefusesRecordsOfNoTriangle) {
     };
     const auto all = drawn(numbered(3), driver, kBoth, false);
     ASSERT_FALSE(all) << number;
-    EXPECT_THAT(all.error().reason, HasSubstr("a flat number came out as"));
+    EXPECT_THAT(all.error().reason, HasSubstr("a flat triangle number was drawn as"));
   }
 }
 
@@ -240,7 +240,7 @@ TEST(AppendedDrawing, RefusesOtherSamplesInASecondDraw) {
   };
   const auto all = drawn(numbered(3), driver, kOneEach, false);
   ASSERT_FALSE(all);
-  EXPECT_THAT(all.error().reason, HasSubstr("covers other samples"));
+  EXPECT_THAT(all.error().reason, HasSubstr("covered other samples"));
 }
 
 // Only the judge decides about a fragment outside the target.

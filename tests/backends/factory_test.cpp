@@ -32,7 +32,7 @@ TEST(BackendFactory, NamesWhatThereIsWhereAskedForSomethingElse) {
   const auto none = make_backend("gpu:fast");
   ASSERT_FALSE(none);
   EXPECT_THAT(to_string(none.error()),
-              testing::StartsWith("gpu:fast: no backend of that name; there are: cpu, "));
+              testing::StartsWith("gpu:fast: unknown backend; backends: cpu, "));
   EXPECT_THAT(to_string(none.error()), testing::HasSubstr(", method"));
   EXPECT_FALSE(make_backend("method:magic"));
   EXPECT_FALSE(make_backend("cpu:magic=1"));

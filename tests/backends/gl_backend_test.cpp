@@ -415,7 +415,7 @@ TEST(GlBackendOptions, AreThoseThatThereAre) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().failure, Failure::refused);
   EXPECT_EQ(to_string(made.error()),
-            "gl:magic: no option 'magic'; there are: llvmpipe, softpipe, gles");
+            "gl:magic: unknown option 'magic'; options: llvmpipe, softpipe, gles");
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(GuardedArrayDeathTest, IsNotWrittenWhereItMayOnlyBeRead) {
         volatile std::byte* nothing = nullptr;
         *nothing = std::byte{1};
       },
-      testing::KilledBySignal(SIGSEGV), "the plugin touched address 0x0, which is none");
+      testing::KilledBySignal(SIGSEGV), "the plugin touched address 0x0, which is in none");
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST(Isolation, HasTheBackendsOwnErrors) {
   const auto none = make_isolated_backend("cpu:magic=1", isolation());
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().failure, Failure::refused);
-  EXPECT_THAT(to_string(none.error()), HasSubstr("cpu has no option 'magic=1'"));
+  EXPECT_THAT(to_string(none.error()), HasSubstr("unknown option 'magic=1'"));
 }
 
 TEST(Isolation, TellsHowAProcessEndedAndWhatItSaid) {
@@ -82,19 +82,18 @@ TEST(Isolation, TellsHowAProcessEndedAndWhatItSaid) {
   EXPECT_EQ(killed.error().failure, Failure::unavailable);
   // Standard output belongs to the channel, so only text on standard error is heard.
   EXPECT_EQ(to_string(killed.error()),
-            "some: its process ended by signal Segmentation fault when it was started; its last "
-            "words: words");
+            "some: its process was killed by signal Segmentation fault while starting; its last "
+            "output: words");
   const auto ended = make_isolated_backend("some", script("exit 3"));
   ASSERT_FALSE(ended);
-  EXPECT_EQ(to_string(ended.error()),
-            "some: its process ended with exit code 3 when it was started");
+  EXPECT_EQ(to_string(ended.error()), "some: its process ended with exit code 3 while starting");
 }
 
 TEST(Isolation, WaitsNoLongerThanItMay) {
   const auto hung = make_isolated_backend("some", script("sleep 1000; true"));
   ASSERT_FALSE(hung);
   EXPECT_THAT(to_string(hung.error()),
-              HasSubstr("was silent for 0.3 s (--timeout) when it was started"));
+              HasSubstr("did not answer within 0.3 s (--timeout) while starting"));
 }
 
 // Kills: a pipe that nobody reads, whose writer waits forever.
@@ -152,7 +151,7 @@ TEST(Isolation, StartsAnewAfterACrash) {
     EXPECT_EQ(lost.error().failure, Failure::crash);
     // The process may have taken a moment to end.
     EXPECT_THAT(to_string(lost.error()),
-                testing::StartsWith("cpu: its process ended by signal Killed "));
+                testing::StartsWith("cpu: its process was killed by signal Killed "));
     EXPECT_FALSE((*backend)->is_lost());
   }
 }
@@ -195,8 +194,8 @@ TEST(Isolation, GivesUpWhatComesToNothingAgainAndAgain) {
   }
   EXPECT_EQ(crashes, 20);
   EXPECT_THAT(to_string(*(*backend)->is_lost()),
-              HasSubstr("cpu: not drawn, after 20 crashes in a row and 0 hangs; of the last: its "
-                        "process ended with exit code 5 when it was started"));
+              HasSubstr("cpu: not drawn after 20 crashes in a row and 0 hangs; the last one: its "
+                        "process ended with exit code 5 while starting"));
   // The backend still tries if it is asked again, and is then no longer given up.
   mortal.allow();
   EXPECT_TRUE((*backend)->draw(wide_case(16)));
@@ -215,7 +214,8 @@ TEST(Isolation, OfADrawingThatTakesTooLongIsAHang) {
   const auto hung = (*backend)->draw(c);
   ASSERT_FALSE(hung);
   EXPECT_EQ(hung.error().failure, Failure::hang);
-  EXPECT_THAT(to_string(hung.error()), HasSubstr("was silent for 2 s (--timeout) while it drew"));
+  EXPECT_THAT(to_string(hung.error()),
+              HasSubstr("did not answer within 2 s (--timeout) while drawing"));
 }
 
 }  // namespace

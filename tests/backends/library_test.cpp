@@ -103,7 +103,7 @@ TEST(PluginContract, LacksWhatItSaysAndNothingElse) {
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_CLAMP, [](Case& c) { c.depth_clamp = true; }),
             "depth clamp");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_RANGE, [](Case& c) { c.viewport.max_depth = 0.5F; }),
-            "depth ranges but 0 to 1");
+            "depth ranges other than 0 to 1");
   EXPECT_EQ(
       lacking(RASTERCHECK_LACKS_DEPTH_TEST, [](Case& c) { c.depth_test = cases::DepthTest::less; }),
       "the depth test");
@@ -112,11 +112,11 @@ TEST(PluginContract, LacksWhatItSaysAndNothingElse) {
                       c.depth_test = cases::DepthTest::less;
                       c.depth_clear = 0.5F;
                     }),
-            "depth buffers that begin with anything but 1");
+            "depth buffers cleared to values other than 1");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_SIDE_CLIPPING, [](Case& c) { c.positions[1].x = 1.5F; }),
             "vertices beyond the viewport's sides");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_VIEWPORT, [](Case& c) { c.viewport.height = -4; }),
-            "viewports but the whole framebuffer");
+            "viewports other than the whole framebuffer");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_SCISSOR, [](Case& c) { c.scissor = cases::Scissor(); }),
             "scissors");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_CULLING, [](Case& c) { c.cull = cases::Cull::back; }),
@@ -191,10 +191,9 @@ TEST(Plugin, IsDescribedInALine) {
   plugin.contract.subpixel_bits = 8;
   plugin.contract.smooth.per_condition = 1;
   plugin.contract.lacks = RASTERCHECK_LACKS_FLAT | RASTERCHECK_LACKS_CULLING;
-  EXPECT_EQ(
-      describe(plugin),
-      "mine 2.5: coverage snapped to 8 subpixel bits, smooth values within 0.5 and more scale "
-      "ULP; not: culling, flat attributes");
+  EXPECT_EQ(describe(plugin),
+            "mine 2.5: coverage snapped to 8 subpixel bits, smooth values within 0.5 and more "
+            "scale ULP; not supported: culling, flat attributes");
 }
 
 uint32_t draw_nothing(const rastercheck_draw* /*draw*/, rastercheck_output* /*output*/) {
@@ -238,15 +237,15 @@ TEST(Plugin, MayHaveMoreMembersButNotFewer) {
   EXPECT_EQ(checked->contract.max_attributes, 7U);
   structs.plugin.size = sizeof(rastercheck_plugin) - 8;
   EXPECT_EQ(structs.problem(),
-            "plugin:x.so: its rastercheck_plugin's `size` is not sizeof(rastercheck_plugin), its "
-            "first member");
+            "plugin:x.so: the first member of its rastercheck_plugin, `size`, is not "
+            "sizeof(rastercheck_plugin)");
   structs.plugin.size = 0;
   EXPECT_NE(structs.problem(), "");
   structs.plugin.size = sizeof(rastercheck_plugin);
   structs.contract.size = 8;
-  EXPECT_EQ(structs.problem(),
-            "plugin:x.so: its contract's `size` is not sizeof(rastercheck_contract), its first "
-            "member");
+  EXPECT_EQ(
+      structs.problem(),
+      "plugin:x.so: the first member of its contract, `size`, is not sizeof(rastercheck_contract)");
 }
 
 TEST(Plugin, SaysWhatCanBeSaid) {
@@ -256,27 +255,28 @@ TEST(Plugin, SaysWhatCanBeSaid) {
     return structs.problem();
   };
   EXPECT_EQ(problem_of([](Structs& s) { s.plugin.abi = 2; }),
-            "plugin:x.so: it was made for plugin ABI 2, and this RasterCheck has ABI 1: compile it "
-            "with this one's rastercheck/plugin.h");
+            "plugin:x.so: it was compiled for plugin ABI 2, but this RasterCheck has ABI 1; "
+            "compile it with this version's rastercheck/plugin.h");
   const std::string null =
-      "plugin:x.so: a null pointer is its rastercheck_plugin's name, version, contract or draw";
+      "plugin:x.so: the name, version, contract or draw of its rastercheck_plugin is a null "
+      "pointer";
   EXPECT_EQ(problem_of([](Structs& s) { s.plugin.name = nullptr; }), null);
   EXPECT_EQ(problem_of([](Structs& s) { s.plugin.draw = nullptr; }), null);
   const std::string contract = "plugin:x.so: its contract's ";
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.subpixel_bits = 17; }),
-            contract + "subpixel_bits is 17, which has to be from 0 to 16");
+            contract + "subpixel_bits is 17, but must be from 0 to 16");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.tie_rule = 4; }),
-            contract + "tie_rule is 4, which has to be from 0 to 3");
+            contract + "tie_rule is 4, but must be from 0 to 3");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 19U; }),
-            contract + "lacks is 524288, which has to be from 0 to 524287");
+            contract + "lacks is 524288, but must be from 0 to 524287");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.depth_format = 5; }),
-            contract + "depth_format is 5, which has to be from 0 to 4");
+            contract + "depth_format is 5, but must be from 0 to 4");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.position_error = -1; }),
-            contract + "position_error is -1, which has to be from 0 to 65536");
+            contract + "position_error is -1, but must be from 0 to 65536");
   EXPECT_EQ(problem_of([](Structs& s) {
               s.contract.depth.constant = std::numeric_limits<float>::quiet_NaN();
             }),
-            contract + "depth is nan, which has to be from 0 to 3.5e+38");
+            contract + "depth is nan, but must be from 0 to 3.5e+38");
   EXPECT_EQ(checked_plugin(nullptr, "x.so").error().reason,
             "rastercheck_plugin_get() returned a null pointer");
 }
@@ -284,9 +284,9 @@ TEST(Plugin, SaysWhatCanBeSaid) {
 TEST(Plugin, IsRefusedWhereThereIsNone) {
   const auto none = load_plugin("nowhere.so");
   ASSERT_FALSE(none);
-  EXPECT_EQ(to_string(none.error()),
-            "plugin:nowhere.so: there is no such file; paths are from the folder that rastercheck "
-            "runs in");
+  EXPECT_EQ(
+      to_string(none.error()),
+      "plugin:nowhere.so: no such file; paths are relative to the folder that rastercheck runs in");
   EXPECT_EQ(none.error().failure, Failure::refused);
   const auto text = load_plugin(RASTERCHECK_SOURCE_DIR "/README.md");
   ASSERT_FALSE(text);

@@ -54,7 +54,7 @@ TEST(VulkanLimits, AreOfSizesAndSamples) {
   c.framebuffer = {64, 4097, 1};
   EXPECT_EQ(lacks(all(), c), "framebuffers of 64 x 4097 pixels: 8192 x 4096 at most");
   c.framebuffer = {64, 64, 8};
-  EXPECT_EQ(lacks(all(), c), "8 samples a pixel");
+  EXPECT_EQ(lacks(all(), c), "8 samples per pixel");
   Limits limits = all();
   limits.standard_sample_locations = false;
   EXPECT_EQ(lacks(limits, ordinary()), "the standard sample locations (standardSampleLocations)");
@@ -66,7 +66,7 @@ TEST(VulkanLimits, AreOfViewports) {
   cases::Case c = ordinary();
   for (const float width : {0.0F, -64.0F}) {
     c.viewport.width = width;
-    EXPECT_EQ(lacks(all(), c), "viewports whose width is not above 0");
+    EXPECT_EQ(lacks(all(), c), "viewports without a positive width");
   }
   c.viewport = {0, 0, 16384.5F, 64};
   EXPECT_EQ(lacks(all(), c), "viewports beyond 16384 x 16384 pixels (maxViewportDimensions)");

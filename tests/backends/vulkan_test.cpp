@@ -442,10 +442,10 @@ TEST_P(Vulkan, RefusesWhatItCannotDraw) {
   EXPECT_EQ(refusal(c), "it lacks the rules of D3D");
   c = corner();
   c.framebuffer.samples = 16;
-  EXPECT_EQ(refusal(c), "it lacks 16 samples a pixel");
+  EXPECT_EQ(refusal(c), "it lacks 16 samples per pixel");
   c = corner();
   c.viewport.width = 0;
-  EXPECT_EQ(refusal(c), "it lacks viewports whose width is not above 0");
+  EXPECT_EQ(refusal(c), "it lacks viewports without a positive width");
   c = corner();
   c.viewport.x = -1e6F;
   EXPECT_THAT(refusal(c), HasSubstr("(viewportBoundsRange)"));

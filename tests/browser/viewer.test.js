@@ -23,13 +23,13 @@ async function choose(page, name) {
   await page.locator('details[open] .views label', { hasText: new RegExp(`^${name}$`) }).first().click();
 }
 
-test('the first counterexample is open, at what was looked for', () => withPage(async (page) => {
+test('the first counterexample is open, at the sample in question', () => withPage(async (page) => {
   assert.equal(await titleOf(page), 'Pixel (3, 4) at (3.5, 4.5)');
   const facts = await factsOf(page);
   assert.equal(facts.exact, '97/70');
   assert.equal(facts['exact, nearest double'], '1.3857142857142857');
   // 97/70 is 5812297 1/7 units of 2^-22, and what was drawn 5812302.
-  assert.match(facts.actual, /^1\.3857155 0x1\.62be\w*p\+0 = 0x3fb15f/);
+  assert.match(facts.drawn, /^1\.3857155 0x1\.62be\w*p\+0 = 0x3fb15f/);
   assert.match(facts['error, scale ULP'], /^\+5\.\d+ in float32 spacings/);
   assert.match(facts['error, local ULP'], /^\+10\.\d+ in/);
   assert.match(facts['κ'], /^1 /);
@@ -85,7 +85,7 @@ test('each view has its picture and its legend', () => withPage(async (page) => 
   assert.match(await legend(), /missing: must be drawn, and is not.*extra.*may be drawn or not/);
   assert.equal(await cells(), 0);
   // 3, 5, 4, 2 and 1 samples of the rows are inside; one of them is missing, one more is extra.
-  for (const view of ['Expected', 'Actual', 'Difference', 'ULP']) {
+  for (const view of ['Expected', 'Drawn', 'Difference', 'ULP']) {
     await choose(page, view);
     assert.equal(await cells(), 15, view);
     assert.equal(await page.locator('.picture .g-missing').count(), view === 'Expected' ? 0 : 1);
@@ -140,7 +140,7 @@ test('of a comparison the right side is what was drawn', () => withPage(async (p
   assert.ok(Math.abs((await uncovered()) - plot) < 1e-9);
 }));
 
-test('the slider moves from expected to actual', () => withPage(async (page) => {
+test('the slider moves from expected to drawn', () => withPage(async (page) => {
   const slider = page.locator('.swipe input').first();
   assert.equal(await slider.isVisible(), false);
   await choose(page, 'Compare');

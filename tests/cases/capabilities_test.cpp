@@ -51,9 +51,9 @@ std::string without(Feature feature, const Change& change) {
 // tested in library_test.cpp.
 TEST(Capabilities, NameTheFeatureThatIsLacking) {
   EXPECT_EQ(without(Feature::viewport, [](Case& c) { c.viewport.x = 1; }),
-            "viewports but the whole framebuffer");
+            "viewports other than the whole framebuffer");
   EXPECT_EQ(without(Feature::viewport_fractions, [](Case& c) { c.viewport.height = 3.5F; }),
-            "viewports between pixels");
+            "fractional viewports");
   EXPECT_EQ(without(Feature::nonpositive_w, [](Case& c) { c.triangles[0][2] = 3; }),
             "vertices with w <= 0");
   EXPECT_EQ(without(Feature::scissor,
@@ -128,7 +128,7 @@ TEST(Capabilities, HaveMeaning) {
   EXPECT_FALSE(has_meaning(nothing));
   const auto refused = read_json(R"({"sample_counts": []})", "file", &read_as<Capabilities>);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(to_string(refused.error()), "file: /: says what cannot be, or leaves no case to draw");
+  EXPECT_EQ(to_string(refused.error()), "file: /: is inconsistent or excludes every case");
 }
 
 }  // namespace

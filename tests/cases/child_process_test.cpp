@@ -25,7 +25,7 @@ TEST(ChildProcess, TellsHowItEnded) {
   EXPECT_EQ(to_string(exited->wait()), "ended with exit code 3");
   Result<ChildProcess> killed = shell("kill -6 $$");
   ASSERT_TRUE(killed);
-  EXPECT_EQ(to_string(killed->wait()), "ended by signal Aborted");
+  EXPECT_EQ(to_string(killed->wait()), "was killed by signal Aborted");
 }
 
 TEST(ChildProcess, IsFoundOnPathByItsName) {

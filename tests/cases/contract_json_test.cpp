@@ -114,7 +114,7 @@ TEST(ContractJson, RefusesWhatNoContractHas) {
   EXPECT_THAT(refusal(R"("guard_band": -1)"), HasSubstr("/guard_band"));
   EXPECT_THAT(refusal(R"("bounds": {"smooth": {}})"), HasSubstr("/bounds/smooth"));
   EXPECT_THAT(refusal(R"("bounds": {"depth": {"constant": 1, "per_horizon": 1}})"),
-              HasSubstr("/bounds/depth: of depth the constant alone counts"));
+              HasSubstr("/bounds/depth: must have a constant only"));
   EXPECT_THAT(refusal(R"("numbers": {"least": 2, "greatest": 1})"), HasSubstr("/numbers: least"));
   EXPECT_THAT(refusal(R"("derivative_bound": "nothing")"), HasSubstr("/derivative_bound"));
   const Result<ContractTerms> later =

@@ -112,7 +112,7 @@ TEST(ParseJson, ANulByteIsRefusedWhereItStands) {
 
 TEST(ParseJson, OfAnEmptyFileItSaysThatItIs) {
   for (const char* text : {"", " ", "\r\n\t\n"}) {
-    EXPECT_EQ(refused(text).reason, "not valid JSON: there is nothing in it");
+    EXPECT_EQ(refused(text).reason, "not valid JSON: empty");
   }
 }
 

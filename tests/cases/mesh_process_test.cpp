@@ -106,7 +106,7 @@ TEST(MeshProcess, ThatCrashesIsOneLine) {
 
 TEST(MeshProcess, ThatEndsOtherwiseIsOneLine) {
   EXPECT_EQ(refusal("exit 3"), "a.glb: the mesh reader ended with exit code 3");
-  EXPECT_EQ(refusal("exit 0"), "a.glb: the mesh reader's answer: no line");
+  EXPECT_EQ(refusal("exit 0"), "a.glb: the mesh reader's answer: no header line");
 }
 
 TEST(MeshProcess, ThatTakesTooLongIsEnded) {
@@ -117,7 +117,7 @@ TEST(MeshProcess, ThatTakesTooLongIsEnded) {
 // Kills: keeping everything that a process writes, until no memory is left.
 TEST(MeshProcess, ThatNeverEndsToTalkIsEnded) {
   EXPECT_EQ(refusal("while :; do echo nonsense; done"),
-            "a.glb: the mesh reader says more than any mesh has");
+            "a.glb: the mesh reader's answer is larger than any mesh");
 }
 
 TEST(MeshProcess, ThatCannotBeStartedIsNamed) {

@@ -263,7 +263,7 @@ TEST(Mesh, AMissingFileIsRefusedInOneLine) {
 
 TEST(Mesh, AFileWithoutTrianglesIsRefused) {
   refusal("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-  EXPECT_EQ(refusal("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "holds no triangle");
+  EXPECT_EQ(refusal("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "has no triangles");
 }
 
 // Kills: passing on an importer's message, which quotes the file, unescaped.

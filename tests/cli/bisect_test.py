@@ -120,7 +120,7 @@ class Finds(BisectTest):
         self.assertRegex(done.stdout, r"then +\S+")
         self.assertRegex(done.stdout, rf"Judged \d of {COMMITS + 1} commits, skipped 1\.")
         self.assertEqual(lines[-1], f"See: git show {self.hashes[6][:10]}")
-        self.assertRegex(done.stderr, rf"{self.hashes[4][:10]} skipped: sh build.sh: ended with exit code 1; it said: plugin.c:.*#error")
+        self.assertRegex(done.stderr, rf"{self.hashes[4][:10]} skipped: sh build.sh: ended with exit code 1; its output: plugin.c:.*#error")
         self.check_restored()
 
     def test_the_same_as_json(self):
@@ -216,16 +216,16 @@ class Refuses(BisectTest):
     def test_what_is_no_history_to_search(self):
         self.make_repository(worse=6)
         first, last = self.hashes[0], self.hashes[-1]
-        self.refuses("is in no work tree of git", first, last, "--repository", self.folder)
+        self.refuses("is not in a git work tree", first, last, "--repository", self.folder)
         # A folder that was made for it is gone: the same words work once the commit is named right.
         new = self.folder / "new/deep"
-        self.refuses("nobody: is no commit of this repository", "nobody", last, "--output", new)
+        self.refuses("nobody: is not a commit of this repository", "nobody", last, "--output", new)
         self.assertFalse(new.parent.exists())
-        self.refuses("is no ancestor of", last, first)
+        self.refuses("is not an ancestor of", last, first)
         self.refuses("is the same commit as", last, "main")
         self.git("checkout", "-q", "-b", "side", self.hashes[2])
         self.commit_empty("Beside")
-        self.refuses(f"is no ancestor of main; what both come from is {self.hashes[2]}", "side", "main")
+        self.refuses(f"is not an ancestor of main; their common ancestor is {self.hashes[2]}", "side", "main")
         self.check_restored(head="side")
 
     def commit_empty(self, subject):
@@ -234,11 +234,11 @@ class Refuses(BisectTest):
     def test_work_trees_in_use(self):
         self.make_repository(worse=6)
         self.write("plugin.c", "changed")
-        self.refuses("there are uncommitted changes (1 file, first ' M plugin.c')", self.hashes[0], "main")
+        self.refuses("the work tree has uncommitted changes (1 file, first ' M plugin.c')", self.hashes[0], "main")
         self.assertEqual((self.repository / "plugin.c").read_text(encoding="utf-8"), "changed")
         self.git("checkout", "-q", "plugin.c")
         self.git("bisect", "start", "main", self.hashes[0])
-        self.refuses("a bisection goes on here", self.hashes[0], "main")
+        self.refuses("a bisection is in progress here", self.hashes[0], "main")
         self.assertTrue((self.repository / ".git/BISECT_LOG").exists())
 
     def test_where_there_is_no_git(self):
@@ -251,14 +251,14 @@ class Refuses(BisectTest):
         self.refuses(f"{self.hashes[0]}: sh build.sh: ended with exit code 1", self.hashes[0], "main")
         self.check_restored()
         self.refuses("nothing-builds: cannot be started", self.hashes[1], "main", build=("nothing-builds",))
-        self.refuses("plugin:./build/plugin.so: there is no such file", self.hashes[1], "main", build=("rm", "-rf", "build"))
+        self.refuses("plugin:./build/plugin.so: no such file", self.hashes[1], "main", build=("rm", "-rf", "build"))
         self.check_restored()
 
     def test_a_command_that_changes_what_git_tracks(self):
         self.make_repository(worse=6)
         done = self.bisect(2, self.hashes[1], "main", build=("sh", "-c", "sh build.sh && echo more >>plugin.c"))
-        self.assertIn("changes what git tracks:  M plugin.c", done.stderr)
-        self.assertIn("what BUILD changed of the files that git tracks is kept, see git stash list", done.stderr)
+        self.assertIn("BUILD changes tracked files:  M plugin.c", done.stderr)
+        self.assertIn("BUILD changed tracked files; the changes are stashed (see git stash list)", done.stderr)
         self.check_restored()
         self.assertIn("+more", self.git("stash", "show", "-p"))
 
@@ -274,7 +274,7 @@ class Refuses(BisectTest):
         (full / "file").touch()
         self.refuses("is not empty", self.hashes[0], "main", "--output", full)
         self.assertTrue((full / "file").exists())
-        self.refuses("--property: none of them: no property has this id", self.hashes[0],
+        self.refuses("--property: none of them: no property is called this", self.hashes[0],
                      "main", "--property", "none of them")
 
 
@@ -295,7 +295,7 @@ class Interrupted(BisectTest):
         program.send_signal(by)
         out, err = program.communicate()
         self.assertEqual((program.returncode, out), (130, ""), err)
-        self.assertIn("rastercheck: ending; what was checked out is checked out again\n", err)
+        self.assertIn("rastercheck: stopping; restoring the commit that was checked out\n", err)
         self.check_restored()
 
     def test_while_an_end_is_built(self):

@@ -61,9 +61,8 @@ TEST_F(Compare, OfTheSameDrawingsFindsNothing) {
   const Outcome outcome =
       program({"compare", path("baseline.json"), path("double"), "--as", "mine"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("No regression: "), HasSubstr(" gave the same, to the bit.\n"),
-                    Not(HasSubstr("Worse"))));
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("No regression: "), HasSubstr(" drew the same bits.\n"),
+                                 Not(HasSubstr("Worse"))));
   EXPECT_EQ(program({"compare", path("double/run.json"), path("double")}).out.substr(0, 14),
             "No regression:");
 }
@@ -107,14 +106,13 @@ TEST_F(Compare, WritesOverNothingItReads) {
   const std::string baseline = copy("own/compare.json");
   const Outcome compared = program({"compare", baseline, path("double"), "--output", path("own")});
   EXPECT_TRUE(is_failure(compared, 2)) << compared;
-  EXPECT_THAT(compared.err,
-              HasSubstr("own/compare.json: is what is read, and would be overwritten"));
+  EXPECT_THAT(compared.err, HasSubstr("own/compare.json: is the input and would be overwritten"));
   EXPECT_EQ(folder()->content("own/compare.json"), folder()->content("baseline.json"));
   const std::string before = folder()->content("double/run.json");
   const Outcome run = program({"run", "--backend", "method:rational-linear", "--baseline",
                                path("double"), "--output", path("double")});
   EXPECT_TRUE(is_failure(run, 2)) << run;
-  EXPECT_THAT(run.err, HasSubstr("double/run.json: is what is read, and would be overwritten"));
+  EXPECT_THAT(run.err, HasSubstr("double/run.json: is the input and would be overwritten"));
   EXPECT_EQ(folder()->content("double/run.json"), before);
 }
 
@@ -180,7 +178,7 @@ TEST_F(Compare, ApprovesWithAReason) {
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_THAT(outcome.out, HasSubstr(": smooth: worst 0."));
   EXPECT_EQ(program({"compare", file, path("float"), "--as", "mine"}).code, 0);
-  EXPECT_THAT(approve("again").out, HasSubstr("there is nothing to approve"));
+  EXPECT_THAT(approve("again").out, HasSubstr("nothing to approve"));
   // Saving again keeps the approvals.
   ASSERT_EQ(program({"baseline", "save", path("double"), "--as", "mine", "--output", file}).code,
             0);
@@ -288,8 +286,11 @@ TEST_F(Compare, KnowsAContractByWhatItSays) {
   std::filesystem::remove_all(path("held-again"));
   const Outcome refused = with(again);
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
-  EXPECT_THAT(refused.err, HasSubstr(file + ": is another contract than that of the baseline's "
-                                            "section method:rational-linear on "));
+  EXPECT_THAT(
+      refused.err,
+      HasSubstr(
+          file +
+          ": differs from the contract of the baseline's section method:rational-linear on "));
   EXPECT_FALSE(std::filesystem::exists(path("held-again")));
 }
 

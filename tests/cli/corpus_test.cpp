@@ -37,7 +37,7 @@ TEST_F(Corpus, TakesACounterexample) {
   ASSERT_TRUE(c) << to_string(c.error());
   cases::Case expected = cases::read_case(file).value();
   expected.found.reset();
-  expected.name = "gl:softpipe broke \"coverage obeys the contract\": missing";
+  expected.name = "gl:softpipe violated \"coverage obeys the contract\": missing";
   EXPECT_EQ(*c, expected);
 }
 
@@ -56,7 +56,7 @@ TEST_F(Corpus, LosesNothing) {
   const std::string before = folder_.content("corpus/first.json");
   const Outcome there = add({file});
   EXPECT_TRUE(is_failure(there, 2)) << there;
-  EXPECT_THAT(there.err, HasSubstr("first.json: is there already"));
+  EXPECT_THAT(there.err, HasSubstr("first.json: already exists"));
   EXPECT_EQ(folder_.content("corpus/first.json"), before);
   for (const char* word : {"../x", "a b", "A", "", "x.json"}) {
     const Outcome outcome = add({"-", "--as", word}, square_case());
@@ -75,7 +75,7 @@ TEST_F(Corpus, MayBeAFolderOfOnesOwn) {
   EXPECT_THAT(folder_.files("mine/own"), ElementsAre("x.json"));
   const Outcome outcome = add_to("corpus/first.json");
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-  EXPECT_THAT(outcome.err, HasSubstr("first.json: cannot be made: Not a directory"));
+  EXPECT_THAT(outcome.err, HasSubstr("first.json: cannot be created: Not a directory"));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(Gallery, RefusesAFolderThatCannotBeMade) {
   folder.put("file", "");
   const Outcome outcome = run_program({"gallery", "--output", folder.path("file/out")});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-  EXPECT_THAT(outcome.err, HasSubstr(folder.path("file/out") + ": cannot be made: "));
+  EXPECT_THAT(outcome.err, HasSubstr(folder.path("file/out") + ": cannot be created: "));
 }
 
 // Kills: pictures that are lost without a message.

@@ -36,7 +36,7 @@ TEST_F(Github, IsToldOfEachCounterexample) {
       outcome.out,
       HasSubstr("\n::error file=rastercheck-out/counterexamples/coverage-obeys-the-contract-"
                 "damaged-missing.json,line=1,title=coverage-obeys-the-contract on "
-                "damaged::missing (coverage) at triangle "));
+                "damaged::pixel ("));
 }
 
 // Kills: annotations printed to a terminal outside GitHub, or into JSON.

@@ -45,7 +45,7 @@ TEST(Import, WritesACaseButNotOverTheMesh) {
   EXPECT_EQ(cases::read_case(folder.path("square.json"))->triangles.size(), 1U);
   const Outcome refused = run_program({"import", mesh, "--output", folder.path("./square.obj")});
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
-  EXPECT_NE(refused.err.find("is what is read, and would be overwritten"), std::string::npos);
+  EXPECT_NE(refused.err.find("is the input and would be overwritten"), std::string::npos);
   EXPECT_TRUE(folder.content("square.obj").starts_with("v -1"));
 }
 
@@ -78,11 +78,12 @@ TEST(Import, SaysWhatIsWrongWithTheFormatOfStandardInput) {
     return outcome.err;
   };
   EXPECT_EQ(run_program({"import", "-", "--format", "obj"}, "").err,
-            "rastercheck: -: not a mesh: there is nothing in it\n");
-  EXPECT_EQ(reason({}),
-            "rastercheck: -: not a mesh, or of a format that has to be named (--format obj)\n");
+            "rastercheck: -: not a mesh: empty\n");
+  EXPECT_EQ(
+      reason({}),
+      "rastercheck: -: not a mesh, or of a format that must be named, such as --format obj\n");
   EXPECT_EQ(reason({"--format", "frobnicate"}),
-            "rastercheck: -: there is no format 'frobnicate' of meshes\n");
+            "rastercheck: -: unknown mesh format 'frobnicate'\n");
   EXPECT_EQ(reason({"--format", "glb"}), "rastercheck: -: not a mesh of the format 'glb'\n");
   EXPECT_EQ(reason({"--format", "3ds"}),
             "rastercheck: -: not a mesh: 3DS file is either empty or corrupt: -.3ds\n");

@@ -105,9 +105,9 @@ TEST_P(Interrupted, OnceWritesWhatItHas) {
   program.kill(SIGINT);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.code, 1) << outcome;  // violated in the cases that it checked
-  EXPECT_THAT(outcome.err, HasSubstr("rastercheck: ending; once more ends at once. `rastercheck "
-                                     "run --resume --output " +
-                                     out() + "` goes on.\n"));
+  EXPECT_THAT(outcome.err, HasSubstr("rastercheck: stopping; press Ctrl-C again to stop at once. "
+                                     "`rastercheck run --resume --output " +
+                                     out() + "` continues the run.\n"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run ended early: "), HasSubstr("Again: ")));
   const json run = json::parse(folder_.content("out/run.json"));
   EXPECT_GT(run.at("cases_left"), 0);
@@ -141,7 +141,8 @@ TEST_P(Interrupted, EndsWhateverIsBeingDrawn) {
   // With several processes, the others are ended and the reports written; a single process that is
   // drawing can only end.
   const bool is_one = GetParam() == std::string("1");
-  EXPECT_EQ(outcome.err.find("ended before its reports were written") != std::string::npos, is_one);
+  EXPECT_EQ(outcome.err.find("stopped before its reports were written") != std::string::npos,
+            is_one);
   EXPECT_EQ(std::filesystem::exists(out("run.json")), !is_one);
   EXPECT_TRUE(std::filesystem::exists(out("unfinished.json")));
 }
@@ -202,7 +203,7 @@ TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
   const Outcome outcome = run_damaged_program(next);
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("an unfinished run, which this one replaces"),
-                                 HasSubstr("counterexamples of it that are kept: 1")));
+                                 HasSubstr("counterexamples kept from it: 1")));
   EXPECT_THAT(folder_.files("out/counterexamples"),
               ElementsAre("earlier/coverage-obeys-the-contract-damaged-slow-missing.json"));
 }
@@ -210,7 +211,7 @@ TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
 TEST_P(Interrupted, GoesOnOnlyAsItWasBegun) {
   const Outcome nothing = resume();
   EXPECT_TRUE(is_failure(nothing, 2)) << nothing;
-  EXPECT_THAT(nothing.err, HasSubstr("unfinished.json: is not there: nothing was interrupted"));
+  EXPECT_THAT(nothing.err, HasSubstr("unfinished.json: does not exist: no run was interrupted"));
   {
     RunningProgram program(arguments("out"));
     wait_for_progress();
@@ -221,7 +222,7 @@ TEST_P(Interrupted, GoesOnOnlyAsItWasBegun) {
   folder_.put("corpus/more.json", square_case());
   const Outcome grown = resume();
   EXPECT_TRUE(is_failure(grown, 2)) << grown;
-  EXPECT_THAT(grown.err, HasSubstr("is not as it was when the run was begun"));
+  EXPECT_THAT(grown.err, HasSubstr("changed since the run was started"));
   folder_.put("out/unfinished.json", "{");
   EXPECT_TRUE(is_failure(resume(), 2));
 }
@@ -274,12 +275,12 @@ TEST_F(Unwritable, LaterOnTheTerminalHasWhatWasFound) {
   EXPECT_EQ(outcome.code, 2) << outcome;
   EXPECT_THAT(
       outcome.out,
-      AllOf(HasSubstr("unfinished.json: cannot be written: File too large; the run goes on"),
+      AllOf(HasSubstr("unfinished.json: cannot be written: File too large; the run continues"),
             HasSubstr("violated"), HasSubstr("[-]"), HasSubstr("  vertex  x"),
             Not(HasSubstr("Report: ")), HasSubstr("cannot be written: File too large\n"),
-            HasSubstr("what was found is printed above; once there is room, `rastercheck "
-                      "run --resume --output " +
-                      folder_.path("out") + "` writes it")));
+            HasSubstr("the results are printed above but not saved; once the file can be written, "
+                      "`rastercheck run --resume --output " +
+                      folder_.path("out") + "` saves them")));
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out/run.json")));
   // Now the disk has room again.
   const Outcome resumed = run_shell("$DAMAGED run --resume --output " + folder_.path("out"));

@@ -63,7 +63,7 @@ TEST(List, SaysWhichBackendsCanRunHereAndWhyNot) {
 TEST(List, RefusesABackendWithOtherKinds) {
   const Outcome refused = run_program({"list", "rules", "--backend", "cpu"});
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
-  EXPECT_THAT(refused.err, HasSubstr("`list backends`, not with rules"));
+  EXPECT_THAT(refused.err, HasSubstr("`list backends` only, not with `list rules`"));
   EXPECT_EQ(run_program({"list", "--backend", "cpu", "--quiet"}).code, 0);
 }
 

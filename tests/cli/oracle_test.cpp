@@ -87,7 +87,8 @@ TEST(OracleCommand, WantsAllForManySamples) {
   text.replace(text.find(from), from.size(), R"({"width": 16384, "height": 8192}, "rules")");
   const Outcome refused = run_program({"oracle", "-"}, text);
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("-: /framebuffer: 134217728 samples are more than 2^26"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("-: /framebuffer: 134217728 samples exceed the limit of 2^26"));
   const Outcome all = run_program({"oracle", "--all", "--json", "-"}, text);
   EXPECT_EQ(all.code, 0);
   EXPECT_EQ(json::parse(all.out).at("fragments").size(), 6U);

@@ -57,7 +57,7 @@ TEST_F(Plugin, NewLosesNothing) {
   folder_.put("mine/notes.txt", "mine");
   const Outcome there = run_program({"plugin", "new", folder_.path("mine")});
   EXPECT_TRUE(is_failure(there, 2)) << there;
-  EXPECT_THAT(there.err, HasSubstr("mine: is there already, and is not empty"));
+  EXPECT_THAT(there.err, HasSubstr("mine: already exists and is not empty"));
   EXPECT_THAT(folder_.files("mine"), ElementsAre("notes.txt"));
 
   const Outcome file = run_program({"plugin", "new", folder_.path("mine/notes.txt")});

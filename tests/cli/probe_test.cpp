@@ -34,7 +34,7 @@ TEST(Probe, WritesAContractThatHolds) {
   const Outcome run =
       run_program({"run", "--contract", contract, "--cases", "10", "--seed", "1", "--output",
                    folder.path("out"), "--property", "*bound*", "--jobs", "2"});
-  EXPECT_THAT(run.out, HasSubstr("Held to the contract of " + contract));
+  EXPECT_THAT(run.out, HasSubstr("Judged by the contract in " + contract));
   EXPECT_NE(run.code, 1) << run;
 }
 
@@ -47,6 +47,7 @@ TEST(Probe, PrintsJson) {
   EXPECT_EQ(document.at("failed"), 0);
   EXPECT_EQ(document.at("measured").at(0).at("what"), "subpixel grid");
   EXPECT_EQ(document.at("measured").at(0).at("measured"), "8 bits, nearest_even");
+  EXPECT_EQ(document.at("measured").at(0).at("contradicts"), false);
   EXPECT_EQ(document.at("contract").at("format"), "rastercheck-contract");
   EXPECT_EQ(document.at("contract").at("coverage").at("subpixel_bits"), 8);
 }
@@ -70,7 +71,7 @@ TEST(Probe, WritesNoContractOverItsPlugin) {
   const std::string plugin = folder.put("mine.so", "the plugin");
   const Outcome over = run_program({"probe", "plugin:" + plugin, "--contract-out", plugin});
   EXPECT_TRUE(is_failure(over, 2)) << over;
-  EXPECT_THAT(over.err, HasSubstr("mine.so: is what is read, and would be overwritten"));
+  EXPECT_THAT(over.err, HasSubstr("mine.so: is the input and would be overwritten"));
   EXPECT_EQ(folder.content("mine.so"), "the plugin");
 }
 

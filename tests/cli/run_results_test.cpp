@@ -31,14 +31,16 @@ TEST(RunResults, EndWithTheVerdict) {
   };
   const Outcome brief = run_program(with({}));
   EXPECT_EQ(brief.code, 0) << brief;
-  EXPECT_THAT(brief.out,
-              AllOf(StartsWith("Samples: "),
-                    HasSubstr("\n\ncpu: 1 law held.\n`--all` shows a row for each law.\nSeed ")));
+  EXPECT_THAT(
+      brief.out,
+      AllOf(StartsWith("Samples: "),
+            HasSubstr("\n\ncpu: 1 property held.\n`--all` shows a row for each property.\nSeed ")));
   EXPECT_THAT(run_program(with({"--all"})).out,
-              AllOf(StartsWith("law "), HasSubstr("\n" + std::string(kCoverage) + "  cpu "),
-                    HasSubstr("\n\ncpu: 1 law held.\nSeed ")));
+              AllOf(StartsWith("property "), HasSubstr("\n" + std::string(kCoverage) + "  cpu "),
+                    HasSubstr("\n\ncpu: 1 property held.\nSeed ")));
   EXPECT_THAT(run_damaged_program(with({"--backend", "damaged"})).out,
-              AllOf(StartsWith("law "), HasSubstr("\ndamaged: 1 law violated in 1 cause.\nSeed ")));
+              AllOf(StartsWith("property "),
+                    HasSubstr("\ndamaged: 1 property violated (1 cause).\nSeed ")));
   const Outcome both = run_program(with({"--all", "--quiet"}));
   EXPECT_EQ(both.code, 2) << both;
 }

@@ -202,8 +202,8 @@ TEST_F(Shard, IsMergedWhereItsBackendIsNot) {
   const Outcome outcome = run_program({"merge", folder_.path("shard1"), folder_.path("shard2"),
                                        "--output", folder_.path("merged")});
   EXPECT_EQ(outcome.code, 1) << outcome;
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("damaged: no backend of that name"),
-                                 HasSubstr("samples looked at closely are taken from the shards")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("damaged: unknown backend"),
+                                 HasSubstr("using the samples that the shards inspected")));
   EXPECT_THAT(run_json("merged").at("inspections"), Not(IsEmpty()));
   EXPECT_EQ(merge({1, 2}).err, "");
 }
@@ -211,7 +211,7 @@ TEST_F(Shard, IsMergedWhereItsBackendIsNot) {
 TEST_F(Shard, SaysThatTheCorpusIsAnother) {
   for (int i = 1; i <= 2; ++i) run_small(i, 2);
   folder_.put("corpus/more.json", square_case());
-  EXPECT_THAT(merge({1, 2}).err, HasSubstr("corpus: is not what the shards had; samples"));
+  EXPECT_THAT(merge({1, 2}).err, HasSubstr("corpus: differs from the shards'; using the samples"));
 }
 
 TEST_F(Shard, LeavesGithubToTheMerge) {
@@ -251,7 +251,7 @@ TEST_F(Shard, IsNotWrittenOverByTheMerge) {
   ASSERT_NE(before, "");
   const Outcome outcome = run_program({"merge", shard, "--output", shard});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-  EXPECT_THAT(outcome.err, HasSubstr("run.json: is what is read, and would be overwritten"));
+  EXPECT_THAT(outcome.err, HasSubstr("run.json: is the input and would be overwritten"));
   EXPECT_EQ(folder_.content("shard1/run.json"), before);
 }
 
@@ -264,7 +264,7 @@ TEST_F(Shard, HasToBeOneThatThereIs) {
   for (const char* shard : {"", "a/b", "3", "3/", "/3", "-1/3", "1/2/3", "1/3 "}) {
     const Outcome outcome = run("out", {"--seed", "1", "--shard", shard});
     EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-    EXPECT_THAT(outcome.err, HasSubstr("must be two whole numbers, as 2/7"));
+    EXPECT_THAT(outcome.err, HasSubstr("must be two integers, such as 2/7"));
   }
 }
 
@@ -290,13 +290,13 @@ TEST_F(Shard, IsHeldAgainstNoBaseline) {
             0);
   EXPECT_THAT(error_of(arguments("out", {"--shard", "1/2", "--seed", "1", "--baseline",
                                          folder_.path("baseline.json")})),
-              HasSubstr("--baseline: not of a shard: compare the run that the shards are merged"));
+              HasSubstr("--baseline: cannot be used with a shard; merge the shards"));
 }
 
 TEST_F(Shard, MayHaveNothingToDo) {
   const Outcome outcome = run_small(40, 64);
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_THAT(outcome.out, HasSubstr("Shard 40 of 64: nothing of the campaign fell to it"));
+  EXPECT_THAT(outcome.out, HasSubstr("Shard 40 of 64: it had no work to do"));
 }
 
 TEST_F(Shard, ThatIsMissingTwiceOrAlienIsRefused) {
@@ -308,12 +308,12 @@ TEST_F(Shard, ThatIsMissingTwiceOrAlienIsRefused) {
   };
   EXPECT_THAT(error_of({1, 3}), HasSubstr("shard 2 of 3 is missing"));
   EXPECT_THAT(error_of({2}), HasSubstr("shards 1 and 3 of 3 are missing"));
-  EXPECT_THAT(error_of({1, 2, 2, 3}), HasSubstr("shard 2 of 3 is there twice"));
+  EXPECT_THAT(error_of({1, 2, 2, 3}), HasSubstr("shard 2 of 3 is given twice"));
   EXPECT_EQ(run_shard(2, 3, {"--seed", "2", "--cases", "6", "--property", "coverage-obeys*"}).code,
             0);
-  EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("its seed is 2, and 1 there"));
+  EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("its seed is 2, not 1"));
   EXPECT_EQ(run("shard2", {"--cases", "1", "--property", "coverage-obeys*"}).code, 0);
-  EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("shard2/run.json: is no shard"));
+  EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("shard2/run.json: is not a shard"));
   EXPECT_THAT(error_of({4}), HasSubstr("shard4: cannot be read"));
 }
 
@@ -335,7 +335,7 @@ TEST_F(Shard, ThatWasInterruptedIsRefusedAndGoesOn) {
   }
   const Outcome refused = merge({1, 2});
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
-  EXPECT_THAT(refused.err, HasSubstr("shard2/run.json: shard 2 of 2 was interrupted, cases not "));
+  EXPECT_THAT(refused.err, HasSubstr("shard2/run.json: shard 2 of 2 was interrupted with "));
 
   const auto resume = [this](const std::string& shard) {
     return run_damaged_program(
@@ -343,7 +343,7 @@ TEST_F(Shard, ThatWasInterruptedIsRefusedAndGoesOn) {
   };
   const Outcome other = resume("1/2");
   EXPECT_TRUE(is_failure(other, 2)) << other;
-  EXPECT_THAT(other.err, HasSubstr("what was interrupted is shard 2 of 2"));
+  EXPECT_THAT(other.err, HasSubstr("the interrupted run is shard 2 of 2"));
   EXPECT_EQ(resume("2/2").code, 1);
   EXPECT_EQ(merge({1, 2}).code, 1);
   expect_same("merged", "whole");

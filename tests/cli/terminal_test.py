@@ -51,9 +51,9 @@ class Terminal(unittest.TestCase):
         self.assertNotIn(" generators", text[text.rindex(ERASE):])
 
     def test_the_verdict_has_colours_unless_refused(self):
-        green = "cpu: \x1b[32m1 law held\x1b[0m.\r\n"
+        green = "cpu: \x1b[32m1 property held\x1b[0m.\r\n"
         self.assertIn(green, self.run_shown())
-        plain = "cpu: 1 law held.\r\n"
+        plain = "cpu: 1 property held.\r\n"
         self.assertIn(plain, self.run_shown(NO_COLOR="1"))
         self.assertIn(green, self.run_shown(NO_COLOR=""))
         self.assertIn(plain, self.run_shown(TERM="dumb"))

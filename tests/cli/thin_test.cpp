@@ -26,7 +26,7 @@ TEST(Thin, IsALawThatReachesALabelTooSeldom) {
   EXPECT_EQ(outcome.code, 5) << outcome;
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("thin: 121 of 121 cases, 'never seen' in 0 of at least 5"),
-                    HasSubstr("1 property held without a label that had to be reached.\n"),
+                    HasSubstr("1 property held without reaching a required label.\n"),
                     HasSubstr("Not reached: cases-reach-a-label-that-none-has on damaged:unseen: "
                               "'never seen' in 0 of "),
                     Not(HasSubstr("'drawn'"))));

@@ -64,7 +64,7 @@ TEST_F(Waived, RunEndsWellOnceItsOneFaultIsKnown) {
   ASSERT_EQ(run("damaged:driver").code, 1);
   const Outcome twice = add();
   EXPECT_TRUE(is_failure(twice, 2)) << twice;
-  EXPECT_THAT(twice.err, HasSubstr("is known already: damaged-1"));
+  EXPECT_THAT(twice.err, HasSubstr("is already known: damaged-1"));
   // The waiver does not cover another backend's fault.
   EXPECT_EQ(run("damaged:worse", {"--known", list()}).code, 1);
 }
@@ -76,7 +76,8 @@ TEST_F(Waived, CountsAgainAfterItsLastDay) {
   EXPECT_EQ(again.code, 1) << again;
   EXPECT_THAT(
       again.out,
-      HasSubstr("damaged-1 of damaged:driver was known until 2001-01-31, and counts again"));
+      HasSubstr(
+          "Known defect damaged-1 of damaged:driver expired after 2001-01-31 and counts again"));
 }
 
 TEST_F(Waived, IsToldOfWhenItNoLongerShows) {
@@ -88,7 +89,7 @@ TEST_F(Waived, IsToldOfWhenItNoLongerShows) {
   const Outcome mended = run("damaged:mended", {"--known", list()});
   EXPECT_EQ(mended.code, 0) << mended;
   EXPECT_THAT(mended.out, HasSubstr("Unexpected pass: the case of damaged-1 no longer violates "));
-  EXPECT_THAT(mended.out, HasSubstr("; it can be dropped."));
+  EXPECT_THAT(mended.out, HasSubstr("; its entry can be removed."));
 }
 
 TEST_F(Waived, NeedsAListThatItMayWrite) {
@@ -97,7 +98,7 @@ TEST_F(Waived, NeedsAListThatItMayWrite) {
       output_.path("counterexamples/" + std::string(kCoverage) + "-damaged-driver-missing.json");
   const Outcome none = run_damaged_program({"known", "add", file, "--reason", "R"});
   EXPECT_TRUE(is_failure(none, 2)) << none;
-  EXPECT_THAT(none.err, HasSubstr("--known: is needed"));
+  EXPECT_THAT(none.err, HasSubstr("--known: is required"));
   lists_.put("mine.json", R"({"format": "rastercheck-known", "version": 1, "entries": [],
                               "driver": {"name": "damaged", "version": "1"}})");
   const Outcome driver = add();
@@ -111,7 +112,7 @@ TEST_F(Waived, NeedsAListThatItMayWrite) {
     return add({"--until", "tomorrow"});
   }();
   EXPECT_TRUE(is_failure(day, 2)) << day;
-  EXPECT_THAT(day.err, HasSubstr("must be a day"));
+  EXPECT_THAT(day.err, HasSubstr("must be a date"));
   EXPECT_THAT(lists_.content("mine.json"), IsEmpty());
 }
 
@@ -164,7 +165,7 @@ TEST_F(Waived, ExpectationsNameLawsThatThereAre) {
   const std::string fails = lists_.put("damaged-fails.txt", "no-such-law\n");
   const Outcome outcome = run("damaged:driver", {"--known", fails});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-  EXPECT_THAT(outcome.err, HasSubstr(fails + ": no-such-law: there is no law 'no-such-law'"));
+  EXPECT_THAT(outcome.err, HasSubstr(fails + ": no-such-law: no property is called 'no-such-law'"));
 }
 
 }  // namespace

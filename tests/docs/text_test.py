@@ -131,7 +131,7 @@ FIGURES = [
     ("README.md", r"\[(\w+) small changes\]", lambda: of_files("tests/gate/*.patch")),
     ("README.md", r"it flags (\d+),", lambda: sensitivity(r"(\d+) are flagged")),
     ("docs/case-format.md", r"holds (more than \d+)", lambda: of_files("cases/corpus/*.json")),
-    ("docs/judge-your-rasterizer.md", r"checks (some \d+) laws", lambda: listed("properties")),
+    ("docs/judge-your-rasterizer.md", r"checks (some \d+) properties", lambda: listed("properties")),
     ("docs/oracle.md", r"(\d+) cases with the answers of an independent",
      lambda: of_files("tests/oracle/vectors/*.json")),
     ("docs/oracle.md", r"(Some \w+) mutants of the rasterizer say",

@@ -181,7 +181,7 @@ TEST(Approve, TakesOtherBitsOver) {
   records::BaselineSection current = records::sample_section();
   current.laws[records::kSampleLaw].cases[records::kSampleCase].found_digest = 1000;
   const Approved result = approved(records::sample_section(), current, {});
-  EXPECT_THAT(result.changes, ElementsAre("1 of 23 cases gave other bits, and no figure changed"));
+  EXPECT_THAT(result.changes, ElementsAre("1 of 23 cases drew other bits, but no number changed"));
   EXPECT_EQ(result.section.laws, current.laws);
 }
 

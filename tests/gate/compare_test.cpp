@@ -527,11 +527,11 @@ TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
   EXPECT_EQ(with([](records::BaselineSection& s) { s.plan.seed = 2; }),
             "the seed is 1 in the baseline and 2 now");
   EXPECT_EQ(with([](records::BaselineSection& s) { s.plan.cases_per_law = 21; }),
-            "the number of cases per law is 20 in the baseline and 21 now");
+            "the number of cases per property is 20 in the baseline and 21 now");
   EXPECT_EQ(with([](records::BaselineSection& s) { s.plan.properties = {}; }),
             "the options are --property *values* in the baseline and none now");
   EXPECT_EQ(with([](records::BaselineSection& s) { s.laws[records::kSampleLaw].count = 24; }),
-            "the law 'values are <within> bounds' has 23 cases in the baseline and 24 now");
+            "the property 'values are <within> bounds' has 23 cases in the baseline and 24 now");
   EXPECT_THAT(with([](records::BaselineSection& s) { s.laws[records::kSampleLaw].digest = 1; }),
               HasSubstr("their digest was 0123456789abcdef and is 0000000000000001"));
 }
@@ -578,7 +578,7 @@ TEST(CompareRefuses, NothingAtAll) {
   EXPECT_EQ(to_string(compare(records::Baseline{{records::sample_section()}}, records::Baseline(),
                               {"b.json", "run.json"})
                           .error()),
-            "run.json: has no sections: there is nothing to compare");
+            "run.json: has no sections, so there is nothing to compare");
 }
 
 TEST(CompareRefuses, WhatTheBaselineHasNoSectionOf) {
@@ -588,9 +588,9 @@ TEST(CompareRefuses, WhatTheBaselineHasNoSectionOf) {
       compare(records::Baseline{{records::sample_section()}}, records::Baseline{{other}},
               {"b.json", "run.json"});
   ASSERT_FALSE(comparisons);
-  EXPECT_EQ(
-      to_string(comparisons.error()),
-      "b.json: has no section for cpu on aarch64, avx2, GNU 12.2.0; there are: cpu on x86_64");
+  EXPECT_EQ(to_string(comparisons.error()),
+            "b.json: has no section for cpu on aarch64, avx2, GNU 12.2.0; it has sections for cpu "
+            "on x86_64");
 }
 
 }  // namespace

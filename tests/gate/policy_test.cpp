@@ -109,8 +109,9 @@ TEST(Policy, ExpiresAndSaysSo) {
   const records::PolicyReview review =
       apply(policy_of({.until = "2026-02-28"}), kToday, comparisons);
   EXPECT_EQ(refused(comparisons), 2U);
-  EXPECT_THAT(review.expired, ElementsAre("p.json: /allow/0 (law '*', backend '*', *, *: known) "
-                                          "allowed until 2026-02-28"));
+  EXPECT_THAT(review.expired,
+              ElementsAre("p.json: /allow/0 (property '*', backend '*', *, *: known) "
+                          "allowed until 2026-02-28"));
   EXPECT_THAT(review.unused, IsEmpty());
 }
 
@@ -120,7 +121,8 @@ TEST(Policy, NamesWhatAllowsNothingAnyMore) {
   policy.allow.push_back(policy_of({.stratum = "clipped"}).allow[0]);
   policy.allow.push_back(policy_of({.backend = "gl"}).allow[0]);  // not compared here
   const records::PolicyReview review = apply(policy, kToday, comparisons);
-  EXPECT_THAT(review.unused, ElementsAre(HasSubstr("/allow/1 (law '*', backend '*', *, clipped")));
+  EXPECT_THAT(review.unused,
+              ElementsAre(HasSubstr("/allow/1 (property '*', backend '*', *, clipped")));
   EXPECT_THAT(review.expired, IsEmpty());
   EXPECT_EQ(comparisons[0].entries[1].allowed_because, "known (until 2026-03-01)");
 }
@@ -150,7 +152,7 @@ TEST(PolicyFile, RefusesWhatIsNoDay) {
         parse(R"({"reason": "why", "until": ")" + std::string(day) + "\"}");
     ASSERT_FALSE(policy) << day;
     EXPECT_EQ(to_string(policy.error()),
-              "p.json: /allow/0/until: must be a day, as \"2026-12-31\"");
+              "p.json: /allow/0/until: must be a date such as \"2026-12-31\"");
   }
 }
 

@@ -132,10 +132,10 @@ TEST(SectionOf, HasADigestOfAllThatIsFrozen) {
 
 TEST(SectionOf, RefusesRunsThatCannotBeCompared) {
   records::Run run = run_with_cases();
-  EXPECT_THAT(section_of(run, "gl").error().reason, HasSubstr("not of the backend 'gl'"));
+  EXPECT_THAT(section_of(run, "gl").error().reason, HasSubstr("does not include the backend 'gl'"));
   run.shard.emplace();
   run.plan.shard = {2, 7};
-  EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("is shard 2"));
+  EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("is only shard 2"));
   run.cases_left = 1;
   EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("was interrupted"));
   run.cases.reset();
@@ -208,7 +208,7 @@ TEST(SectionName, IsTheSameForTheSamePath) {
   EXPECT_EQ(section_of(run, "plugin:./p.so")->taken.backend, "plugin:./p.so");
   run.plan.backends.emplace_back("plugin:p.so");
   EXPECT_EQ(baseline_of(run).error().reason,
-            "the backends 'plugin:./p.so' and 'plugin:p.so' are one in a baseline");
+            "the backends 'plugin:./p.so' and 'plugin:p.so' have the same name in a baseline");
 }
 
 TEST(BaselineKey, ReadsAsASentencePart) {

@@ -21,9 +21,10 @@ struct Known {
   const char* mutant;
   Coverage coverage;  ///< what the cases ask for
   cases::Basis basis;
-  const char* what;      ///< name of the row
-  const char* measured;  ///< how the mutant's measurement begins
-  const char* unharmed;  ///< how the measurement of cpu begins
+  const char* what;         ///< name of the row
+  const char* measured;     ///< how the mutant's measurement begins
+  const char* unharmed;     ///< how the measurement of cpu begins
+  bool contradicts = true;  ///< false if contracts do not cover the row
 };
 std::ostream& operator<<(std::ostream& stream, const Known& known) {
   return stream << known.mutant;
@@ -34,27 +35,30 @@ constexpr auto kSnapped = cases::Basis::snapped;
 
 class ProbeOfMutant : public ::testing::TestWithParam<Known> {
  protected:
-  static std::string measured(const std::string& specification) {
+  static records::Measured measured(const std::string& specification) {
     const Known& known = GetParam();
     const auto backend = backends::make_backend(specification);
-    if (!backend) return to_string(backend.error());
+    if (!backend) return {"", "", to_string(backend.error()), ""};
     properties::ProbeOptions options;
     options.cases = 4;
     options.asked = {known.coverage, known.basis, cases::TieRule::top_left};
     const auto probe = properties::probe(specification, **backend, options, {});
-    if (!probe) return to_string(probe.error());
+    if (!probe) return {"", "", to_string(probe.error()), ""};
     for (const records::Measured& row : probe->rows) {
-      if (row.what == known.what) return row.measured;
+      if (row.what == known.what) return row;
     }
-    return "no such row";
+    return {"", "", "no such row", ""};
   }
 };
 
 TEST_P(ProbeOfMutant, FindsItsDefect) {
   const Known& known = GetParam();
-  EXPECT_THAT(measured(std::string("mutant:") + known.mutant),
-              ::testing::StartsWith(known.measured));
-  EXPECT_THAT(measured("cpu"), ::testing::StartsWith(known.unharmed));
+  const records::Measured harmed = measured(std::string("mutant:") + known.mutant);
+  EXPECT_THAT(harmed.measured, ::testing::StartsWith(known.measured));
+  EXPECT_EQ(harmed.contradicts, known.contradicts);
+  const records::Measured unharmed = measured("cpu");
+  EXPECT_THAT(unharmed.measured, ::testing::StartsWith(known.unharmed));
+  EXPECT_FALSE(unharmed.contradicts);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -70,12 +74,12 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"snap-facing-of-clip-positions", Snapping{8}, kSnapped, "basis of facing", "ideal",
               "snapped"},
         Known{"snap-positions-in-24-bits", Snapping{8}, kIdeal, "greatest coordinate drawn right",
-              "30720 pixels", "2^96 pixels or more"},
+              "30720 pixels", "2^96 pixels or more", false},
         Known{"ties-always-inside", Coverage(), kIdeal, "tie rule", "of another kind", "top_left"},
         Known{"vertex-value-interpolated", Coverage(), kIdeal, "values at vertices to the bit",
               "not kept", "kept"},
         Known{"rows-of-the-draw-before", Coverage(), kIdeal, "drawing twice", "other bits",
-              "the same bits"}));
+              "the same bits", false}));
 
 }  // namespace
 }  // namespace rastercheck::mutants::probing_test

@@ -27,32 +27,32 @@ RANDOM_CASES = 5
 
 # The fault, the class of the counterexamples (None: it cannot be had at all), and what is said.
 FAULTS = [
-    ("crash", "crash", "its process ended by signal Segmentation fault while it drew; its last words: "
-                       "the plugin touched address 0x0, which is none of its arrays"),
-    ("hang", "hang", "its process was silent for 0.2 s (--timeout) while it drew"),
+    ("crash", "crash", "its process was killed by signal Segmentation fault while drawing; its last output: "
+                       "the plugin touched address 0x0, which is in none of its arrays"),
+    ("hang", "hang", "its process did not answer within 0.2 s (--timeout) while drawing"),
     ("out_of_bounds", "crash", "the plugin touched output->coverage beyond its end, by 1 byte"),
     ("before_the_beginning", "failed", "draw() wrote before the beginning of output->coverage"),
-    ("says_and_aborts", "crash", "its process ended by signal Aborted while it drew; its last words: "
+    ("says_and_aborts", "crash", "its process was killed by signal Aborted while drawing; its last output: "
                                  "assertion failed: the triangle is narrow"),
-    ("forks", "crash", "its process ended by signal Aborted while it drew"),
+    ("forks", "crash", "its process was killed by signal Aborted while drawing"),
     ("writes_input", "crash", "the plugin wrote to draw->positions, which it may only read"),
-    ("out_of_memory", "crash", "its process ended by signal Aborted while it drew"),
-    ("leak", "failed", "it leaks: each time that this case is drawn again, more memory is in use"),
-    ("nan", "not a number", "depth is nan"),
-    ("nothing", "missing", "not drawn; exactly: required"),
-    ("coverage_two", "failed", "draw() wrote 2 to output->coverage, which has to be 0 or 1"),
-    ("wrong_triangle", "failed", "draw() wrote 7 to output->triangle, of a draw of 1"),
-    ("throws", "failed", "an exception left draw(): vector::_M_range_check"),
-    ("fails", "failed", "draw() says failed: no room for so wide a triangle"),
-    ("unknown_result", "failed", "draw() returned 99, which is none of RASTERCHECK_OK"),
-    ("rounding_mode", "failed", "draw() returned with another rounding mode"),
-    ("wrong_contract", "extra", "drawn; exactly: forbidden: outside"),
-    ("invalid_contract", None, "its contract's subpixel_bits is 99, which has to be from 0 to 16"),
-    ("fast_math", None, "to load it changes the rounding mode, or how subnormal numbers are treated: "
+    ("out_of_memory", "crash", "its process was killed by signal Aborted while drawing"),
+    ("leak", "failed", "it leaks memory: each time this case is drawn again, memory use grows"),
+    ("nan", "not a number", "depth was drawn as NaN"),
+    ("nothing", "missing", "the sample is not drawn and must be"),
+    ("coverage_two", "failed", "draw() wrote 2 to output->coverage, which must be 0 or 1"),
+    ("wrong_triangle", "failed", "draw() wrote 7 to output->triangle, which must be below 1"),
+    ("throws", "failed", "draw() threw an exception: vector::_M_range_check"),
+    ("fails", "failed", "draw() reported failed: no room for so wide a triangle"),
+    ("unknown_result", "failed", "draw() returned 99, which is not RASTERCHECK_OK"),
+    ("rounding_mode", "failed", "draw() changed the rounding mode"),
+    ("wrong_contract", "extra", "the sample is drawn and must not be (outside)"),
+    ("invalid_contract", None, "its contract's subpixel_bits is 99, but must be from 0 to 16"),
+    ("fast_math", None, "loading it changes the rounding mode or the treatment of subnormal numbers; "
                         "link it without -ffast-math"),
-    ("wrong_abi", None, "it was made for plugin ABI 99, and this RasterCheck has ABI 1"),
+    ("wrong_abi", None, "it was compiled for plugin ABI 99, but this RasterCheck has ABI 1"),
     ("null_plugin", None, "rastercheck_plugin_get() returned a null pointer"),
-    ("no_function", None, "exports no function rastercheck_plugin_get()"),
+    ("no_function", None, "does not export the function rastercheck_plugin_get()"),
 ]
 # Those that go wrong in some draws only, or only by the values.
 WITHOUT_FAULT_WHERE_NARROW = {"before_the_beginning", "crash", "forks", "hang", "says_and_aborts", "writes_input", "out_of_memory", "nan", "fails"}
@@ -148,7 +148,7 @@ class Little(PluginTest):
 
         listed = self.rastercheck(0, "list", "backends", "--backend", plugin)
         self.assertIn("little 1.0: coverage snapped to 8 subpixel bits", listed)
-        self.assertIn("not: vertices with w <= 0, attributes at centres of several samples", listed)
+        self.assertIn("not supported: vertices with w <= 0, attributes at centres of several samples", listed)
 
     def test_c_holds_what_it_promises(self):
         self.check(SOURCE / "docs/examples/plugin/little.c", CASES)
@@ -164,7 +164,7 @@ class Little(PluginTest):
         self.assertIn("its contract lacks vertices with w <= 0",
                       self.rastercheck(2, "render", behind_file, "--backend", plugin))
         far_file = self.write("far.json", json.dumps(case([(-1, -1), (65536, -1), (-1, 1)])))
-        self.assertIn("draw() says unsupported: a vertex beyond the guard band",
+        self.assertIn("draw() reported unsupported: a vertex beyond the guard band",
                       self.rastercheck(2, "render", far_file, "--backend", plugin))
         # Laws that change the vertices have something to say of the first case.
         for code, file in ((0, behind_file), (5, far_file)):
@@ -243,7 +243,7 @@ class Faulty(PluginTest):
                 for file, one in found.items():
                     if one["verdict"] == verdict:
                         again = self.rastercheck(1, "replay", file, *self.timeout(name))
-                        self.assertIn(f"{verdict} (as it was found)", again)
+                        self.assertIn(f"{verdict} (as found)", again)
                         break
 
     def test_a_fault_of_some_draws_is_not_held_against_others(self):
@@ -278,8 +278,8 @@ class Faulty(PluginTest):
 
     def test_a_file_that_is_not_there_is_bad_usage(self):
         said = self.rastercheck(2, "run", "--backend", "plugin:./nowhere.so")
-        self.assertEqual(said, "rastercheck: plugin:./nowhere.so: there is no such file; paths are "
-                               "from the folder that rastercheck runs in\n")
+        self.assertEqual(said, "rastercheck: plugin:./nowhere.so: no such file; paths are relative "
+                               "to the folder that rastercheck runs in\n")
 
 
 class Mutants(PluginTest):
@@ -308,7 +308,7 @@ class Mutants(PluginTest):
                     c = json.loads(file.read_text(encoding="utf-8"))
                     # Few are left; a condition that has to stay may take one more.
                     self.assertLessEqual(len(c["triangles"]), 4)
-                    self.assertIn("(as it was found)", self.rastercheck(1, "replay", file))
+                    self.assertIn("(as found)", self.rastercheck(1, "replay", file))
                     # The rasterizer that was not damaged has no such fault.
                     self.assertIn(": held", self.rastercheck(0, "replay", file, "--backend", self.whole()))
         self.assertGreaterEqual(len(stages), 8)

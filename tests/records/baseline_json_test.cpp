@@ -84,21 +84,21 @@ TEST(BaselineJson, RefusesWhatItCannotMean) {
               HasSubstr("/format: must be \"rastercheck-baseline\""));
   EXPECT_THAT(refusal("\"seed\":1", "\"sead\":1"), HasSubstr("b.json: /sections/0"));
   EXPECT_THAT(refusal("\"instruction_set\": \"avx2\",\n\"compiler\": \"GNU 12.2.0\",\n", ""),
-              HasSubstr("a second section of the same key"));
+              HasSubstr("a second section with the same key"));
   EXPECT_THAT(refusal("\"stratum\":\"sliver\",", ""),
-              HasSubstr("a second entry of the same law, kind and stratum"));
+              HasSubstr("a second entry with the same property, kind and stratum"));
   EXPECT_THAT(refusal("\"worst\":[0.625,", "\"worst\":[-0.625,"), HasSubstr("magnitude"));
   EXPECT_THAT(refusal("{\"random\":12,", "{\"corpus\":0,"),
-              HasSubstr("a second case of the same number"));
+              HasSubstr("a second case with the same number"));
   EXPECT_THAT(refusal("{\"random\":12,", "{\"saved\":12,"), HasSubstr("/cases/"));
   EXPECT_THAT(refusal("\"cases\": [\n{\"law\": \"values", "\"cases\": [\n{\"law\": \"other values"),
-              HasSubstr("/law: is none that"));
+              HasSubstr("/law: is not in"));
   EXPECT_THAT(refusal("\"reason\":\"because \\\"so\\\"\"", "\"reason\":\"\""),
               HasSubstr("/reason: must not be empty"));
   EXPECT_THAT(refusal("\"digest\":\"0123456789abcdef\"", "\"digest\":\"123\""),
               HasSubstr("16 hexadecimal digits"));
   EXPECT_THAT(refusal("\"outcome\":\"violated\"", "\"outcome\":\"not applicable\""),
-              HasSubstr("/outcome: must be that of a case that the law says something of"));
+              HasSubstr("/outcome: must be the outcome of a case to which the property applies"));
   EXPECT_THAT(refusal("\"file\":\"lax.json\"", "\"file\":\"\""),
               HasSubstr("/plan/contract/file: must be a file"));
 }

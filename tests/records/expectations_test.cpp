@@ -42,7 +42,7 @@ TEST(Expectations, AreOneNameALine) {
 TEST(Expectations, AreRefusedWithANameTwice) {
   const Result<KnownList> list = parse_expectations("a\nb\n a,Crash\n", Expected::skip, "f.txt");
   ASSERT_FALSE(list);
-  EXPECT_EQ(to_string(list.error()), "f.txt: line 3: is another line's name, too");
+  EXPECT_EQ(to_string(list.error()), "f.txt: line 3: repeats the name of another line");
 }
 
 /// A run of three laws on a backend. Some of them are violated, and some are known to be.

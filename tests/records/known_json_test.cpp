@@ -85,7 +85,8 @@ TEST(KnownJson, IsRefusedWithADayThatThereIsNot) {
     document["entries"][0]["until"] = day;
     const Result<KnownList> read = parse_known(document.dump(), "f");
     ASSERT_FALSE(read) << day;
-    EXPECT_EQ(to_string(read.error()), "f: /entries/0/until: must be a day, as \"2027-01-31\"");
+    EXPECT_EQ(to_string(read.error()),
+              "f: /entries/0/until: must be a date such as \"2027-01-31\"");
   }
 }
 
@@ -121,17 +122,17 @@ TEST(KnownJson, IsRefusedWhereItIsNot) {
   EXPECT_EQ(refusal("/driver/name", ""), "f: /driver/name: must not be empty");
   EXPECT_EQ(refusal("/entries/0/reason", "a\nb"), "f: /entries/0/reason: must be one line");
   EXPECT_EQ(refusal("/entries/0/verdicts/0", "correct"),
-            "f: /entries/0/verdicts: no violation is correct");
+            "f: /entries/0/verdicts: must not contain \"correct\"");
   EXPECT_EQ(refusal("/entries/0/when", json::object()),
-            "f: /entries/0/when: must have a condition: without one, nothing new of these laws "
-            "would stand out");
+            "f: /entries/0/when: must have a condition: without one it would hide every "
+            "new fault that these properties find");
   for (const char* outside : {"/etc/passwd", "../case.json", "known/../../case.json"}) {
     EXPECT_EQ(refusal("/entries/0/case", outside),
               "f: /entries/0/case: must be a file in the folder of the list");
   }
   json twice = json::parse(kList)["entries"];
   twice.push_back(twice[0]);
-  EXPECT_EQ(refusal("/entries", twice), "f: /entries/1/id: is another entry's, too");
+  EXPECT_EQ(refusal("/entries", twice), "f: /entries/1/id: is also the id of another entry");
 }
 
 TEST(KnownJson, IsRefusedWithAnythingMissingOrUnknown) {

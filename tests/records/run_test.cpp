@@ -39,7 +39,7 @@ TEST(FileOf, DoesWithoutFound) { EXPECT_EQ(file_of({}), "counterexamples/--.json
 
 TEST(UnreachedSentence, SaysHowOftenAndHowOftenAtLeast) {
   EXPECT_EQ(unreached_sentence({"law", "cpu", "tie", 1, 4, 9}),
-            "Not reached: law on cpu: 'tie' in 1 of 9 cases, where at least 4 had to.");
+            "Not reached: law on cpu: 'tie' in 1 of 9 cases; at least 4 were required.");
 }
 
 // Kills: a run that was cut short and looks complete.
@@ -50,10 +50,10 @@ TEST(Caveats, SayWhatIsMissing) {
   run.plan.shrinking.seconds = 2.5;
   run.plan.contract.emplace().file = "lax.json";
   EXPECT_THAT(caveats(run),
-              ElementsAre("Held to the contract of lax.json, not to what the backends promise.",
+              ElementsAre("Judged by the contract in lax.json, not by the backends' own promises.",
                           "The run ended early: 120 of its cases were not checked.",
-                          "Shrinking was limited to 2.5 s a counterexample: how small they are "
-                          "depends on the machine."));
+                          "Shrinking was limited to 2.5 s per counterexample, so their sizes "
+                          "depend on the machine."));
 }
 
 // Kills: a shard that looks like the whole run.
@@ -61,12 +61,13 @@ TEST(Caveats, SayThatItIsAShard) {
   records::Run run;
   run.shard.emplace();
   run.plan.shard = {2, 7};
-  EXPECT_THAT(caveats(run), ElementsAre("Shard 2 of 7: nothing of the campaign fell to it; "
-                                        "`rastercheck merge` puts all 7 together."));
+  EXPECT_THAT(
+      caveats(run),
+      ElementsAre("Shard 2 of 7: it had no work to do; `rastercheck merge` combines all 7."));
   run.records[{"a", "cpu", AttributeKind::coverage, "1"}];
   EXPECT_THAT(caveats(run),
-              ElementsAre("Shard 2 of 7: a part of the campaign, of which it cannot say whether "
-                          "labels were reached; `rastercheck merge` puts all 7 together."));
+              ElementsAre("Shard 2 of 7: one part of the campaign, which cannot tell whether "
+                          "labels were reached; `rastercheck merge` combines all 7."));
 }
 
 // Kills: violations of cases that were never drawn, but look like any others.
@@ -77,9 +78,8 @@ TEST(Caveats, SayWhatWasNotDrawn) {
       {std::string(kGivenUp), 3}};
   run.records[{"b", "plugin:x", AttributeKind::coverage, "2"}].labels = {
       {std::string(kGivenUp), 4}};
-  EXPECT_THAT(caveats(run),
-              ElementsAre("plugin:x crashed or hung so often that it was given up: 7 cases of it "
-                          "were not drawn, and count as violations."));
+  EXPECT_THAT(caveats(run), ElementsAre("plugin:x crashed or hung so often that it was given up: 7 "
+                                        "of its cases were not drawn and count as violations."));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ TEST(SceneSentence, SaysHowMuchWasJudged) {
   SceneResult scene{"bunny.obj", "cpu", 69666, 51234, 51240, 0, 0, false, {}};
   EXPECT_EQ(scene_sentence(scene),
             "Scene bunny.obj on cpu: 69666 triangles, 51234 fragments; 51240 samples judged, all "
-            "right.");
+            "correct.");
   scene.wrong = 6;
   EXPECT_EQ(scene_sentence(scene),
             "Scene bunny.obj on cpu: 69666 triangles, 51234 fragments; 51240 samples judged, 6 "
@@ -23,29 +23,28 @@ TEST(SceneSentence, SaysWhyNothingWasJudged) {
   const SceneResult left_out{
       "bunny.obj", "gl:llvmpipe", 69666, 0, 0, 0, 0, false, {{"it is too far", 69666}}};
   EXPECT_EQ(scene_sentence(left_out),
-            "Scene bunny.obj on gl:llvmpipe: nothing was judged of its 69666 triangles, as it "
-            "is too far.");
+            "Scene bunny.obj on gl:llvmpipe: its 69666 triangles could not be judged: it is "
+            "too far.");
   const SceneResult in_parts{
       "a", "cpu", 5, 9, 9, 0, 0, false, {{"it is far", 1}, {"it is near", 2}}};
   EXPECT_EQ(scene_sentence(in_parts),
-            "Scene a on cpu: 5 triangles, 9 fragments; 9 samples judged, all right; 1 triangle not "
-            "judged, as it is far; 2 triangles not judged, as it is near.");
+            "Scene a on cpu: 5 triangles, 9 fragments; 9 samples judged, all correct; 1 triangle "
+            "not judged: it is far; 2 triangles not judged: it is near.");
   const SceneResult unseen{"a", "cpu", 2, 0, 0, 0, 0, false, {}};
-  EXPECT_EQ(
-      scene_sentence(unseen),
-      "Scene a on cpu: nothing was judged of its 2 triangles: none has a sample that has to be "
-      "drawn.");
+  EXPECT_EQ(scene_sentence(unseen),
+            "Scene a on cpu: its 2 triangles could not be judged: no sample is required to be "
+            "drawn.");
 }
 
 TEST(SceneSentence, SaysWhatShareIsOpen) {
   const SceneResult scene{"a", "cpu", 5, 400, 390, 10, 0, false, {}};
   EXPECT_EQ(scene_sentence(scene),
             "Scene a on cpu: 5 triangles, 400 fragments; 390 of 400 samples judged (97.5%), all "
-            "right.");
+            "correct.");
   const SceneResult open{"a", "cpu", 5, 400, 0, 400, 0, false, {}};
   EXPECT_EQ(scene_sentence(open),
-            "Scene a on cpu: nothing was judged of its 5 triangles: the contract leaves something "
-            "open of each of 400 fragments.");
+            "Scene a on cpu: its 5 triangles could not be judged: the contract leaves "
+            "something open for each of 400 fragments.");
 }
 
 }  // namespace

@@ -56,26 +56,32 @@ RC_GTEST_PROP(ShareText, IsCloseToTheShareAndItsRestToTheRest, ()) {
 }
 
 TEST(LevelsText, NamesEveryLevel) {
-  EXPECT_EQ(levels_text({99990000 - 40, 10000, 40}, 0),
-            "99.99% by filter, 0.01% by interval, 0.00004% by exact numbers");
-  EXPECT_EQ(levels_text({5, 0, 0}, 0), "100% by filter, 0% by interval, 0% by exact numbers");
+  EXPECT_EQ(
+      levels_text({99990000 - 40, 10000, 40}, 0),
+      "99.99% by fast arithmetic, 0.01% by interval arithmetic, 0.00004% by exact arithmetic");
+  EXPECT_EQ(levels_text({5, 0, 0}, 0),
+            "100% by fast arithmetic, 0% by interval arithmetic, 0% by exact arithmetic");
   EXPECT_EQ(levels_text({}, 0), "");
 }
 
 // Kills: "100%" of the questions that were answered, instead of all questions.
 TEST(LevelsText, CountsTheUndecidedAsAsked) {
-  EXPECT_EQ(levels_text({3, 0, 0}, 1), "75% by filter, 0% by interval, 0% by exact numbers");
+  EXPECT_EQ(levels_text({3, 0, 0}, 1),
+            "75% by fast arithmetic, 0% by interval arithmetic, 0% by exact arithmetic");
 }
 
 TEST(DecidedSentence, SaysWhatIsKnown) {
   EXPECT_EQ(decided_sentence({}, 7), "");
   EXPECT_EQ(decided_sentence({{1, 1, 0}, {}}, 0),
-            "Samples decided: 50% by filter, 50% by interval, 0% by exact numbers; 0 undecided.");
+            "Samples decided: 50% by fast arithmetic, 50% by interval arithmetic, 0% by exact "
+            "arithmetic; 0 undecided.");
   EXPECT_EQ(decided_sentence({{}, {0, 0, 2}}, 0),
-            "Values decided: 0% by filter, 0% by interval, 100% by exact numbers.");
+            "Values decided: 0% by fast arithmetic, 0% by interval arithmetic, 100% by exact "
+            "arithmetic.");
   EXPECT_EQ(decided_sentence({{3, 0, 0}, {2, 0, 0}}, 1),
-            "Samples decided: 75% by filter, 0% by interval, 0% by exact numbers; 1 undecided. "
-            "Values decided: 100% by filter, 0% by interval, 0% by exact numbers.");
+            "Samples decided: 75% by fast arithmetic, 0% by interval arithmetic, 0% by exact "
+            "arithmetic; 1 undecided. Values decided: 100% by fast arithmetic, 0% by interval "
+            "arithmetic, 0% by exact arithmetic.");
 }
 
 }  // namespace

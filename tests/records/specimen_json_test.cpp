@@ -91,7 +91,7 @@ TEST(SpecimenFromJson, RefusesAnyOtherForm) {
   expect_refused("attributes", 33, "/attributes", "32");
   expect_refused("height", 2, "/rows", "must have 2 rows, not 1");
   expect_refused("origin", "somewhere", "/origin", "");
-  const char* const of_rows = "must be 4 samples, each \"-\" or 2 times eight";
+  const char* const of_rows = "must be 4 samples, each \"-\" or 2 groups of eight";
   for (const char* row :
        {"", "- - -", "- - - - -", "- - - - ", "-  - - -", " - - - -", "- - - 3f000000",
         "- - - 3f000000:40490fdb:40490fdb", "- - - 3f00000:040490fdb", "- - - 3F000000:40490fdb",

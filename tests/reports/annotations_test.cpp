@@ -20,7 +20,7 @@ TEST(GithubAnnotations, NameTheFileOfEachCounterexample) {
   EXPECT_THAT(text,
               StartsWith("::error file=out/counterexamples/values-are-within-bounds-method-float32-"
                          "beyond-bound.json,line=1,title=values are within bounds on "
-                         "method%3Afloat32::beyond bound (smooth) at triangle 0, pixel (3, 5), "));
+                         "method%3Afloat32::pixel (3, 5), sample 2, of triangle 0: attribute "));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
   EXPECT_THAT(text, HasSubstr("%0Arastercheck replay out/counterexamples/"));
 }
@@ -29,10 +29,9 @@ TEST(GithubAnnotations, NameTheFileOfEachCounterexample) {
 TEST(GithubAnnotations, EscapeTexts) {
   records::Run run;
   run.unreached = {{"50%\nof, a: law", "cpu", "tie", 2, 13, 1000}};
-  EXPECT_EQ(
-      github_annotations(run, "out"),
-      "::error title=label not reached::Not reached: 50%25%0Aof, a: law on cpu: 'tie' in 2 of "
-      "1000 cases, where at least 13 had to.\n");
+  EXPECT_EQ(github_annotations(run, "out"),
+            "::error title=label not reached::Not reached: 50%25%0Aof, a: law on cpu: 'tie' in 2 "
+            "of 1000 cases; at least 13 were required.\n");
 }
 
 TEST(GithubAnnotations, AreNoneWhereAllHeld) { EXPECT_EQ(github_annotations({}, "out"), ""); }

@@ -35,7 +35,7 @@ TEST(CauseText, NamesTheBackendWhereThereAreSeveral) {
 TEST(CauseText, HasWhatWasTriedAndTheFirstCounterexample) {
   const std::string text = causes_text(sample_run(), &command_of);
   EXPECT_THAT(text, StartsWith("\nCause 1: values are wrong"));
-  EXPECT_THAT(text, HasSubstr("\n  It holds once values are put right.\n"));
+  EXPECT_THAT(text, HasSubstr("\n  It holds once values are corrected.\n"));
   EXPECT_THAT(text, HasSubstr("replay 3\n"));
   EXPECT_THAT(text, testing::Not(HasSubstr("replay 41\n")));
 }
@@ -49,11 +49,13 @@ TEST(CauseText, EndsWithALineAndACommandOfEach) {
 
 TEST(CauseText, HasAHintWhereThereIsOne) {
   records::Run run = sample_run();
-  const std::string line = "int: 1 of 2 wrong drawings are right if <y> points the other way";
+  const std::string line =
+      "int: it draws as if <y> points in the other direction (1 of 2 wrong drawings)";
   EXPECT_THAT(causes_text(run, &command_of), HasSubstr("\n  H" + line + ".\n"));
   EXPECT_THAT(causes_list(run, &command_of), HasSubstr("\n     h" + line + "\n"));
   run.causes[0].hint = records::Hint{"x and y are exchanged", 1, 1};
-  EXPECT_EQ(hint_text(run.causes[0]), "the one wrong drawing is right if x and y are exchanged");
+  EXPECT_EQ(hint_text(run.causes[0]),
+            "it draws as if x and y are exchanged (its one wrong drawing)");
   run.causes[0].hint = std::nullopt;
   EXPECT_THAT(causes_list(run, &command_of), testing::Not(HasSubstr("hint")));
 }

@@ -63,11 +63,11 @@ TEST(CompareHtml, ShowsOldNewAndDifference) {
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 3U);
   EXPECT_THAT(text, HasSubstr("aria-label=\"Old errors, up to 1 ULP\""));
   EXPECT_THAT(text, HasSubstr("aria-label=\"New errors, up to 3 ULP\""));
-  EXPECT_THAT(text, HasSubstr("2 of 2 pixels that are drawn changed; 1 drawn in one of them only"));
+  EXPECT_THAT(text, HasSubstr("2 of 2 drawn pixels changed; 1 drawn in only one of them"));
   EXPECT_THAT(text, HasSubstr("d=\"M0 0h1v1h-1z\"><title>(3, 5): 1 ULP off</title>"));
   EXPECT_THAT(text, HasSubstr("d=\"M0 0h1v1h-1z\"><title>(3, 5): 3 ULP off</title>"));
   EXPECT_THAT(text, HasSubstr("d=\"M0 0h1v1h-1z\"><title>(3, 5): 4 ULP apart</title>"));
-  EXPECT_THAT(text, HasSubstr("d=\"M1 0h1v1h-1z\"><title>(4, 5): drawn now only</title>"));
+  EXPECT_THAT(text, HasSubstr("d=\"M1 0h1v1h-1z\"><title>(4, 5): drawn only now</title>"));
   EXPECT_THAT(text, HasSubstr("0x1.00000cp-1")) << "1/2 + 3 · 2^-23";
   EXPECT_THAT(text, HasSubstr("0x1.fffff8p-2")) << "1/2 − 2^-23";
 }
@@ -96,13 +96,13 @@ TEST(CompareHtml, ClaimsNothingOfErrorsThatNobodyKnows) {
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 1U);
   EXPECT_THAT(text, HasSubstr("attribute 0: <strong>none → 0.75 scale ULP</strong>"));
   EXPECT_THAT(text, HasSubstr("<small>none → 0.75 scale ULP</small>"));
-  EXPECT_THAT(text, HasSubstr("no value was off, or none was judged"));
+  EXPECT_THAT(text, HasSubstr("no value had an error, or none was judged"));
 }
 
 TEST(CompareHtml, SaysWhereNothingCouldBeDrawn) {
   const std::string text = page(sample_gate());
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 0U);
-  EXPECT_THAT(text, HasSubstr("There is no picture of it"));
+  EXPECT_THAT(text, HasSubstr("No picture: "));
 }
 
 // In OpenGL, window y points up, so the upper one of two rows has the greater y.
@@ -123,7 +123,7 @@ TEST(CompareHtml, ShowsPartsThatChangedThoughNoErrorGrew) {
   gate.looks[0].case_name = "a <name>";
   gate.looks[0].key.origin = records::Origin::corpus;
   const std::string text = page(gate);
-  EXPECT_THAT(text, HasSubstr("<h2>Pixels that are others</h2>"));
+  EXPECT_THAT(text, HasSubstr("<h2>Changed pixels</h2>"));
   EXPECT_THAT(text, HasSubstr("case 12 of the corpus, “a &lt;name&gt;”"));
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 3U);
 }

@@ -20,9 +20,9 @@ TEST(CounterexampleText, SaysWhatFailedAndHowToCheckItAgain) {
       AllOf(HasSubstr("values are within bounds\n  on method:float32: beyond bound. It is saved "
                       "before: case 3 of seed 1"),
             HasSubstr("; shrunk in 214 tries.\n"),
-            HasSubstr("pixel (3, 5), sample 2 of triangle 0: attribute 0 ('u & v') is 16.8000011 "
-                      "(0x1.0cccdp+4)\n    exactly 84/5 (about 16.8); off by 0.7 scale ULP, 0.5 "
-                      "allowed\n"),
+            HasSubstr("pixel (3, 5), sample 2, of triangle 0: attribute 'u & v' was drawn as "
+                      "16.800001 and must be 16.8; off by 0.7 scale ULP, 0.5 allowed\n    exactly "
+                      "84/5 (about 16.8); drawn 16.8000011 (0x1.0cccdp+4)\n"),
             HasSubstr("  … 12 violations in all\n"), HasSubstr("    y 5 [!]\n"),
             EndsWith("  Again: rastercheck replay one\n")));
 }
@@ -32,16 +32,17 @@ TEST(CounterexampleText, SaysWhatMightGoOn) {
               HasSubstr("; shrunk in 214 tries, which might go on.\n"));
   records::Counterexample whole = sample_counterexample(3);
   whole.shrinking.reset();
-  EXPECT_THAT(counterexample_text(whole, "x"), HasSubstr("; as it was found.\n"));
+  EXPECT_THAT(counterexample_text(whole, "x"), HasSubstr("; as found.\n"));
 }
 
 // For coverage, the text gives the verdict and the distance; for a range, both ends.
 TEST(CounterexampleText, GivesExactValuesWithDecimals) {
   records::Counterexample missing = sample_counterexample(3);
   missing.violations.erase(missing.violations.begin());
-  EXPECT_THAT(counterexample_text(missing, "x"),
-              HasSubstr("pixel (63, 0), sample 0 of triangle 0: not drawn; exactly: required, "
-                        "inside; 0.125 pixels from the boundary\n    its neighbour"));
+  EXPECT_THAT(
+      counterexample_text(missing, "x"),
+      HasSubstr("pixel (63, 0), sample 0, of triangle 0: the sample is not drawn and must be "
+                "(required, inside); 0.125 pixels from the boundary; its neighbour"));
   records::Counterexample range = sample_counterexample(3);
   range.violations[0].exact = "[1/3, 2/3]";
   EXPECT_THAT(counterexample_text(range, "x"),

@@ -52,7 +52,7 @@ TEST(FindFormat, KnowsNamesOnly) {
   EXPECT_THAT(
       none.error().reason,
       AllOf(StartsWith(
-                "no report format of that name; there are: bencher, benchmark, cases, html, json"),
+                "unknown report format; the formats are: bencher, benchmark, cases, html, json"),
             EndsWith(format_names().back())));
 }
 

@@ -50,9 +50,13 @@ inline records::Counterexample sample_counterexample(std::uint64_t index) {
       sample_case("values are within bounds", "method:float32", index), 12, {value, missing}};
   found.origin = Origin::saved;
   found.shrinking = {214, index == 3};
-  found.explanation = {
-      {DrawnPart::values},           {}, {}, {"samples"}, {"scissor"}, {"tie", "small"},
-      {{"<y> points the other way"}}};
+  found.explanation = {{DrawnPart::values},
+                       {},
+                       {},
+                       {"samples"},
+                       {"scissor"},
+                       {"tie", "small"},
+                       {{"<y> points in the other direction"}}};
   found.close_up = {"y 5 [!]", "x    3", "! <wrong> & `more`"};
   return found;
 }
@@ -187,9 +191,9 @@ inline records::Run sample_run() {
   run.causes = {{"cpu",
                  "values are wrong where a pixel has several samples",
                  {"samples"},
-                 {"holds once values are put right", "holds as soon as: a pixel <has> one sample"},
+                 {"holds once values are corrected", "holds if: a pixel <has> one sample"},
                  {0, 1},
-                 records::Hint{"<y> points the other way", 1, 2}}};
+                 records::Hint{"<y> points in the other direction", 1, 2}}};
   run.inspections = {sample_counterexample_inspection(), sample_worst_inspection()};
   run.scenes = {
       {"it's a <bunny>", "cpu", 3, 2, 2, 0, 1, false, {}},

@@ -36,7 +36,7 @@ records::LawSummary row() {
 TEST(SummaryTable, HasARowForEachLawAndBackend) {
   EXPECT_EQ(summary_table({row()}, true, {}),
             "constants-stay-constant  cpu  12  1000  20%  0.5  ≤ 0.459  –  violated\n");
-  EXPECT_THAT(summary_table({row()}, false, {}), StartsWith("law  "));
+  EXPECT_THAT(summary_table({row()}, false, {}), StartsWith("property  "));
 }
 
 TEST(NotableRows, LeaveOutWhatHeld) {
@@ -66,12 +66,12 @@ TEST(VerdictLines, CountLawsOfEachBackend) {
   rows[2].verdict = records::LawVerdict::known;
   rows[3].verdict = records::LawVerdict::not_checked;
   EXPECT_EQ(verdict_lines(run, rows, false),
-            "cpu: 1 law violated in 1 cause.\n"
-            "gl:softpipe: 2 laws violated in 2 causes, 1 violated in known ways only, 1 held, "
+            "cpu: 1 property violated (1 cause).\n"
+            "gl:softpipe: 2 properties violated (2 causes), 1 violated in known ways only, 1 held, "
             "1 not checked.\n");
   run.plan.backends = {"cpu"};
   EXPECT_EQ(verdict_lines(run, rows, true),
-            "cpu: \x1b[1m\x1b[31m1 law violated in 1 cause\x1b[0m.\n");
+            "cpu: \x1b[1m\x1b[31m1 property violated (1 cause)\x1b[0m.\n");
 }
 
 TEST(KnownText, CountsTheCasesOfWhatWasSeen) {
@@ -82,8 +82,9 @@ TEST(KnownText, CountsTheCasesOfWhatWasSeen) {
 }
 
 TEST(NotJudgedText, AddsUpLawsOfABackend) {
-  EXPECT_EQ(not_judged_text({row(), row()}),
-            "Not judged on cpu: 20% of fragments and values of all laws, 500 left free.\n");
+  EXPECT_EQ(
+      not_judged_text({row(), row()}),
+      "Not judged on cpu: 20% of the fragments and values of all properties, 500 left free.\n");
   records::LawSummary all = row();
   all.judged.not_judged.clear();
   EXPECT_EQ(not_judged_text({all}), "");
@@ -105,8 +106,8 @@ TEST(NotCheckedText, GathersLawsByReason) {
   records::LawSummary other = none;
   other.law = "another";
   EXPECT_EQ(not_checked_text({row(), none, other}),
-            "Laws that held on few cases, or none:\n"
-            "backend  times  not judged, as      laws\n"
+            "Properties that held on few cases, or none:\n"
+            "backend  cases  not judged, as      properties\n"
             "cpu      3      there is no camera  a law; another\n");
   EXPECT_EQ(not_checked_text({row()}), "");
 }

@@ -63,7 +63,7 @@ TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
   const Result<void> done =
       write_reports(sample_run(), directory(), std::vector<std::string>{"markdown", "htlm"});
   ASSERT_FALSE(done.has_value());
-  EXPECT_THAT(to_string(done.error()), HasSubstr("htlm: no report format of that name"));
+  EXPECT_THAT(to_string(done.error()), HasSubstr("htlm: unknown report format"));
   EXPECT_FALSE(fs::exists(directory()));
 }
 

@@ -34,29 +34,30 @@ std::vector<int> read_sample_counts(int most, bool says_which) {
 }
 
 std::string lacks_of_viewport(const Capabilities& has, const cases::Viewport& v) {
-  if (v.width < 0 || v.height < 0) return has.api + " has no viewports of negative size";
+  if (v.width < 0 || v.height < 0) return has.api + " does not support viewports of negative size";
   for (const float number : {v.x, v.y, v.width, v.height}) {
     if (!has.has_viewport_fractions && number != std::floor(number)) {
-      return fmt::format("{} takes viewports in whole pixels (no GL_ARB_viewport_array), not {}",
-                         has.api, number);
+      return fmt::format(
+          "{} does not support fractional viewports such as {} (no GL_ARB_viewport_array)", has.api,
+          number);
     }
   }
   for (const float number : {v.x, v.y}) {
     if (number < has.viewport_bounds[0] || number > has.viewport_bounds[1]) {
-      return fmt::format("a viewport begins at {}, beyond {}…{}", number, has.viewport_bounds[0],
-                         has.viewport_bounds[1]);
+      return fmt::format("the viewport begins at {}, outside the range {} to {}", number,
+                         has.viewport_bounds[0], has.viewport_bounds[1]);
     }
   }
   if (v.width > static_cast<float>(has.max_viewport[0]) ||
       v.height > static_cast<float>(has.max_viewport[1])) {
-    return fmt::format("a viewport of {} x {}, more than {} x {}", v.width, v.height,
-                       has.max_viewport[0], has.max_viewport[1]);
+    return fmt::format("the viewport of {} x {} pixels exceeds the limit of {} x {}", v.width,
+                       v.height, has.max_viewport[0], has.max_viewport[1]);
   }
   return "";
 }
 
 std::string lacks_of_rules(const Capabilities& has, const cases::Case& c) {
-  if (c.rules == cases::Rules::d3d) return "OpenGL does not draw by the rules of d3d";
+  if (c.rules == cases::Rules::d3d) return "OpenGL does not support the rules of d3d";
   if (c.rules != cases::Rules::vulkan) return "";
   if (!has.has_clip_control) {
     return has.api + " has no clip control (GL_ARB_clip_control), which the rules of vulkan need";
@@ -65,7 +66,8 @@ std::string lacks_of_rules(const Capabilities& has, const cases::Case& c) {
     return a.interpolation == cases::Interpolation::flat;
   });
   if (has_flat && !has.has_provoking_vertex) {
-    return has.api + " takes flat values from the last vertex, the rules of vulkan from the first";
+    return has.api +
+           " takes flat values from the last vertex, but the rules of vulkan from the first";
   }
   return "";
 }
@@ -73,7 +75,7 @@ std::string lacks_of_rules(const Capabilities& has, const cases::Case& c) {
 std::string lacks_of_attributes(const Capabilities& has, const cases::Case& c) {
   for (const cases::Attribute& a : c.attributes) {
     if (a.interpolation == cases::Interpolation::noperspective && !has.has_noperspective) {
-      return has.api + " has no noperspective";
+      return has.api + " does not support noperspective";
     }
     const bool has_place =
         a.interpolation != cases::Interpolation::flat && c.framebuffer.samples > 1;
@@ -89,13 +91,14 @@ std::string lacks_of_target(const Capabilities& has, const cases::FramebufferSiz
     return has.api + " has no arrays of multisampled textures";
   }
   if (size.samples > has.max_samples) {
-    return fmt::format("targets have {} samples at most, asked for {}", has.max_samples,
+    return fmt::format("targets have at most {} samples; the case needs {}", has.max_samples,
                        size.samples);
   }
   // Samples are read as neighbouring pixels.
   if (size.width * size.samples > has.max_size || size.height > has.max_size) {
-    return fmt::format("targets of {} x {} with {} samples, pixels times samples {} at most",
-                       size.width, size.height, size.samples, has.max_size);
+    return fmt::format(
+        "a target of {} x {} pixels with {} samples exceeds the limit of {} samples per side",
+        size.width, size.height, size.samples, has.max_size);
   }
   return "";
 }
@@ -179,8 +182,8 @@ std::string lacks(const Capabilities& has, const cases::Case& c) {
   }
   if (c.depth_clamp && !has.has_depth_clamp) return has.api + " has no depth clamp";
   if (c.clip_distance_count > static_cast<std::size_t>(has.max_clip_distances)) {
-    return fmt::format("{} has {} clip distances, asked for {}", has.api, has.max_clip_distances,
-                       c.clip_distance_count);
+    return fmt::format("{} has {} clip distances; the case needs {}", has.api,
+                       has.max_clip_distances, c.clip_distance_count);
   }
   return "";
 }

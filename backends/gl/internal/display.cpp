@@ -47,10 +47,11 @@ Result<std::vector<Display>> find_displays(Prefer prefer) {
   // libepoxy ends the process if asked for a function that no library has, so each step first
   // checks that the function it calls exists.
   if (!epoxy_has_egl()) {
-    return failure("there is no EGL here (libEGL.so.1; Debian's libegl1 has it)");
+    return failure("EGL is not installed (libEGL.so.1, in Debian's libegl1)");
   }
   std::vector<Display> displays;
-  if (!client_has("EGL_EXT_platform_base")) return failure("this EGL has no platforms");
+  if (!client_has("EGL_EXT_platform_base"))
+    return failure("this EGL does not support platforms (no EGL_EXT_platform_base)");
   append_devices(displays, true);
   const auto surfaceless = prefer == Prefer::hardware ? displays.end() : displays.begin();
   if (client_has("EGL_MESA_platform_surfaceless")) {

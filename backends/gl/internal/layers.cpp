@@ -92,7 +92,7 @@ Result<void> Layers::make_images() {
   glGetTexLevelParameteriv(target(), 0, GL_TEXTURE_SAMPLES, &samples);
   if (samples == shape_.size.samples) return {};
   return failure(
-      fmt::format("asked for {} samples, the driver takes {}", shape_.size.samples, samples));
+      fmt::format("asked for {} samples, but the driver uses {}", shape_.size.samples, samples));
 }
 
 Result<void> Layers::make_framebuffers() {
@@ -110,7 +110,7 @@ Result<void> Layers::make_framebuffers() {
   }
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
-    return failure(fmt::format("the driver does not draw into {} (framebuffer status {})",
+    return failure(fmt::format("the driver cannot draw into {} (framebuffer status {})",
                                to_string(shape_), hexadecimal(status)));
   }
   return check("making framebuffers");
@@ -137,8 +137,7 @@ Result<std::vector<std::size_t>> Layers::sample_order() const {
   }
   if (std::find(order.begin(), order.end(), pattern.size()) == order.end()) return order;
   return unsupported(
-      fmt::format("its {} samples are not those of the standard pattern, but, in "
-                  "1/16 pixel, at{}",
+      fmt::format("its {} samples are not at the standard positions but, in 1/16 pixel, at{}",
                   pattern.size(), places));
 }
 

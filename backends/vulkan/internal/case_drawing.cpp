@@ -87,7 +87,7 @@ class CaseFragments {
 };
 
 tl::unexpected<Error> other_coverage() {
-  return failed("drawn again with others of its attributes, the case covers other samples");
+  return failed("the case covered other samples when it was drawn again with its other attributes");
 }
 
 Result<void> CaseFragments::place(std::size_t index, float number, const Layer& triangles) {
@@ -96,7 +96,7 @@ Result<void> CaseFragments::place(std::size_t index, float number, const Layer& 
                          number <= static_cast<float>(greatest + 1) &&
                          number == static_cast<float>(static_cast<std::size_t>(number));
   if (!is_number) {
-    return failed(fmt::format("a flat value came out as {}, of triangles with {} to {}", number,
+    return failed(fmt::format("a flat triangle number was drawn as {}, not from {} to {}", number,
                               least + 1, greatest + 1));
   }
   const auto samples = static_cast<std::size_t>(case_->framebuffer.samples);
@@ -284,9 +284,9 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
   CaseFragments fragments(c);
   if (c.triangles.empty()) return fragments.take();
   if (c.triangles.size() >= kMaxTriangles) {
-    return failed(
-        fmt::format("{} triangles: fewer than {} have numbers", c.triangles.size(), kMaxTriangles),
-        Failure::unsupported);
+    return failed(fmt::format("{} triangles are too many; the number must be below {}",
+                              c.triangles.size(), kMaxTriangles),
+                  Failure::unsupported);
   }
   const std::vector<Slot> slots = widened(slots_of(c), c.framebuffer.samples);
   const std::vector<Layer> layers = layers_of(c);

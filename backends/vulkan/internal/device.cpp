@@ -70,9 +70,9 @@ int rank_of(VkPhysicalDeviceType type) {
 
 std::string in_words(const DeviceChoice& choice) {
   std::string words;
-  if (choice.index) words += fmt::format(" of index {}", *choice.index);
+  if (choice.index) words += fmt::format(" with index {}", *choice.index);
   if (!choice.name.empty()) words += fmt::format(" with '{}' in its name", choice.name);
-  if (!choice.driver.empty()) words += fmt::format(" drawn by {}", choice.driver);
+  if (!choice.driver.empty()) words += fmt::format(" with the driver {}", choice.driver);
   return words;
 }
 
@@ -99,7 +99,7 @@ Result<VkPhysicalDevice> choose(VkInstance instance, const DeviceChoice& choice)
     best_rank = rank;
   }
   if (best != VK_NULL_HANDLE) return best;
-  return failed(fmt::format("no Vulkan device{}; there are: {}", in_words(choice),
+  return failed(fmt::format("no Vulkan device{}; devices: {}", in_words(choice),
                             there.empty() ? "none" : there),
                 Failure::unavailable);
 }
@@ -276,7 +276,7 @@ Result<Device> Device::create(Instance instance, const DeviceChoice& choice) {
     return unavailable(name, "Vulkan 1.3");
   }
   const std::optional<std::uint32_t> family = drawing_family(*physical);
-  if (!family) return unavailable(name, "queue that draws");
+  if (!family) return unavailable(name, "graphics queue");
   impl->family = *family;
 
   Features features(extensions_of(*physical));

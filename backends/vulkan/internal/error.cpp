@@ -36,7 +36,7 @@ tl::unexpected<Error> failed(const std::string& reason, Failure failure) {
 }
 
 tl::unexpected<Error> failed(const char* call, VkResult result) {
-  return failed(fmt::format("{} gave {}", call, result_name(result)));
+  return failed(fmt::format("{} returned {}", call, result_name(result)));
 }
 
 Result<void> check(const char* call, VkResult result) {

@@ -118,7 +118,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
   }
   const VkResult made = vkCreateInstance(&info, nullptr, &impl->instance);
   if (made == VK_ERROR_LAYER_NOT_PRESENT) {
-    return failed("there is no " + std::string(layer), Failure::unavailable);
+    return failed("missing " + std::string(layer), Failure::unavailable);
   }
   if (made == VK_ERROR_INCOMPATIBLE_DRIVER) {
     return failed("the Vulkan loader finds no driver (Debian's mesa-vulkan-drivers has one)",
@@ -134,7 +134,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
         impl->instance, "vkCreateDebugUtilsMessengerEXT");
     if (create == nullptr ||
         create(impl->instance, &messenger, nullptr, &impl->messenger) != VK_SUCCESS) {
-      return failed("the validation layer takes no one to tell", Failure::unavailable);
+      return failed("the validation layer accepts no message callback", Failure::unavailable);
     }
   }
   return Instance(std::move(impl));

@@ -24,7 +24,7 @@ Result<Memory> allocate(const Device& device, const VkMemoryRequirements& requir
   for (const VkMemoryPropertyFlags wanted : best_first) {
     if (!type) type = memory_type(device, requirements.memoryTypeBits, wanted);
   }
-  if (!type) return failed("the device has no memory that is seen from outside");
+  if (!type) return failed("the device has no host-visible memory");
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   info.allocationSize = requirements.size;

@@ -96,10 +96,9 @@ Result<Device> open_device(const std::string& options) {
   if (which.driver != nullptr) {
     instance_options.driver_files = files_of(*which.driver);
     if (instance_options.driver_files.empty()) {
-      return failed(
-          fmt::format("there is no {}*.json in {} (Debian's {} has it)", which.driver->file,
-                      which.driver->folders[0], which.driver->package),
-          Failure::unavailable);
+      return failed(fmt::format("no {}*.json in {} (Debian's {} has it)", which.driver->file,
+                                which.driver->folders[0], which.driver->package),
+                    Failure::unavailable);
     }
   }
   Result<Instance> instance = Instance::create(instance_options);

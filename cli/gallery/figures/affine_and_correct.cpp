@@ -39,12 +39,12 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
       "Appendix 5: Perspective Correct Interpolation, figure 6-1. Left to right: "
       "orthogonal, affine, perspective correct.";
   figure.sentences = {
-      "A square of two triangles. Where it is orthogonal to the view direction all vertices "
-      "have the same w, and what is linear on the screen is linear on the square: the error is "
+      "A square of two triangles. If it is orthogonal to the view direction, all vertices have the "
+      "same w, and values that are linear on the screen are linear on the square: the error is "
       "zero.",
-      "Where it leans back, linear interpolation gives each triangle squares of equal size, "
-      "which bend at the diagonal. Dividing interpolated u/w and v/w by interpolated 1/w sets "
-      "that right; all that is left is one rounding to float32."};
+      "If it leans back, linear interpolation gives each triangle squares of equal size, which "
+      "bend at the diagonal. Dividing interpolated u/w and v/w by interpolated 1/w corrects that; "
+      "the only error left is one rounding to float32."};
   const std::array<PanelPlan, 3> panels{
       {{"000-6-1-facing", "Orthogonal to the view direction: linear", "method:screen-linear",
         facing(canvas), checkerboard(), in_ulp()},

@@ -20,9 +20,9 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   figure.title = "A rolling camera: the linear quad swims";
   figure.source = "Heckbert & Moreton 1991, §2.1, flaws of linear interpolation.";
   figure.sentences = {
-      "The rectangle of figures 2 and 3, with the camera rolled by 22.5° from frame to frame. "
-      "What a row of the picture interpolates between depends on how the quad is turned, so "
-      "that the checks of the linear one slide and its kinks wander from corner to corner.",
+      "The rectangle of figures 2 and 3, with the camera rolled by 22.5° from frame to frame. The "
+      "values that a row of the picture interpolates between depend on how the quad is turned, so "
+      "the checks of the linear picture slide and its kinks wander from corner to corner.",
       "Rational linear interpolation turns with the camera and does nothing else."};
   struct Strip {
     std::string name;

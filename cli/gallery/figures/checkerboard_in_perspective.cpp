@@ -35,8 +35,8 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
       "and Shading, 1991, figures 2 (left) and 3 (right).";
   figure.sentences = {
       "Linear interpolation along the edges and then along the rows of a polygon lacks the "
-      "foreshortening of perspective. The checks kink in the rows of the corners, which are "
-      "marked: there the row's ends pass from one edge to another.",
+      "foreshortening of perspective. The checks kink in the rows of the corners (marked), where "
+      "the ends of a row pass from one edge to another.",
       "Rational linear interpolation, of u/w, v/w and 1/w with a division at each pixel, is the "
       "projective map itself. Its error is that of one rounding to float32; the steps in its "
       "map are where a coordinate passes a power of two."};

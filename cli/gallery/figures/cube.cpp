@@ -19,10 +19,10 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
       "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slides 6 (two triangles a "
       "face), 15 (eight) and 14 (perspective correct).";
   figure.sentences = {
-      "Linear interpolation bends the checks at the diagonal of each face. Cut into eight "
-      "triangles a face has right values at more vertices, and its errors are less than a "
-      "third; they are still to be seen, the more as the cube moves.",
-      "Perspective correct interpolation needs neither the cuts nor the vertices."};
+      "Linear interpolation bends the checks at the diagonal of each face. A face that is cut into "
+      "eight triangles has correct values at more vertices, and its errors are less than a third "
+      "as large; they are still visible, especially when the cube moves.",
+      "Perspective correct interpolation needs neither the cuts nor the additional vertices."};
   const std::array<PanelPlan, 3> panels{
       {{"004-cube-linear", "Linear, two triangles a face", "method:screen-linear", cube(canvas, 1),
         checkerboard(2), in_texels()},

@@ -36,11 +36,12 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   figure.title = "Gouraud shading, and a T joint";
   figure.source = "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slides 16 and 17.";
   figure.sentences = {
-      "Colours that are interpolated linearly on the screen are wrong, too, but they vary so "
-      "smoothly that each quad for itself looks right. Where one quad meets two in a T, the "
-      "vertex of the T has the right colour and the long edge beside it a wrong one: the "
-      "colours part.",
-      "Interpolated in perspective they are those of the plane, however it is cut."};
+      "Colours that are interpolated linearly on the screen are wrong as well, but they vary so "
+      "smoothly that each quad alone looks right. Where one quad meets two in a T, the vertex of "
+      "the T has the correct colour and the long edge beside it a wrong one, so the colours do not "
+      "meet.",
+      "With perspective correct interpolation, the colours are those of the plane, however it is "
+      "cut."};
   const cases::Case scene = joint(canvas);
   const std::array<PanelPlan, 2> panels{
       {{"004-gouraud-linear", "Linear", "method:screen-linear", scene, vertex_colors(),

@@ -25,9 +25,9 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   figure.title = "Tiling: a texture again and again";
   figure.source = "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slide 18, texture tiling.";
   figure.sentences = {
-      "Texture coordinates run from −2 to 2 across the floor and from −3 to 3 along it; of each "
-      "the whole part is dropped, so that the tile comes again, below 0 as well. With many "
-      "tiles on two triangles linear interpolation is off by more than a whole tile."};
+      "Texture coordinates run from −2 to 2 across the floor and from −3 to 3 along it; their "
+      "integer parts are dropped, so the tile repeats, below 0 as well. With many tiles on two "
+      "triangles, linear interpolation is off by more than a whole tile."};
   const cases::Case scene = floor_of_tiles(canvas);
   const std::array<PanelPlan, 2> panels{
       {{"004-tiling-linear", "Linear", "method:screen-linear", scene, tiles(), in_texels()},

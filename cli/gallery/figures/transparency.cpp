@@ -23,14 +23,14 @@ cases::Case trellis_before_wall(const Canvas& canvas) {
 
 Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
-  figure.title = "Transparency: texels that are not there";
+  figure.title = "Transparency: texels that are not drawn";
   figure.source =
       "MIT 6.837 Computer Graphics, lecture 18, fall 2000, slide 19, texture "
       "transparency.";
   figure.sentences = {
-      "Where the trellis' texels have alpha 0, neither colour nor depth is written, and the "
-      "wall behind stays. Which texel a pixel has follows from interpolated coordinates: linear "
-      "ones put the holes elsewhere."};
+      "Where the trellis's texels have alpha 0, neither colour nor depth is written, and the wall "
+      "behind stays visible. The interpolated coordinates select the texel of a pixel: linear ones "
+      "put the holes in the wrong places."};
   const cases::Case scene = trellis_before_wall(canvas);
   const std::array<PanelPlan, 2> panels{
       {{"004-transparency-linear", "Linear", "method:screen-linear", scene, trellis(), in_texels()},

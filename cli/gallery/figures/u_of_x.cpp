@@ -107,7 +107,7 @@ reports::LinePlot empty_plot(const Canvas& canvas, std::string title) {
 }
 
 reports::LinePlot value_plot(const Canvas& canvas) {
-  reports::LinePlot plot = empty_plot(canvas, "u along the row, exact and by each method");
+  reports::LinePlot plot = empty_plot(canvas, "u along the row, exact and by method");
   plot.y.label = "u";
   plot.y.low = -0.125;  // a parabola falls below 0
   for (const std::string_view label : {"0", "0.25", "0.5", "0.75", "1"}) {
@@ -117,7 +117,7 @@ reports::LinePlot value_plot(const Canvas& canvas) {
 }
 
 reports::LinePlot error_plot(const Canvas& canvas) {
-  reports::LinePlot plot = empty_plot(canvas, "The error of u along the row, by each method");
+  reports::LinePlot plot = empty_plot(canvas, "Error of u along the row, by method");
   const reports::ErrorScale& scale = reports::texel_scale();
   plot.y.label = fmt::format("error of u, {} of {}", scale.unit, kTexels);
   plot.y.is_logarithmic = true;
@@ -139,10 +139,10 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
       "and Shading, 1991, figure 4; quadratic and cubic: §2.1.";
   figure.sentences = {
       "A texture coordinate that is linear on an object is rational linear along a row of the "
-      "picture. Its right end is eight times as far away as its left one: u stays small for "
-      "long, and rises steeply at the end.",
-      "One straight line misses that by half the texture; two polygons, a parabola or a cubic "
-      "come closer, and none is right but at the points it goes through."};
+      "picture. Here the right end is eight times as far away as the left one, so u stays small "
+      "for a long way and rises steeply at the end.",
+      "One straight line misses that by half the texture. Two polygons, a parabola or a cubic come "
+      "closer, but each is exact only at the points that it goes through."};
   const cases::Case scene = wedge(canvas);
   const std::vector<reports::PlotPoint> exact = exact_points(scene);
   reports::LinePlot values = value_plot(canvas);
@@ -163,8 +163,8 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
                              series.dashes, color, off});
     ++color;
   }
-  figure.plots.push_back({std::move(values), "u at the samples of one row, as it was drawn."});
-  figure.plots.push_back({std::move(errors), "What these are off by, whichever way."});
+  figure.plots.push_back({std::move(values), "u at the samples of one row, as drawn."});
+  figure.plots.push_back({std::move(errors), "The absolute errors of these values."});
   return figure;
 }
 

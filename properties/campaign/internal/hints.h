@@ -1,7 +1,7 @@
 #pragma once
 
 // Finds out whether a wrong drawing is the right drawing of a simply changed case: "this is the
-// exact picture, but y points the other way".
+// exact picture, but y points in the other direction".
 
 #include <cstdint>
 #include <optional>

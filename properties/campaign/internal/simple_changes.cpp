@@ -134,13 +134,13 @@ struct PlainChange {
 };
 
 constexpr std::array kOfPlaces{
-    PlainChange{"y points the other way",
+    PlainChange{"y points in the other direction",
                 [](Case& c) {
                   for (ClipVertex& p : c.positions) p.y = -p.y;
                 }},
     PlainChange{"the target is upside down", [](Case& /*c*/) {}, &other_row},
     PlainChange{"the viewport is upside down in the target", &mirror_viewport},
-    PlainChange{"x points the other way",
+    PlainChange{"x points in the other direction",
                 [](Case& c) {
                   for (ClipVertex& p : c.positions) p.x = -p.x;
                 }},
@@ -166,7 +166,7 @@ constexpr std::array kOfPlaces{
                 }},
     PlainChange{"there is no scissor", [](Case& c) { c.scissor.reset(); }},
     PlainChange{"the scissor's rows count from the other end", &mirror_scissor},
-    PlainChange{"the scissor's ends are drawn, too",
+    PlainChange{"the scissor includes its far ends",
                 [](Case& c) {
                   if (!c.scissor) return;
                   c.scissor->width = std::min(c.scissor->width + 1, cases::kMaxSize);
@@ -190,7 +190,7 @@ constexpr std::array kOfPlaces{
                 }},
     PlainChange{"nothing is clipped at the near and far planes",
                 [](Case& c) { c.depth_clamp = true; }},
-    PlainChange{"all is clipped at the near and far planes",
+    PlainChange{"everything is clipped at the near and far planes",
                 [](Case& c) { c.depth_clamp = false; }},
     PlainChange{"triangles with a vertex of w <= 0 are not drawn",
                 [](Case& c) { drop_triangles(c, [](const ClipVertex& p) { return !(p.w > 0); }); }},
@@ -201,8 +201,8 @@ constexpr std::array kOfPlaces{
                   });
                 }},
     PlainChange{"there is no depth test", [](Case& c) { c.depth_test = cases::DepthTest::none; }},
-    PlainChange{"the depth buffer begins with 1", [](Case& c) { c.depth_clear.reset(); }},
-    PlainChange{"depth runs the other way",
+    PlainChange{"the depth buffer is cleared to 1", [](Case& c) { c.depth_clear.reset(); }},
+    PlainChange{"depth runs in the other direction",
                 [](Case& c) {
                   // Direct3D has no viewports with min_depth > max_depth.
                   if (c.rules != Rules::d3d) std::swap(c.viewport.min_depth, c.viewport.max_depth);
@@ -213,7 +213,7 @@ constexpr std::array kOfPlaces{
                   c.viewport.max_depth = 1;
                 }},
     PlainChange{"ties go to the other edges", &swap_ties, nullptr, true},
-    PlainChange{"samples of a pixel are numbered the other way", [](Case& /*c*/) {}, &other_sample,
+    PlainChange{"samples of a pixel are numbered in reverse", [](Case& /*c*/) {}, &other_sample,
                 false, true},
     // Draws everything upside down, then turns the framebuffer back. That turns whole pixels, so
     // their samples stay upside down.
@@ -295,7 +295,7 @@ void add_moves(Changes& changes, float pixels) {
   for (const float x : {-pixels, 0.0F, pixels}) {
     for (const float y : {-pixels, 0.0F, pixels}) {
       if (x == 0 && y == 0) continue;
-      changes.add(fmt::format("all is moved by ({}, {}) pixels", pixels_text(double{x}),
+      changes.add(fmt::format("everything is moved by ({}, {}) pixels", pixels_text(double{x}),
                               pixels_text(double{y})),
                   [x, y](Case& c) {
                     c.viewport.x += x;
@@ -393,7 +393,7 @@ void add_other_attributes(Changes& changes, const std::set<std::size_t>& wrong) 
   for (const std::size_t to : wrong) {
     for (std::size_t from = 0; from < count; ++from) {
       if (from == to) continue;
-      changes.add(fmt::format("{} stands where {} belongs", named(from), named(to)), [&](Case& c) {
+      changes.add(fmt::format("{} is in the place of {}", named(from), named(to)), [&](Case& c) {
         for (std::size_t i = to; i < c.attribute_values.size(); i += count) {
           c.attribute_values[i] = c.attribute_values[i - to + from];
         }

@@ -23,7 +23,7 @@ struct WrongParts {
 };
 
 struct SimpleChange {
-  std::string change;  ///< a clause: "y points the other way"
+  std::string change;  ///< a clause: "y points in the other direction"
   cases::Case source;  ///< the changed case
   /// Maps the place of a drawn sample to its place in the changed case; nullptr: the same place.
   cases::SamplePlace (*place_of)(const cases::FramebufferSize&, cases::SamplePlace) = nullptr;

@@ -36,9 +36,9 @@ records::Violation violation_at(const cases::SamplePlace& place,
                                 const std::string& note);
 
 /// Texts for Violation::exact if only one of two drawings has the fragment.
-inline constexpr const char* kNotDrawnBefore = "forbidden: it was not drawn";
-inline constexpr const char* kDrawnTwice = "forbidden: more than once";
-inline constexpr const char* kDrawnBefore = "required: it was drawn";
+inline constexpr const char* kNotDrawnBefore = "forbidden: the other drawing does not have it";
+inline constexpr const char* kDrawnTwice = "forbidden: drawn more than once";
+inline constexpr const char* kDrawnBefore = "required: the other drawing has it";
 
 /// Matches the fragments of two drawings by place, whatever their order. Calls
 ///

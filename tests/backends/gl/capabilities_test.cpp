@@ -69,7 +69,7 @@ TEST(Capabilities, NameWhatIsLacking) {
   c = small_case();
   c.framebuffer.width = 16384;
   c.framebuffer.samples = 4;
-  expect(has, c, "targets of 16384 x 8 with 4 samples");
+  expect(has, c, "a target of 16384 x 8 pixels with 4 samples");
 }
 
 TEST(Capabilities, NameWhatThisContextLacks) {
@@ -87,7 +87,7 @@ TEST(Capabilities, NameWhatThisContextLacks) {
   expect(&Capabilities::has_provoking_vertex, c, "from the last vertex");
   c = small_case();
   c.attributes[0].interpolation = Interpolation::noperspective;
-  expect(&Capabilities::has_noperspective, c, "OpenGL 4.6 has no noperspective");
+  expect(&Capabilities::has_noperspective, c, "OpenGL 4.6 does not support noperspective");
   c = small_case();
   c.framebuffer.samples = 4;
   expect(&Capabilities::has_sample_qualifier, c, "neither the qualifier `sample`");
@@ -99,7 +99,7 @@ TEST(Capabilities, NameWhatThisContextLacks) {
   expect(&Capabilities::has_depth_clamp, c, "no depth clamp");
   c = small_case();
   c.viewport.x = 0.5F;
-  expect(&Capabilities::has_viewport_fractions, c, "takes viewports in whole pixels");
+  expect(&Capabilities::has_viewport_fractions, c, "does not support fractional viewports");
 }
 
 TEST(Capabilities, CountSamplesAndClipDistances) {
@@ -107,10 +107,10 @@ TEST(Capabilities, CountSamplesAndClipDistances) {
   has.max_samples = 4;
   has.max_clip_distances = 0;
   cases::Case c = small_case();
-  EXPECT_THAT(lacks(has, c), HasSubstr("has 0 clip distances, asked for 1"));
+  EXPECT_THAT(lacks(has, c), HasSubstr("has 0 clip distances; the case needs 1"));
   has.max_clip_distances = 8;
   c.framebuffer.samples = 8;
-  EXPECT_THAT(lacks(has, c), HasSubstr("4 samples at most, asked for 8"));
+  EXPECT_THAT(lacks(has, c), HasSubstr("at most 4 samples; the case needs 8"));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(BisectFolder, WithANameStays) {
   temporary.put("a/b/file", "");
   const auto full = BisectFolder::make(path);
   ASSERT_FALSE(full);
-  EXPECT_EQ(to_string(full.error()), path + ": is not empty; it has to be new");
+  EXPECT_EQ(to_string(full.error()), path + ": is not empty; give a new or empty folder");
   EXPECT_FALSE(BisectFolder::make(temporary.path("a/b/file")));
   EXPECT_TRUE(fs::exists(path + "/file"));
 }

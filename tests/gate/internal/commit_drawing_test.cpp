@@ -73,10 +73,10 @@ class DrawCommit : public testing::Test {
 
 TEST_F(DrawCommit, SaysWhatFailed) {
   EXPECT_EQ(failure("echo out; echo err >&2; exit 4", ""),
-            "sh -c echo out; echo err >&2; exit 4: ended with exit code 4; it said: err");
-  EXPECT_THAT(failure("kill -9 $$", ""), HasSubstr("ended by signal Killed"));
+            "sh -c echo out; echo err >&2; exit 4: ended with exit code 4; its output: err");
+  EXPECT_THAT(failure("kill -9 $$", ""), HasSubstr("was killed by signal Killed"));
   EXPECT_EQ(failure("true", "echo rastercheck: there is none; exit 2"),
-            "rastercheck run: ended with exit code 2; it said: rastercheck: there is none");
+            "rastercheck run: ended with exit code 2; its output: rastercheck: there is none");
   EXPECT_THAT(failure("true", "exit 130"), HasSubstr("ended with exit code 130"));
   for (const char* code : {"0", "1", "5"}) {  // it judged, but left no run.json
     EXPECT_THAT(failure("true", std::string("exit ") + code), HasSubstr("abc/run.json: cannot"));

@@ -165,7 +165,7 @@ TEST_F(CampaignRunTest, WarnsOnceWhereItCannotWrite) {
   ASSERT_TRUE(run_here.check_cases(execute(), {}));
   run_here.save();
   ASSERT_THAT(warnings_, SizeIs(1));
-  EXPECT_THAT(warnings_[0].reason, HasSubstr("the run goes on"));
+  EXPECT_THAT(warnings_[0].reason, HasSubstr("the run continues"));
   EXPECT_EQ(run_here.cases_left(), 0U);
 }
 

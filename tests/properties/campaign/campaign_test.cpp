@@ -158,12 +158,12 @@ TEST(TasksOf, ShardsTakeAnyNumberOfCases) {
 TEST(TaskRunner, NamesWhatThereIsNot) {
   TaskRunner runner({.seed = 1}, {square()});
   EXPECT_EQ(to_string(runner.run({"cpu", "no law", TaskKind::random, 0, 1}).error()),
-            "no law: no law has this id");
+            "no law: no property is called this");
   EXPECT_EQ(to_string(runner.run({"cpu", kCoverage, TaskKind::corpus, 0, 2}).error()),
             "the corpus: has fewer cases than a task asks for");
   for (int twice = 0; twice < 2; ++twice) {  // a failure is not cached instead of a backend
     EXPECT_THAT(to_string(runner.run({"gpu", kCoverage, TaskKind::random, 0, 1}).error()),
-                HasSubstr("gpu: no backend of that name"));
+                HasSubstr("gpu: unknown backend"));
   }
 }
 

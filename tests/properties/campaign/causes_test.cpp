@@ -59,7 +59,7 @@ TEST(CausesOf, WhatIsWrongInTheSamePartIsOneCause) {
   ASSERT_EQ(causes.size(), 1U);
   EXPECT_THAT(causes[0].counterexamples, UnorderedElementsAre(0, 1, 2));
   EXPECT_EQ(causes[0].backend, "cpu");
-  EXPECT_EQ(causes[0].sentence, "samples are missing, and others drawn that must not be");
+  EXPECT_EQ(causes[0].sentence, "samples are missing and extra samples are drawn");
 }
 
 TEST(CausesOf, OtherPartsAreOtherCausesTheLargestFirst) {
@@ -68,7 +68,7 @@ TEST(CausesOf, OtherPartsAreOtherCausesTheLargestFirst) {
                  one("b", FragmentClass::not_a_number, explained({kValues}, {})),
                  one("c", FragmentClass::not_a_number, explained({kValues}, {}))});
   ASSERT_EQ(causes.size(), 2U);
-  EXPECT_EQ(causes[0].sentence, "values are no number");
+  EXPECT_EQ(causes[0].sentence, "values are NaN");
   EXPECT_EQ(causes[1].sentence, "samples are missing");
 }
 
@@ -175,10 +175,9 @@ TEST(CausesOf, BackendsHaveCausesOfTheirOwn) {
 TEST(CausesOf, SaysWhatWasTriedOfTheFirst) {
   const std::vector<records::Cause> causes = causes_of(
       {one("a", FragmentClass::missing, explained({kCoverage}, {"scissor"}, {"tie", "samples"}))});
-  EXPECT_THAT(
-      causes.at(0).tried,
-      ElementsAre("holds once coverage is put right", "holds as soon as: there is no scissor",
-                  "fails all the same if: no sample lies on an edge; a pixel has one sample"));
+  EXPECT_THAT(causes.at(0).tried,
+              ElementsAre("holds once coverage is corrected", "holds if: there is no scissor",
+                          "still fails if: no sample lies on an edge; a pixel has one sample"));
 }
 
 /// A counterexample whose drawing becomes right by these changes.
@@ -195,32 +194,34 @@ TEST(CausesOf, GivesTheChangeThatMakesMostDrawingsRight) {
     return causes_of(all).at(0).hint;
   };
   const Counterexample right = hinted("a", std::nullopt);
-  const Counterexample both = hinted("b", {{"y points the other way", "x and y are exchanged"}});
+  const Counterexample both =
+      hinted("b", {{"y points in the other direction", "x and y are exchanged"}});
   const Counterexample second = hinted("c", {{"x and y are exchanged"}});
   const Counterexample none = hinted("d", {{}});
   EXPECT_EQ(hint_of({right, right}), std::nullopt);
-  EXPECT_EQ(hint_of({right, both}), (records::Hint{"y points the other way", 1, 1}));
+  EXPECT_EQ(hint_of({right, both}), (records::Hint{"y points in the other direction", 1, 1}));
   EXPECT_EQ(hint_of({both, second, none}), (records::Hint{"x and y are exchanged", 2, 3}));
   EXPECT_EQ(hint_of({both, second, none, none, none}), std::nullopt);
 }
 
 // Kills: an upside-down picture reported as two faults, of coverage and of values.
 TEST(CausesOf, WhatOneChangeMakesRightIsOneCause) {
-  Counterexample values = hinted("a", {{"y points the other way"}});
+  Counterexample values = hinted("a", {{"y points in the other direction"}});
   values.explanation->parts = {kValues};
-  const Counterexample coverage = hinted("b", {{"y points the other way"}});
-  const Counterexample other = hinted("c", {{"x points the other way"}});
+  const Counterexample coverage = hinted("b", {{"y points in the other direction"}});
+  const Counterexample other = hinted("c", {{"x points in the other direction"}});
   EXPECT_THAT(places_of({values, coverage}), ElementsAre(UnorderedElementsAre(0, 1)));
   EXPECT_THAT(places_of({values, other}), UnorderedElementsAre(ElementsAre(0), ElementsAre(1)));
 }
 
 // Kills: a sentence about missing samples above a picture of a wrong depth.
 TEST(CausesOf, TheFirstOfACauseShowsWhatItsSentenceSays) {
-  Counterexample values = hinted("values-stay-within-the-bound", {{"y points the other way"}});
+  Counterexample values =
+      hinted("values-stay-within-the-bound", {{"y points in the other direction"}});
   values.source.found->verdict = to_string(FragmentClass::beyond_bound);
   values.explanation->parts = {kValues};
-  const std::vector<Counterexample> all{values, hinted("b", {{"y points the other way"}}),
-                                        hinted("c", {{"y points the other way"}})};
+  const std::vector<Counterexample> all{values, hinted("b", {{"y points in the other direction"}}),
+                                        hinted("c", {{"y points in the other direction"}})};
   const records::Cause cause = causes_of(all).at(0);
   EXPECT_EQ(cause.sentence, "samples are missing");
   EXPECT_THAT(cause.counterexamples, ElementsAre(1, 0, 2));
@@ -235,8 +236,8 @@ TEST(CausesOf, WhatDoesNotFailAgainIsOneCause) {
       one("c", FragmentClass::missing, explained({kCoverage}, {}))};
   EXPECT_THAT(places_of(all), ElementsAre(UnorderedElementsAre(0, 1), ElementsAre(2)));
   const records::Cause cause = causes_of(all).at(0);
-  EXPECT_EQ(cause.sentence, "what is drawn differs from one time to the next");
-  EXPECT_THAT(cause.tried, ElementsAre("held when it was drawn again"));
+  EXPECT_EQ(cause.sentence, "the drawing differs from one time to the next");
+  EXPECT_THAT(cause.tried, ElementsAre("held when drawn again"));
 }
 
 // If a lost depth clamp cuts off a triangle, the triangle's values are wrong too: they belong to
@@ -279,8 +280,7 @@ TEST(CausesOf, WithoutAnExplanationVerdictsAreCauses) {
 TEST(CausesOf, UnknownNeedsAreTakenAsTheyAre) {
   const auto causes = causes_of({one("a", FragmentClass::missing, explained({kCoverage}, {"?"}))});
   EXPECT_EQ(causes.at(0).sentence, "samples are missing");
-  EXPECT_THAT(causes.at(0).tried,
-              ElementsAre("holds once coverage is put right", "holds as soon as: ?"));
+  EXPECT_THAT(causes.at(0).tried, ElementsAre("holds once coverage is corrected", "holds if: ?"));
 }
 
 }  // namespace

@@ -42,15 +42,15 @@ TEST(CloseUp, ShowsWhatIsWrongAroundThePixel) {
                                  "y     5    #   #   .   .   .   +   .   . ",
                                  "y     6    #   .   .   .   .   .   .   . ",
                                  "   x       0   1   2   3   4   5   6   7 ",
-                                 "# drawn as it has to be   . not drawn, rightly   - missing   + "
-                                 "drawn, and must not be   ! drawn with a wrong value"));
+                                 "# drawn correctly   . correctly not drawn   - missing   + drawn "
+                                 "but must not be   ! drawn with a wrong value"));
 }
 
 TEST(CloseUp, ShowsOneTriangleAlone) {
   DamagedBackend backend({}, "cpu");
   const std::vector<std::string> lines = close_up(square(), backend, at(1, 7, 7));
   EXPECT_THAT(lines.front(), HasSubstr("y     2    .   .   .   .   .   #   #   # "));
-  EXPECT_THAT(lines.back(), HasSubstr("This is the case as it stands, judged alone"));
+  EXPECT_THAT(lines.back(), HasSubstr("The picture shows the original drawing"));
 }
 
 // Kills: a picture of one drawing, shown without a note although the violation is in the other
@@ -65,7 +65,7 @@ TEST(CloseUp, SaysWhereTheViolationIsNotInThePicture) {
   using records::FragmentClass;
   EXPECT_THAT(last_line(FragmentClass::missing), testing::StartsWith("# drawn"));
   for (const FragmentClass other : {FragmentClass::extra, FragmentClass::beyond_bound}) {
-    EXPECT_THAT(last_line(other), HasSubstr("judged alone")) << to_string(other);
+    EXPECT_THAT(last_line(other), HasSubstr("changed copy")) << to_string(other);
   }
 }
 
@@ -75,8 +75,9 @@ TEST(CloseUp, SaysWhereTheContractIsNotWhatTheCaseAsksFor) {
   c.coverage = cases::Snapping{7, cases::Rounding::unspecified, 0};
   DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 2, 1); }, "cpu");
   EXPECT_EQ(close_up(c, backend, at(0, 2, 1)).back(),
-            "Judged by what the backend promises, not by what the case asks: coverage snapped to 7 "
-            "subpixel bits (nearest_even), values of basis ideal.");
+            "Judged by the backend's own precision: 7 subpixel bits, rounding nearest_even, values "
+            "of the "
+            "ideal triangle.");
 }
 
 // Kills: a window that begins outside the framebuffer or ends beyond it.

@@ -82,7 +82,7 @@ TEST(HintsOf, AnotherAttributeInItsPlace) {
       },
       "cpu");
   EXPECT_THAT(hints_of(scene(), backend, kAll, {}),
-              Optional(ElementsAre("“a1” stands where “a0” belongs")));
+              Optional(ElementsAre("“a1” is in the place of “a0”")));
 }
 
 TEST(HintsOf, RowsTheOtherWay) {
@@ -93,13 +93,14 @@ TEST(HintsOf, RowsTheOtherWay) {
       "cpu");
   EXPECT_THAT(hints_of(scene(), backend, kAll, {}),
               Optional(testing::UnorderedElementsAre(
-                  "y points the other way", "the target is upside down",
+                  "y points in the other direction", "the target is upside down",
                   "the viewport is upside down in the target", "the rules are Direct3D's")));
 }
 
 TEST(HintsOf, HalfAPixelOff) {
   Mistaken backend([](cases::Case& c) { c.viewport.x -= 0.5F; });
-  EXPECT_THAT(backend.hints(scene()), Optional(ElementsAre("all is moved by (-1/2, 0) pixels")));
+  EXPECT_THAT(backend.hints(scene()),
+              Optional(ElementsAre("everything is moved by (-1/2, 0) pixels")));
 }
 
 TEST(HintsOf, PositionsOnACoarseGrid) {
@@ -140,7 +141,7 @@ TEST(HintsOf, AreOfThePartsInQuestion) {
   EXPECT_THAT(hints_of(scene(), backend, kAll, {}), Optional(IsEmpty()));
   EXPECT_THAT(hints_of(scene(), backend, {DrawnPart::depth}, {}), Optional(IsEmpty()));
   EXPECT_THAT(hints_of(scene(), backend, {DrawnPart::values}, {}),
-              Optional(ElementsAre("“a1” stands where “a0” belongs")));
+              Optional(ElementsAre("“a1” is in the place of “a0”")));
   EXPECT_EQ(hints_of(scene(), backend, {DrawnPart::coverage}, {}), std::nullopt);
 }
 

@@ -62,15 +62,15 @@ TEST(KnownDefects, AreRefusedWhereTheyDoNotFit) {
   put_known(folder, replaced(kKnownList, "\"name\": \"damaged\"", "\"name\": \"other\""));
   EXPECT_EQ(refusal(folder), "/driver/name: is not the name of its folder");
   put_known(folder, replaced(kKnownList, "\"laws\": [\"cov", "\"laws\": [\"no law\", \"cov"));
-  EXPECT_EQ(refusal(folder), "/entries/0/laws: there is no law 'no law'");
+  EXPECT_EQ(refusal(folder), "/entries/0/laws: no property is called 'no law'");
   cases::Case c = scissored_square();
   c.found->law = "values-stay-within-the-bound";
   put_known(folder, kKnownList, c);
-  EXPECT_EQ(refusal(folder), "/found: is found by a law that is not of its entry");
+  EXPECT_EQ(refusal(folder), "/found: violates a property that its entry does not name");
   c = scissored_square();
   c.found->verdict = "extra";
   put_known(folder, kKnownList, c);
-  EXPECT_EQ(refusal(folder), "/found: has a verdict that is not of its entry");
+  EXPECT_EQ(refusal(folder), "/found: has a verdict that its entry does not name");
   c.found.reset();
   put_known(folder, kKnownList, c);
   EXPECT_EQ(refusal(folder), "/found: has no 'found'");

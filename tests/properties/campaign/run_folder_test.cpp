@@ -68,7 +68,7 @@ TEST_F(RunFolder, OfAnUnfinishedRunKeepsWhatItHadFound) {
   const cases::Case found = unfinished().findings.counterexamples[0].source;
   EXPECT_THAT(start.saved, ElementsAre(found));
   EXPECT_EQ(folder_.content(kFile), cases::to_json(found));
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("counterexamples of it that are kept: 1")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("counterexamples kept from it: 1")));
 
   // A file that is there already holds the shrunk case and is kept.
   folder_.put(kFile, "mine");
@@ -87,7 +87,7 @@ TEST_F(RunFolder, WithFilesThatCannotBeReadIsWarnedOf) {
 // Kills: resuming a run as a different one.
 TEST_F(RunFolder, GoesOnOnlyAsItWasBegun) {
   EXPECT_THAT(to_string(resume_run(folder_.path(), "1").error()),
-              HasSubstr("nothing was interrupted"));
+              HasSubstr("no run was interrupted"));
   EXPECT_EQ(resume_error(unfinished()), "");
   EXPECT_EQ(resume_run(folder_.path(), "1").value(), unfinished());
   EXPECT_THAT(to_string(resume_run(folder_.path(), "2").error()), HasSubstr("/program: "));
@@ -96,13 +96,13 @@ TEST_F(RunFolder, GoesOnOnlyAsItWasBegun) {
   EXPECT_THAT(resume_error(other), HasSubstr("/plan/scene: was read from standard input"));
   other = unfinished();
   other.plan.laws.emplace_back("no law");
-  EXPECT_THAT(resume_error(other), HasSubstr("/plan/laws: there is no law 'no law'"));
+  EXPECT_THAT(resume_error(other), HasSubstr("/plan/laws: no property is called 'no law'"));
 }
 
 TEST_F(RunFolder, GoesOnWithTheSameCorpusOnly) {
   EXPECT_TRUE(check_same(unfinished(), {square()}, {}));
   EXPECT_EQ(to_string(check_same(unfinished(), {}, {}).error()),
-            "corpus: is not as it was when the run was begun");
+            "corpus: changed since the run was started");
   cases::Case other = square();
   other.name = "another";
   EXPECT_FALSE(check_same(unfinished(), {other}, {}));

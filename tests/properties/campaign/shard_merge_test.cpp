@@ -133,7 +133,7 @@ TEST(ShardMerge, TakesWhatOnlyTheFirstHas) {
 
 // Kills: a part of a campaign that looks complete.
 TEST(ShardMerge, NamesWhatIsMissing) {
-  EXPECT_EQ(error_of({}), "merge: there are no shards");
+  EXPECT_EQ(error_of({}), "merge: no shards given");
   EXPECT_EQ(error_of({shard(1), shard(3)}), "merge: shard 2 of 3 is missing");
   EXPECT_EQ(error_of({shard(2)}), "merge: shards 1 and 3 of 3 are missing");
   EXPECT_EQ(error_of({shard(3)}), "merge: shards 1 and 2 of 3 are missing");
@@ -144,21 +144,21 @@ TEST(ShardMerge, NamesWhatIsMissing) {
 
 TEST(ShardMerge, RefusesOneThatIsThereTwice) {
   EXPECT_EQ(error_of({shard(1), shard(2), shard(2)}),
-            "file 3: shard 2 of 3 is there twice, also as file 2");
+            "file 3: shard 2 of 3 is given twice, also as file 2");
 }
 
 TEST(ShardMerge, RefusesWhatIsNoShardOrNotWhole) {
   records::Run whole = shard(1);
   whole.shard.reset();
-  EXPECT_EQ(error_of({whole}), "file 1: is no shard: the run was not cut by --shard");
+  EXPECT_EQ(error_of({whole}), "file 1: is not a shard: the run had no --shard option");
   records::Run interrupted = shard(2);
   interrupted.cases_left = 120;
   EXPECT_EQ(error_of({shard(1), interrupted}),
-            "file 2: shard 2 of 3 was interrupted, cases not checked: 120; `rastercheck run "
-            "--resume` goes on with it");
+            "file 2: shard 2 of 3 was interrupted with 120 cases not checked; `rastercheck run "
+            "--resume` continues it");
   interrupted.cases_left = 0;
   interrupted.shard->is_whole = false;
-  EXPECT_THAT(error_of({interrupted}), HasSubstr("not all counterexamples are shrunk"));
+  EXPECT_THAT(error_of({interrupted}), HasSubstr("before all counterexamples were shrunk"));
   records::Run nameless = shard(1);
   nameless.counterexamples[0].source.found.reset();
   EXPECT_THAT(error_of({nameless}), HasSubstr("does not say how it was found"));
@@ -171,54 +171,53 @@ TEST(ShardMerge, NamesTheDifferenceOfAnotherCampaign) {
     change(other);
     return error_of({shard(1), other, shard(3)});
   };
-  const std::string start = "file 2: is of another campaign than file 1: ";
+  const std::string start = "file 2: belongs to another campaign than file 1: ";
   EXPECT_EQ(error([](records::Run& run) { run.environment["version"] = "1.2.4"; }),
-            start + "its program's version is 1.2.4, and 1.2.3 there");
+            start + "its program's version is 1.2.4, not 1.2.3");
   EXPECT_EQ(error([](records::Run& run) { run.environment["architecture"] = "aarch64"; }),
-            start + "its architecture is aarch64, and  there");
+            start + "its architecture is aarch64, not ");
   EXPECT_EQ(error([](records::Run& run) { run.rules_version = 9; }),
-            start + "its rules version is 9, and 1 there");
+            start + "its rules version is 9, not 1");
   EXPECT_EQ(error([](records::Run& run) { run.plan.shard->count = 2; }),
-            start + "its number of shards is 2, and 3 there");
-  EXPECT_EQ(error([](records::Run& run) { run.plan.seed = 2; }),
-            start + "its seed is 2, and 1 there");
+            start + "its number of shards is 2, not 3");
+  EXPECT_EQ(error([](records::Run& run) { run.plan.seed = 2; }), start + "its seed is 2, not 1");
   EXPECT_EQ(error([](records::Run& run) { run.plan.cases_per_law = 2; }),
-            start + "its number of cases of each law is 2, and 3000 there");
+            start + "its number of cases of each property is 2, not 3000");
   EXPECT_EQ(error([](records::Run& run) {
               run.plan.backends = {"cpu", "gl"};
             }),
-            start + "its backends have 'gl', which is not among those there");
+            start + "its backends include 'gl', which the other shard lacks");
   EXPECT_EQ(error([](records::Run& run) { run.plan.laws = {}; }),
-            start + "its laws lack '" + kLaw + "', which is among those there");
+            start + "its properties lack '" + kLaw + "', which the other shard has");
   EXPECT_EQ(error([](records::Run& run) { run.plan.ignores_known = true; }),
-            start + "its options have '--no-known', which is not among those there");
+            start + "its options include '--no-known', which the other shard lacks");
   EXPECT_EQ(error([](records::Run& run) { run.plan.keeps_cases = false; }),
-            start + "its options lack '--keep-cases', which is among those there");
+            start + "its options lack '--keep-cases', which the other shard has");
   EXPECT_EQ(error([](records::Run& run) { run.plan.scene = "bunny"; }),
-            start + "its scene is 'bunny', and '' there");
+            start + "its scene is 'bunny', not ''");
   EXPECT_EQ(error([](records::Run& run) {
               run.plan.contract = {"lax.json", {}};
             }),
-            start + "its options have '--contract', which is not among those there");
+            start + "its options include '--contract', which the other shard lacks");
   const auto held = [](bool keeps) {
     records::Run run = shard(keeps ? 1 : 2);
     run.plan.contract.emplace().file = "lax.json";
     run.plan.contract->terms.keeps_constants = keeps;
     return run;
   };
-  EXPECT_EQ(error_of({held(true), held(false)}), start + "its contract file says something else");
+  EXPECT_EQ(error_of({held(true), held(false)}), start + "its contract file is different");
   EXPECT_EQ(error([](records::Run& run) { run.shard->corpus_digest = "x\n"; }),
-            start + "its corpus' digest is x\\n, and 0123456789abcdef there");
+            start + "its corpus' digest is x\\n, not 0123456789abcdef");
   EXPECT_EQ(error([](records::Run& run) {
               run.known.push_back({"cpu", "known.json", "22.3.6", {}, {}});
             }),
-            start + "its known drivers have 'cpu 22.3.6', which is not among those there");
+            start + "its known drivers include 'cpu 22.3.6', which the other shard lacks");
   EXPECT_EQ(error([](records::Run& run) { run.shard->known_digest = "1"; }),
-            start + "its lists of known defects say something else");
+            start + "its lists of known defects are different");
   EXPECT_EQ(error([](records::Run& run) { run.shard->promises[0].has_limits = true; }),
-            start + "cpu promises something else there");
+            start + "cpu has another contract in the other shard");
   EXPECT_EQ(error([](records::Run& run) { run.shard->promises.clear(); }),
-            start + "a backend promises something else there");
+            start + "a backend has another contract in the other shard");
 }
 
 }  // namespace

@@ -110,8 +110,9 @@ TEST(Waiver, IsRefusedWhereTheLawHolds) {
   DamagedBackend backend;
   const Result<Waiver> waiver = waiver_of({found_case()}, backend);
   ASSERT_FALSE(waiver);
-  EXPECT_EQ(to_string(waiver.error()),
-            "case 0: the law coverage-obeys-the-contract holds here: there is nothing to waive");
+  EXPECT_EQ(
+      to_string(waiver.error()),
+      "case 0: the property coverage-obeys-the-contract holds here, so there is nothing to waive");
 }
 
 TEST(Waiver, IsRefusedOfWhatIsNoCounterexampleOrIsKnown) {
@@ -119,10 +120,10 @@ TEST(Waiver, IsRefusedOfWhatIsNoCounterexampleOrIsKnown) {
   cases::Case no_counterexample = found_case();
   no_counterexample.found.reset();
   EXPECT_EQ(to_string(waiver_of({no_counterexample}, backend).error()),
-            "case 0: /found: is missing: only a counterexample can be known");
+            "case 0: /found: is missing; only a counterexample can be recorded as known");
   const KnownDefects known = known_by(waiver_of({found_case()}, backend).value());
   EXPECT_EQ(to_string(waiver_of({found_case()}, backend, known).error()),
-            "case 0: is known already: mine-1");
+            "case 0: is already known: mine-1");
 }
 
 TEST(Waiver, OfWhatDrawsNothingIsOfItsMessage) {
@@ -135,7 +136,7 @@ TEST(Waiver, OfWhatDrawsNothingIsOfItsMessage) {
   };
   Failing backend;
   EXPECT_EQ(to_string(waiver_of({found_case()}, backend).error()),
-            "case 0: fails in another way now, and is no such counterexample");
+            "case 0: fails in another way than recorded in the file");
   cases::Case failed = found_case();
   failed.found->verdict = "failed";
   const Waiver waiver = waiver_of({failed}, backend).value();

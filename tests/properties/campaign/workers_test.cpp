@@ -92,21 +92,22 @@ TEST(WorkerProcesses, ThatDieAreNamedWithTheirTask) {
   const Result<Findings> found = run_with({"/bin/false"}, 1);
   ASSERT_FALSE(found);
   EXPECT_EQ(to_string(found.error()),
-            "worker: ended with exit code 1 at the law 'coverage-obeys-the-contract' with cpu, "
-            "cases 0 to 9");
+            "worker: ended with exit code 1 while checking the property "
+            "'coverage-obeys-the-contract' on cpu, cases 0 to 9");
   EXPECT_TRUE(has_no_children());
 }
 
 TEST(WorkerProcesses, ThatCrashAreNamedWithTheirSignal) {
-  EXPECT_THAT(shell_error("read task; kill -s SEGV $$"),
-              StartsWith("worker: ended by signal Segmentation fault at the law"));
+  EXPECT_THAT(
+      shell_error("read task; kill -s SEGV $$"),
+      StartsWith("worker: was killed by signal Segmentation fault while checking the property"));
   EXPECT_TRUE(has_no_children());
 }
 
 // Kills: waiting for the end of a process that has no reason to end.
 TEST(WorkerProcesses, ThatHangUpAndLiveOnAreEnded) {
   EXPECT_THAT(shell_error("exec sleep 100000 < /dev/null > /dev/null"),
-              StartsWith("worker: ended by signal Killed at the law"));
+              StartsWith("worker: was killed by signal Killed while checking the property"));
   EXPECT_TRUE(has_no_children());
 }
 
@@ -131,7 +132,7 @@ TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
   const Result<void> found = run_tasks_in_processes(
       {RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--plan", kPlan}, 1, tasks, {});
   ASSERT_FALSE(found);
-  EXPECT_EQ(to_string(found.error()), "no law: no law has this id");
+  EXPECT_EQ(to_string(found.error()), "no law: no property is called this");
   EXPECT_TRUE(has_no_children());
 }
 

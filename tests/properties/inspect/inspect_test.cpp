@@ -212,11 +212,11 @@ TEST(Inspect, RefusesWhatIsNotThere) {
   const auto reason = [&backend](const Focus& focus) {
     return inspect(square(), backend, focus).error().reason;
   };
-  EXPECT_EQ(reason({{2, 0, 0, 0}}), "there is no triangle 2; it has 2");
+  EXPECT_EQ(reason({{2, 0, 0, 0}}), "triangle 2 does not exist; the case has 2");
   EXPECT_EQ(reason({{0, 0, 8, 0}}), "pixel (8, 0) lies outside the framebuffer of 8 × 8 pixels");
   EXPECT_THAT(reason({{0, 8, 0, 0}}), HasSubstr("pixel (0, 8) lies outside"));
-  EXPECT_EQ(reason({{0, 0, 0, 1}}), "there is no sample 1; a pixel has 1");
-  EXPECT_EQ(reason({{0, 0, 0, 0}, 3}), "there is no attribute 3; it has 3");
+  EXPECT_EQ(reason({{0, 0, 0, 1}}), "sample 1 does not exist; a pixel has 1");
+  EXPECT_EQ(reason({{0, 0, 0, 0}, 3}), "attribute 3 does not exist; the case has 3");
 }
 
 }  // namespace

@@ -68,11 +68,12 @@ TEST(BadInput, LeavesTheTargetAlone) {
   EXPECT_EQ(violation.place.x, 5U);
   EXPECT_EQ(violation.place.y, 2U);
   EXPECT_EQ(violation.attribute, 1U);
-  EXPECT_THAT(violation.note, HasSubstr("the target was written, by a case with "));
+  EXPECT_THAT(violation.note, HasSubstr("the target was written to by a case with "));
   backend.over_damage = [](const Case&, Result<void>&, cases::Picture& picture) {
     picture.depth.pop_back();
   };
-  EXPECT_EQ(check_of(kLaw, square(), backend).violations.front().actual, "one of another size");
+  EXPECT_EQ(check_of(kLaw, square(), backend).violations.front().actual,
+            "a target of another size");
 }
 
 TEST(BadInput, IsNotJudgedOfBackendsThatDoNotDrawOver) {

@@ -95,7 +95,7 @@ TEST(CameraForm, FindsAVertexStageThatDependsOnTheMatrices) {
   EXPECT_GT(check.violation_count, 0U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(check.violations.front().note,
-            "clip y of vertex 1, the matrices distributed otherwise");
+            "clip y of vertex 1, with the matrices distributed differently");
 }
 
 TEST(CameraForm, LeavesWhatIsRoundedAlone) {

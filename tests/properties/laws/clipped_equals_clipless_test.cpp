@@ -55,7 +55,7 @@ TEST(Clipping, FindsWhatIsLostAndWhatIsTooMuch) {
       }
     });
     EXPECT_GE(lost.violation_count, 8U);
-    EXPECT_THAT(lost.violations.front().note, HasSubstr("drawn of what is left at the "));
+    EXPECT_THAT(lost.violations.front().note, HasSubstr("drawn as the part that remains at the "));
     const Check twice = checked(c, [](const Case& drawn_case, Fragments& drawn) {
       if (!is_clipped(drawn_case) || drawn.size() == 0) return;
       drawn.triangle.push_back(drawn.triangle[0]);

@@ -65,7 +65,7 @@ TEST(Culling, Partitions) {
 TEST(Culling, FindsTheOrientationIgnored) {
   const Check check = misled([](Case& c) { c.front_face = FrontFace::ccw; });
   EXPECT_EQ(check.violation_count, 128U);
-  EXPECT_THAT(check.violations.front().note, HasSubstr("front faces turned round"));
+  EXPECT_THAT(check.violations.front().note, HasSubstr("the definition of front faces reversed"));
 }
 
 TEST(Culling, FindsWhatIsNeverCulled) {
@@ -74,7 +74,7 @@ TEST(Culling, FindsWhatIsNeverCulled) {
   });
   EXPECT_GT(check.violation_count, 0U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::extra);
-  EXPECT_THAT(check.violations.front().note, HasSubstr("put together"));
+  EXPECT_THAT(check.violations.front().note, HasSubstr("combined"));
 }
 
 // A triangle that counts partly as a front face and partly as a back face.
@@ -93,7 +93,8 @@ TEST(Culling, FindsATriangleInBoth) {
   });
   ASSERT_GT(check.violation_count, 0U);
   const records::Violation& violation = check.violations.front();
-  EXPECT_EQ(violation.exact, "forbidden: culling back faces leaves some of this triangle too");
+  EXPECT_EQ(violation.exact,
+            "forbidden: part of this triangle is also drawn when back faces are culled");
   EXPECT_EQ(violation.place.triangle, 0U);
 }
 

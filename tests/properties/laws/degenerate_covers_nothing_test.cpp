@@ -82,7 +82,7 @@ TEST(Degenerate, TriangleThatDrawsIsFound) {
   EXPECT_EQ(violation.fragment_class, FragmentClass::extra);
   EXPECT_EQ(violation.place.x, 3U);
   EXPECT_EQ(violation.place.y, 4U);
-  EXPECT_THAT(violation.note, HasSubstr("a triangle that was added: "));
+  EXPECT_THAT(violation.note, HasSubstr("an added triangle: "));
 }
 
 TEST(Degenerate, TriangleThatChangesItsNeighboursIsFound) {

@@ -50,7 +50,7 @@ TEST(DrawingTwice, FindsWhatTheFirstLeavesBehind) {
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().attribute, 1U);
   EXPECT_EQ(check.violations.front().place.x, 1U);
-  EXPECT_THAT(check.violations.front().note, HasSubstr("drawn the first time"));
+  EXPECT_THAT(check.violations.front().note, HasSubstr("the first drawing"));
 }
 
 TEST(DrawingTwice, FindsWhatAnotherCaseLeavesBehind) {

@@ -124,7 +124,7 @@ TEST(NearestFragment, IsNearerThanTheBeginningOfTheBuffer) {
   const Check check = check_of(kLaw, c, ignores_it);
   EXPECT_EQ(check.violation_count, 28U);
   EXPECT_EQ(check.violations.front().exact,
-            "forbidden: it is no nearer than what the depth buffer begins with");
+            "forbidden: it is not nearer than the value that the depth buffer is cleared to");
 }
 
 // Finds a depth test by "less or equal".
@@ -135,7 +135,7 @@ TEST(NearestFragment, IsTheFirstOfEqualOnes) {
   EXPECT_THAT(right.labels, testing::Contains("equal nearest"));
   const Check check = check_of(kLaw, c, leaving(2, 0.25F));
   ASSERT_EQ(check.violation_count, 1U);
-  EXPECT_EQ(check.violations.front().exact, "forbidden: triangle 1 is as near, and drawn first");
+  EXPECT_EQ(check.violations.front().exact, "forbidden: triangle 1 is as near and was drawn first");
 }
 
 // Two equal depths behind the nearest fragment do not count as a tie.
@@ -167,7 +167,7 @@ TEST(NearestFragment, IsThereAndAlone) {
         add(drawn, 0, 7, 7);
       });
   ASSERT_EQ(check.violation_count, 3U);
-  EXPECT_EQ(check.violations[0].exact, "forbidden: more than one is left");
+  EXPECT_EQ(check.violations[0].exact, "forbidden: more than one fragment is left");
   EXPECT_EQ(check.violations[1].exact, "forbidden: nothing is drawn there without a depth test");
   EXPECT_EQ(check.violations[2].fragment_class, FragmentClass::missing);
   EXPECT_EQ(check.violations[2].place.triangle, 1U);

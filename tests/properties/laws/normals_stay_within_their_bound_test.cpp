@@ -58,7 +58,7 @@ TEST(NormalsBound, FindsOneUlpAndNamesTheNormal) {
   const records::Violation& violation = check.violations[0];
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(violation.exact, "0.6");
-  EXPECT_EQ(violation.note, "y of the unit normal that (0, 3, 4), position 0, becomes");
+  EXPECT_EQ(violation.note, "y of the unit normal computed from (0, 3, 4), position 0");
 }
 
 // A computed value in place of a zero is off by its own size. Allowed is (4 + 8 (1 + 2^-23)) 2^-53,
@@ -124,7 +124,8 @@ TEST(NormalsBound, RefusesAnotherNumberOfNormals) {
   backend.normal_damage = [](const Matrix4&, std::vector<Normal>& world) { world.pop_back(); };
   const auto check = check_law(*find_law(kLaw), stretched(), backend, 0);
   ASSERT_FALSE(check.has_value());
-  EXPECT_EQ(check.error().reason, "the backend's normals are not one for each that it was handed");
+  EXPECT_EQ(check.error().reason,
+            "the backend returned another number of normals than it was given");
 }
 
 TEST(NormalsBound, MeetsWhatItIsAbout) {

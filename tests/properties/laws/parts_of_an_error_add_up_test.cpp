@@ -75,7 +75,7 @@ TEST(PartsAddUp, FindsATraceOfAnotherValue) {
 TEST(PartsAddUp, FindsPositionsThatWereNotHandedOn) {
   const Check check = with_traces([](SampleTrace& trace) { trace.positions[1][0] = 2; });
   EXPECT_EQ(check.violation_count, 8U);
-  EXPECT_EQ(check.violations.front().exact, "a trace of the clip positions that were handed on");
+  EXPECT_EQ(check.violations.front().exact, "a trace of the clip positions that were passed on");
 }
 
 TEST(PartsAddUp, PartsWhatIsOpenFromTheExcessWithoutATrace) {

@@ -67,8 +67,8 @@ TEST(SameDrawing, HasNoFragmentMore) {
   add(drawn, 0, 1, 1);
   const Check check = compared(drawn);
   ASSERT_EQ(check.violation_count, 2U);
-  EXPECT_EQ(check.violations[0].exact, "forbidden: it was not drawn");
-  EXPECT_EQ(check.violations[1].exact, "forbidden: more than once");
+  EXPECT_EQ(check.violations[0].exact, "forbidden: the other drawing does not have it");
+  EXPECT_EQ(check.violations[1].exact, "forbidden: drawn more than once");
 }
 
 TEST(SameDrawing, HasTheSameValues) {

@@ -65,7 +65,7 @@ TEST(SamplePositions, FindsOneFloatAndNamesIt) {
   EXPECT_EQ(violation.place.x, 2U);
   EXPECT_EQ(violation.place.y, 3U);
   EXPECT_EQ(violation.exact, "3.5 (0x1.cp+1)");
-  EXPECT_EQ(violation.note, "not the window y where it is evaluated");
+  EXPECT_EQ(violation.note, "not the window y of the sample position");
 }
 
 // Sample k takes the values of sample 3 − k; inside the triangles this does not change coverage.

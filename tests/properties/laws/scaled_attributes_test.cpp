@@ -95,7 +95,7 @@ TEST(ScaledAttributes, FindValuesThatAreHeldToARange) {
     if (check.violation_count == 0) continue;
     ++found;
     EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::beyond_bound);
-    EXPECT_THAT(check.violations.front().note, HasSubstr("of the value r as it was"));
+    EXPECT_THAT(check.violations.front().note, HasSubstr("for the original value r"));
   }
   EXPECT_GT(found, 0);
 }

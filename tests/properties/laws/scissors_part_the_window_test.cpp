@@ -67,7 +67,7 @@ TEST(Scissors, FindWhatNoPartDraws) {
   });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::missing);
-  EXPECT_EQ(check.violations.front().note, "drawn in no part");
+  EXPECT_EQ(check.violations.front().note, "not drawn in any part");
 }
 
 TEST(Scissors, FindWhatOnlyAPartDraws) {

@@ -67,7 +67,7 @@ TEST(TracedIsDrawn, FindsAnotherAttributeAndTheOtherZero) {
   EXPECT_EQ(violation.kind, AttributeKind::smooth);
   EXPECT_EQ(violation.attribute, 2U);
   EXPECT_EQ(only_of_first([](SampleTrace& trace) { trace.attributes.pop_back(); }).note,
-            "the trace has another number of attributes");
+            "the trace has another number of attributes than the case");
 }
 
 /// The law's note if the trace of the square's first fragment is changed in this way.
@@ -80,9 +80,9 @@ TEST(TracedIsDrawn, FindsWeightsOfAnotherPlace) {
               HasSubstr("weight 1 is "));
   EXPECT_THAT(note_of_first([](SampleTrace& trace) { trace.u += 1; }), HasSubstr("weight 0 is "));
   EXPECT_EQ(note_of_first([](SampleTrace& trace) { trace.edges.reset(); }),
-            "the trace has lines and no weights");
+            "the trace has lines but no weights");
   EXPECT_EQ(note_of_first([](SampleTrace& trace) { trace.lines.reset(); }),
-            "the trace has weights and no lines");
+            "the trace has weights but no lines");
 }
 
 TEST(TracedIsDrawn, FindsPlanesThatDoNotGiveTheValue) {
@@ -92,7 +92,7 @@ TEST(TracedIsDrawn, FindsPlanesThatDoNotGiveTheValue) {
   EXPECT_THAT(note_of_first([&](SampleTrace& trace) { smooth(trace).numerator->b += 1; }),
               HasSubstr("a plane is "));
   EXPECT_EQ(note_of_first([&](SampleTrace& trace) { smooth(trace).numerator_at.reset(); }),
-            "a plane, what it gives or its frame lacks");
+            "a plane, its value or its frame is missing");
   EXPECT_THAT(note_of_first([&](SampleTrace& trace) { *smooth(trace).evaluated += 0.25; }),
               HasSubstr(" is rounded to "));
 }

@@ -85,7 +85,7 @@ TEST(Triangulation, FindsWhatTwoDrawAndWhatNoneDraws) {
     if (violation.fragment_class != FragmentClass::missing) continue;
     EXPECT_EQ(violation.place.x, 4U);
     EXPECT_EQ(violation.place.y, 4U);
-    EXPECT_EQ(violation.exact, "required: of one triangle");
+    EXPECT_EQ(violation.exact, "required: one triangle must cover it");
   }
   EXPECT_EQ(classes[FragmentClass::missing], 1);
   EXPECT_EQ(classes[FragmentClass::extra], 2);

@@ -47,7 +47,8 @@ TEST(Monotone, FindsAValueThatTurnsBack) {
       ASSERT_FALSE(check.violations.empty());
       EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::beyond_bound);
       EXPECT_EQ(check.violations.front().attribute, 0U);
-      EXPECT_THAT(check.violations.front().note, testing::HasSubstr("turns back on the "));
+      EXPECT_THAT(check.violations.front().note,
+                  testing::HasSubstr("changes direction along the "));
     }
   }
 }

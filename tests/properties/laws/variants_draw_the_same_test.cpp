@@ -52,7 +52,7 @@ TEST(Variants, HaveTheSameLastBits) {
   EXPECT_EQ(violation.fragment_class, records::FragmentClass::beyond_bound);
   EXPECT_EQ(violation.attribute, 0U);
   EXPECT_EQ(violation.exact, "1.5 (0x1.8p+0)");
-  EXPECT_EQ(violation.note, "cpu:output=framebuffer draws the other");
+  EXPECT_EQ(violation.note, "cpu:output=framebuffer draws the expected value");
 }
 
 TEST(Variants, DrawTheSamePictures) {
@@ -64,7 +64,7 @@ TEST(Variants, DrawTheSamePictures) {
   };
   const Check check = checked(backend).value();
   ASSERT_EQ(check.violation_count, 1U);
-  EXPECT_THAT(check.violations.front().note, HasSubstr("cpu draws the other; "));
+  EXPECT_THAT(check.violations.front().note, HasSubstr("cpu draws the expected value; "));
 }
 
 TEST(Variants, HaveToBeThere) {

@@ -61,7 +61,7 @@ TEST(VertexStageBound, FindsOneUlpAndNamesVertexAndTriangle) {
   ASSERT_TRUE(violation.bound.has_value());
   EXPECT_LT(violation.bound->hi, 0.5 + 0x1p-26);
   EXPECT_GT(violation.bound->lo, 0.5);
-  EXPECT_EQ(violation.note, "clip z of vertex 3, errors in its ulp");
+  EXPECT_EQ(violation.note, "clip z of vertex 3; errors in its ULP");
 }
 
 // x of vertex 0 is 0 + 3 − 3: |V| |M| |p| is 6, so that an error of 48 · 2^-53 is allowed, and
@@ -126,7 +126,8 @@ TEST(VertexStageBound, RefusesAnotherNumberOfPositions) {
   backend.transform_damage = [](const Case&, std::vector<ClipVertex>& clip) { clip.pop_back(); };
   const auto check = check_law(*find_law(kLaw), seen_square(), backend, 0);
   ASSERT_FALSE(check.has_value());
-  EXPECT_EQ(check.error().reason, "the backend's clip positions are not one for each vertex");
+  EXPECT_EQ(check.error().reason,
+            "the number of the backend's clip positions differs from the number of vertices");
 }
 
 TEST(VertexStageBound, MeetsCancellationAndSubnormals) {

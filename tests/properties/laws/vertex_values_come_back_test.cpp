@@ -66,7 +66,8 @@ TEST(VertexValues, FindsOneUlpOfTheirOwn) {
   EXPECT_EQ(violation.place.x, 1U);
   EXPECT_EQ(violation.place.y, 1U);
   EXPECT_EQ(violation.attribute, 1U);
-  EXPECT_THAT(violation.note, HasSubstr("vertex 0 lies exactly there and has 9.99999997e-07"));
+  EXPECT_THAT(violation.note,
+              HasSubstr("vertex 0 lies exactly at this sample and has 9.99999997e-07"));
   ASSERT_TRUE(violation.error.has_value());
   EXPECT_LT(violation.error->hi, 0x1p-18);
 }

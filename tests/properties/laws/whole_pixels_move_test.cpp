@@ -90,8 +90,8 @@ TEST(WholePixels, FindWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   EXPECT_EQ(violation.fragment_class, FragmentClass::missing);
   EXPECT_EQ(violation.place.x, 7U);
   EXPECT_EQ(violation.place.y, 6U);
-  EXPECT_EQ(violation.note,
-            "drawn " + std::to_string(du) + " columns and " + std::to_string(dv) + " rows farther");
+  EXPECT_EQ(violation.note, "drawn " + std::to_string(du) + " columns and " + std::to_string(dv) +
+                                " rows further on");
 }
 
 // A sample on the diagonal belongs to B, wherever the picture is.
@@ -130,7 +130,7 @@ TEST(WholePixels, JudgeValuesThatDifferByTheContract) {
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(check.violations.front().attribute, 0U);
-  EXPECT_THAT(check.violations.front().note, HasSubstr("rows farther"));
+  EXPECT_THAT(check.violations.front().note, HasSubstr("rows further on"));
 }
 
 TEST(WholePixels, MoveGridsOfWholePixelsByEvenNumbers) {

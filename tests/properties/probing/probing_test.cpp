@@ -11,7 +11,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "backends/factory.h"
 #include "properties/probing/grid.h"
@@ -28,6 +30,8 @@ using cases::Rounding;
 using cases::Snapping;
 using cases::TieRule;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using ::testing::StartsWith;
 
 records::Probe probed(backends::Backend& backend, const AskedDrawing& asked) {
@@ -56,6 +60,15 @@ std::string measured(const records::Probe& probe, const std::string& what) {
     if (row.what == what) return row.measured;
   }
   return "no row " + what;
+}
+
+/// The names of the rows that contradict what the backend declares.
+std::vector<std::string> contradictions(const records::Probe& probe) {
+  std::vector<std::string> names;
+  for (const records::Measured& row : probe.rows) {
+    if (row.contradicts) names.push_back(row.what);
+  }
+  return names;
 }
 
 // ---- The grid's own arithmetic. A pixel is 2^18.
@@ -103,7 +116,7 @@ TEST(Probe, FindsThatNothingIsRounded) {
   EXPECT_EQ(measured(probe, "tie rule"), "top_left");
   EXPECT_EQ(measured(probe, "greatest coordinate drawn right"), "2^96 pixels or more");
   EXPECT_EQ(measured(probe, "one vertex with w < 0"), "drawn right");
-  EXPECT_EQ(measured(probe, "three vertices with w < 0"), "nothing to draw, and nothing drawn");
+  EXPECT_EQ(measured(probe, "three vertices with w < 0"), "nothing to draw, nothing drawn");
   EXPECT_EQ(measured(probe, "subnormal clip positions"), "kept");
   EXPECT_EQ(measured(probe, "subnormal attribute values"), "kept");
   EXPECT_EQ(measured(probe, "drawing twice"), "the same bits");
@@ -113,6 +126,7 @@ TEST(Probe, FindsThatNothingIsRounded) {
   EXPECT_EQ(probe.terms.smooth, cases::ValueBound{0.51F});
   EXPECT_EQ(probe.terms.depth, cases::ValueBound{0.51F});
   EXPECT_EQ(probe.terms.numbers, cases::MagnitudeRange());
+  EXPECT_THAT(contradictions(probe), IsEmpty());
 }
 
 class ProbeOfGrid : public ::testing::TestWithParam<int> {};
@@ -131,6 +145,7 @@ TEST_P(ProbeOfGrid, FindsItsBits) {
   EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(Coverage(Snapping{bits})));
   EXPECT_EQ(probe.terms.basis, cases::Term<Basis>(Basis::snapped));
   EXPECT_THAT(measured(probe, "coverage as measured"), StartsWith("holds"));
+  EXPECT_THAT(contradictions(probe), IsEmpty());
 }
 INSTANTIATE_TEST_SUITE_P(Cpu, ProbeOfGrid, ::testing::Values(1, 3, 4, 8, 16));
 
@@ -143,9 +158,9 @@ TEST(Probe, FindsTheRoundingThatIsDrawn) {
 
 TEST(Probe, FindsThatWhatIsAskedIsFollowed) {
   const records::Probe probe = probed("cpu", {});
-  EXPECT_THAT(measured(probe, "grid where exact is asked"), StartsWith("none"));
-  EXPECT_EQ(measured(probe, "grid where 8 bits are asked"), "8 bits, nearest_even");
-  EXPECT_EQ(measured(probe, "bits asked for"), "0 to 16, all followed");
+  EXPECT_THAT(measured(probe, "grid if exact is requested"), StartsWith("none"));
+  EXPECT_EQ(measured(probe, "grid if 8 bits are requested"), "8 bits, nearest_even");
+  EXPECT_EQ(measured(probe, "bits requested"), "0 to 16, all honoured");
   EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(cases::AsAsked()));
   EXPECT_EQ(probe.terms.tie_rule, cases::Term<TieRule>(cases::AsAsked()));
   EXPECT_EQ(probe.terms.basis, cases::Term<Basis>(cases::AsAsked()));
@@ -203,10 +218,11 @@ TEST(ProbeOfBent, FindsAGridThatNobodyAskedFor) {
   const records::Probe probe = probe_of(bending, {});
   EXPECT_EQ(measured(probe, "subpixel grid"), "6 bits, nearest_even");
   EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(Coverage(Snapping{6})));
-  EXPECT_EQ(measured(probe, "tie rule where top_left is asked"),
-            "no row tie rule where top_left is asked");
+  EXPECT_EQ(measured(probe, "tie rule if top_left is requested"),
+            "no row tie rule if top_left is requested");
   EXPECT_EQ(probe.terms.tie_rule, cases::Term<TieRule>(TieRule::bottom_left));
   EXPECT_EQ(probe.terms.basis, cases::Term<Basis>(Basis::snapped));
+  EXPECT_THAT(contradictions(probe), IsSupersetOf({"subpixel grid", "tie rule"}));
 }
 
 /// Moves every vertex by this many pixels in x, for a viewport of 64 pixels.
@@ -342,6 +358,8 @@ TEST(ProbeOfBent, FindsFlushedNumbers) {
   EXPECT_GE(probe.terms.numbers->least, 0x1p-126F);
   EXPECT_LE(probe.terms.numbers->least, 0x1p-116F);
   EXPECT_EQ(probe.terms.numbers->greatest, std::numeric_limits<float>::max());
+  EXPECT_THAT(contradictions(probe),
+              IsSupersetOf({"clip positions that draw right", "attribute values that come back"}));
 }
 
 TEST(ProbeOfBent, FindsPicturesThatChange) {
@@ -363,6 +381,7 @@ TEST(ProbeOfBent, FindsHowFarValuesAreOff) {
   EXPECT_GE(probe.terms.smooth->constant, 16);
   EXPECT_LE(probe.terms.smooth->constant, 40);
   EXPECT_EQ(probe.terms.keeps_constants, false);
+  EXPECT_THAT(contradictions(probe), IsSupersetOf({"bound of smooth", "bound of noperspective"}));
 }
 
 TEST(ProbeOfBent, FindsHowFarOutItDraws) {

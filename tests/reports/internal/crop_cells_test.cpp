@@ -31,7 +31,7 @@ TEST(CropCells, HoldOldAgainstNewAndExact) {
   EXPECT_EQ(cells[0].change, 4);
   EXPECT_EQ(cells[1].place.x, 4U);
   EXPECT_FALSE(cells[1].before || cells[1].error_before);
-  EXPECT_EQ(cells[1].change, kInfinite) << "drawn now only";
+  EXPECT_EQ(cells[1].change, kInfinite) << "drawn only now";
 }
 
 // Kills: showing a change although nothing is known about before.

@@ -20,17 +20,14 @@ TEST(NumberCell, SaysWhereThereIsNothing) {
   EXPECT_EQ(number_cell("p99", "–"), "<td class=\"number none\" data-name=\"p99\">–</td>");
 }
 
-TEST(VerdictMark, HasASignAndAWord) {
+TEST(VerdictWord, HasASign) {
   LawSummary row;
-  row.not_applicable_because["it has <no> tie"] = 3;
-  EXPECT_EQ(
-      verdict_mark(row),
-      "<span class=\"unchecked\">– not checked<br><small>it has &lt;no&gt; tie</small></span>");
+  EXPECT_EQ(verdict_word(row), "<span class=\"unchecked\">– not checked</span>");
   row.verdict = LawVerdict::held;
-  EXPECT_EQ(verdict_mark(row), "<span class=\"held\">✓ held</span>");
+  EXPECT_EQ(verdict_word(row), "<span class=\"held\">✓ held</span>");
   row.verdict = LawVerdict::violated;
   row.cases.violations = 2;
-  EXPECT_EQ(verdict_mark(row), "<span class=\"violated\">✗ violated in 2 cases</span>");
+  EXPECT_EQ(verdict_word(row), "<span class=\"violated\">✗ violated in 2 cases</span>");
 }
 
 }  // namespace

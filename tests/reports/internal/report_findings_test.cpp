@@ -19,8 +19,13 @@ std::size_t count_of(const std::string& text, std::string_view part) {
   return count;
 }
 
+std::string both(const records::Run& run) {
+  const Findings findings = findings_of(run);
+  return findings.counterexamples + findings.worst;
+}
+
 TEST(Findings, AnInspectionStandsWithItsCounterexample) {
-  const std::string page = findings_of(sample_run());
+  const std::string page = both(sample_run());
   EXPECT_EQ(count_of(page, "<details class=\"finding\""), 3U);
   EXPECT_EQ(count_of(page, "viewer-place"), 2U);
   // The first counterexample is open and has the first viewer. The second has no viewer and shows
@@ -32,22 +37,22 @@ TEST(Findings, AnInspectionStandsWithItsCounterexample) {
   // Each finding has its case.
   EXPECT_EQ(count_of(page, "<summary>The case: state, vertices, triangles</summary>\n<pre>"), 3U);
   EXPECT_EQ(count_of(page, "<pre>"), 1U + 3U);
-  EXPECT_THAT(page, HasSubstr("<p>Made smaller from “"));
+  EXPECT_THAT(page, HasSubstr("<p><small>Shrunk from the case “"));
 }
 
 TEST(Findings, AWorstCaseSaysWhatItIsTheWorstOf) {
-  const std::string page = findings_of(sample_run());
+  const std::string page = both(sample_run());
   EXPECT_THAT(page, HasSubstr("<span class=\"title\">smooth, near horizon: 0.5"));
-  EXPECT_THAT(page, HasSubstr("<h2>Worst cases</h2>"));
+  EXPECT_THAT(page, HasSubstr("<h2>Largest errors</h2>"));
 }
 
 TEST(Findings, WithoutInspectionsThereIsNoViewer) {
   records::Run run = sample_run();
   run.inspections.clear();
-  EXPECT_THAT(findings_of(run), Not(HasSubstr("viewer-place")));
-  EXPECT_THAT(findings_of(run), Not(HasSubstr("Worst cases")));
+  EXPECT_THAT(both(run), Not(HasSubstr("viewer-place")));
+  EXPECT_THAT(both(run), Not(HasSubstr("Largest errors")));
   run.counterexamples.clear();
-  EXPECT_EQ(findings_of(run), "");
+  EXPECT_EQ(both(run), "");
 }
 
 TEST(Findings, SayWhatWasNotDrawn) {
@@ -55,9 +60,28 @@ TEST(Findings, SayWhatWasNotDrawn) {
   records::Inspection& inspection = run.inspections[0];
   inspection.place.x = 2;
   inspection.place.y = 5;
-  EXPECT_THAT(findings_of(run), HasSubstr("and was not drawn"));
+  EXPECT_THAT(both(run), HasSubstr("and was not drawn"));
   inspection.samples.clear();
-  EXPECT_THAT(findings_of(run), Not(HasSubstr("and was not drawn")));
+  EXPECT_THAT(both(run), Not(HasSubstr("and was not drawn")));
+}
+
+// Kills: a page that opens with the place of a value that is right; causes without the others.
+TEST(Findings, SayTheFaultInTheirHeading) {
+  const std::string page = both(sample_run());
+  EXPECT_THAT(page, HasSubstr("<h3>1. values are wrong where a pixel has several samples"));
+  EXPECT_THAT(page,
+              HasSubstr("attribute &#39;u &amp; v&#39; was drawn as 16.800001 and must be 16.8;"));
+  EXPECT_THAT(page, HasSubstr("<summary>1 more counterexample</summary>"));
+  EXPECT_THAT(page, HasSubstr("<summary>Experiments on its smallest counterexample</summary>"));
+}
+
+// Kills: a sample that must not be drawn, shown by a depth that is right.
+TEST(Findings, ShowTheCoverageOfAWrongSample) {
+  records::Run run = sample_run();
+  ASSERT_EQ(run.inspections.at(0).counterexample, 0U);
+  EXPECT_THAT(findings_of(run).counterexamples, HasSubstr(" by stage"));
+  run.counterexamples.at(0).violations.at(0).kind = records::AttributeKind::coverage;
+  EXPECT_THAT(findings_of(run).counterexamples, Not(HasSubstr(" by stage")));
 }
 
 }  // namespace

@@ -116,28 +116,63 @@ LawSummary row_with(std::uint64_t checked, std::uint64_t violations) {
   return row;
 }
 
+/// A run of the rows' properties on one backend; each row has a property of its own.
+records::Run run_of(std::vector<LawSummary>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].law = "law " + std::to_string(i);
+    rows[i].backend = "cpu";
+  }
+  records::Run run;
+  run.plan.backends = {"cpu"};
+  return run;
+}
+
+std::string headline_of(std::vector<LawSummary> rows) {
+  const records::Run run = run_of(rows);
+  return headline(run, rows);
+}
+
 // Kills: "all held" although some were not checked.
-TEST(VerdictSentence, CountsChecks) {
-  EXPECT_EQ(verdict_sentence({}), "Nothing was checked.");
-  EXPECT_EQ(verdict_sentence({row_with(0, 0)}), "Nothing was checked.");
-  EXPECT_EQ(verdict_sentence({row_with(3, 0), row_with(1, 0)}), "Held: all 2 checks.");
-  EXPECT_EQ(verdict_sentence({row_with(3, 0), row_with(0, 0)}),
-            "Held: 1 of 2 checks; 1 not checked.");
-  EXPECT_EQ(verdict_sentence({row_with(3, 1), row_with(3, 0)}), "Violated: 1 of 2 checks.");
-  EXPECT_EQ(verdict_sentence({row_with(3, 1), row_with(3, 0), row_with(0, 0)}),
-            "Violated: 1 of 3 checks; 1 not checked.");
+TEST(Headline, CountsProperties) {
+  EXPECT_EQ(headline_of({}), "Nothing was checked");
+  EXPECT_EQ(headline_of({row_with(0, 0)}), "Nothing was checked");
+  EXPECT_EQ(headline_of({row_with(3, 0), row_with(1, 0)}), "All 2 properties held");
+  EXPECT_EQ(headline_of({row_with(3, 0), row_with(0, 0)}), "1 of 2 properties held");
+  EXPECT_EQ(headline_of({row_with(3, 1), row_with(3, 0)}), "1 of 2 properties violated");
+  LawSummary thin = row_with(3, 0);
+  thin.verdict = LawVerdict::thin;
+  EXPECT_EQ(headline_of({thin, row_with(0, 0)}), "1 of 2 properties held, on few cases");
+}
+
+// Kills: a property counted once for each backend, or by its best verdict.
+TEST(Headline, CountsAPropertyOfSeveralBackendsOnce) {
+  records::Run run;
+  run.plan.backends = {"cpu", "gl"};
+  run.causes.resize(3);
+  std::vector<LawSummary> rows{row_with(3, 1), row_with(3, 0), row_with(3, 0), row_with(3, 0)};
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].law = i < 2 ? "first" : "second";
+  EXPECT_EQ(headline(run, rows), "1 of 2 properties violated, 3 causes");
+  std::swap(rows[0], rows[1]);
+  EXPECT_EQ(headline(run, rows), "1 of 2 properties violated, 3 causes");
+}
+
+// Kills: a green headline although most properties were not checked, or defects are known.
+TEST(Mood, IsGoodOnlyIfMostHeld) {
+  EXPECT_EQ(mood_of({row_with(3, 0), row_with(3, 0), row_with(0, 0)}), Mood::good);
+  EXPECT_EQ(mood_of({row_with(3, 0), row_with(0, 0)}), Mood::mixed);
+  EXPECT_EQ(mood_of({row_with(0, 0)}), Mood::mixed);
+  EXPECT_EQ(mood_of({row_with(3, 0), row_with(3, 1)}), Mood::bad);
 }
 
 // Kills: counting a driver's known defects as held, or as violations.
-TEST(VerdictSentence, TellsKnownDefects) {
+TEST(Headline, TellsKnownDefects) {
   LawSummary known = row_with(3, 0);
   known.cases.known = 2;
   known.verdict = LawVerdict::known;
-  EXPECT_EQ(verdict_sentence({known, row_with(3, 0)}),
-            "Held: 1 of 2 checks; 1 violated in known ways only.");
-  EXPECT_EQ(verdict_sentence({known, row_with(3, 1), row_with(0, 0)}),
-            "Violated: 1 of 3 checks; 1 violated in known ways only; 1 not checked.");
-  EXPECT_EQ(verdict_sentence({known}), "Violated in known ways only: 1 of 1 checks.");
+  EXPECT_EQ(headline_of({known, row_with(3, 0)}),
+            "Nothing new: 1 property violated in 0 known ways");
+  EXPECT_EQ(headline_of({known, row_with(3, 1), row_with(0, 0)}), "1 of 3 properties violated");
+  EXPECT_EQ(mood_of({known, row_with(3, 0), row_with(3, 0)}), Mood::mixed);
   EXPECT_EQ(verdict_text(known), "known in 2 cases");
   EXPECT_EQ(verdict_text(row_with(3, 1)), "violated in 1 case");
   EXPECT_EQ(verdict_text(row_with(3, 0)), "held");

@@ -1,7 +1,7 @@
 /*
  * Counts how often a sample is drawn, where 1 is asked for.
  *
- * RasterCheck: “draw() wrote 2 to output->coverage, which has to be 0 or 1”
+ * RasterCheck: “draw() wrote 2 to output->coverage, which must be 0 or 1”
  */
 #include "faulty.h"
 

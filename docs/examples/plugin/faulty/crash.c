@@ -1,8 +1,8 @@
 /*
  * Crashes: reads address 0 where a triangle is wide.
  *
- * RasterCheck: “its process ended by signal Segmentation fault while it drew; its last words: the
- * plugin touched address 0x0, which is none of its arrays”
+ * RasterCheck: “its process was killed by signal Segmentation fault while drawing; its last
+ * output: the plugin touched address 0x0, which is in none of its arrays”
  */
 #include "faulty.h"
 

@@ -1,7 +1,7 @@
 /*
  * Gives up where a triangle is wide, and says why.
  *
- * RasterCheck: “draw() says failed: no room for so wide a triangle”
+ * RasterCheck: “draw() reported failed: no room for so wide a triangle”
  */
 #include "faulty.h"
 

@@ -2,8 +2,8 @@
  * Has subnormal numbers flushed to zero when it is loaded, as programs do that GCC links with
  * -ffast-math. On processors other than x86 it only changes the rounding mode.
  *
- * RasterCheck: “to load it changes the rounding mode, or how subnormal numbers are treated: link it
- * without -ffast-math”
+ * RasterCheck: “loading it changes the rounding mode or the treatment of subnormal numbers; link
+ * it without -ffast-math”
  */
 #include <fenv.h>
 #if defined(__SSE__)

@@ -1,7 +1,7 @@
 /*
  * Starts a process that does not end, and crashes, where a triangle is wide.
  *
- * RasterCheck: “its process ended by signal Aborted while it drew”
+ * RasterCheck: “its process was killed by signal Aborted while drawing”
  */
 #define _POSIX_C_SOURCE 200809L
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /*
  * Hangs where a triangle is wide.
  *
- * RasterCheck: “its process was silent for 10 s (--timeout) while it drew”
+ * RasterCheck: “its process did not answer within 10 s (--timeout) while drawing”
  */
 #include "faulty.h"
 

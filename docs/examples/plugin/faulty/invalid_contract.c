@@ -1,7 +1,7 @@
 /*
  * Promises a grid of 2^-99 pixels.
  *
- * RasterCheck: “its contract's subpixel_bits is 99, which has to be from 0 to 16”
+ * RasterCheck: “its contract's subpixel_bits is 99, but must be from 0 to 16”
  */
 #include "faulty.h"
 

@@ -1,7 +1,7 @@
 /*
  * Loses 4 KiB in every draw.
  *
- * RasterCheck: “it leaks: each time that this case is drawn again, more memory is in use”
+ * RasterCheck: “it leaks memory: each time this case is drawn again, memory use grows”
  */
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /*
  * Divides 0 by 0 where a triangle is wide: all of its depths are no numbers.
  *
- * RasterCheck: “depth is nan”
+ * RasterCheck: “depth was drawn as NaN”
  */
 #include "faulty.h"
 

@@ -1,7 +1,7 @@
 /*
  * A shared library, but no plugin: the exported function has another name.
  *
- * RasterCheck: “exports no function rastercheck_plugin_get()”
+ * RasterCheck: “does not export the function rastercheck_plugin_get()”
  */
 #define rastercheck_plugin_get rastercheck_plugin_fetch
 #include "../little.c"

@@ -1,7 +1,7 @@
 /*
  * Says that all went well, and draws nothing.
  *
- * RasterCheck: “not drawn; exactly: required”
+ * RasterCheck: “the sample is not drawn and must be”
  */
 #include "faulty.h"
 

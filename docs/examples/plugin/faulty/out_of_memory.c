@@ -1,7 +1,7 @@
 /*
  * Takes memory without end where a triangle is wide.
  *
- * RasterCheck: “its process ended by signal Aborted while it drew”
+ * RasterCheck: “its process was killed by signal Aborted while drawing”
  */
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /*
  * Leaves the processor rounding towards zero.
  *
- * RasterCheck: “draw() returned with another rounding mode”
+ * RasterCheck: “draw() changed the rounding mode”
  */
 #include <fenv.h>
 

@@ -1,8 +1,8 @@
 /*
  * Prints a sentence, and ends itself where a triangle is wide.
  *
- * RasterCheck: “its process ended by signal Aborted while it drew; its last words: assertion
- * failed: the triangle is narrow”
+ * RasterCheck: “its process was killed by signal Aborted while drawing; its last output:
+ * assertion failed: the triangle is narrow”
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /*
  * Lets a C++ exception leave draw(), which is called from C.
  *
- * RasterCheck: “an exception left draw(): vector::_M_range_check”
+ * RasterCheck: “draw() threw an exception: vector::_M_range_check”
  */
 #define rastercheck_plugin_get little_get
 #include "../little.cpp"

@@ -1,7 +1,7 @@
 /*
  * Returns something that draw() cannot return.
  *
- * RasterCheck: “draw() returned 99, which is none of RASTERCHECK_OK”
+ * RasterCheck: “draw() returned 99, which is not RASTERCHECK_OK”
  */
 #include "faulty.h"
 

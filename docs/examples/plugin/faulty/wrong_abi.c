@@ -1,7 +1,7 @@
 /*
  * Built for another version of the interface.
  *
- * RasterCheck: “it was made for plugin ABI 99, and this RasterCheck has ABI 1”
+ * RasterCheck: “it was compiled for plugin ABI 99, but this RasterCheck has ABI 1”
  */
 #include "faulty.h"
 

@@ -1,7 +1,7 @@
 /*
  * Promises the exact triangle, though it snaps.
  *
- * RasterCheck: “drawn; exactly: forbidden: outside”
+ * RasterCheck: “the sample is drawn and must not be (outside)”
  */
 #include "faulty.h"
 

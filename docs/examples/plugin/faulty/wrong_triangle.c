@@ -1,7 +1,7 @@
 /*
  * Says of every sample that triangle 7 is seen there; there are not that many.
  *
- * RasterCheck: “draw() wrote 7 to output->triangle, of a draw of 1”
+ * RasterCheck: “draw() wrote 7 to output->triangle, which must be below 1”
  */
 #include "faulty.h"
 

@@ -1,0 +1,28 @@
+#pragma once
+
+// Says what is wrong with a drawing, where, and how badly, in units that people have.
+
+#include <string>
+
+#include "cases/case.h"
+#include "records/counterexample.h"
+#include "records/judgement.h"
+
+namespace rastercheck::reports {
+
+/// "pixel (3, 5) of triangle 0"; names the sample if there are several.
+std::string finding_place(const records::Violation& violation, const cases::Case& source);
+
+/// Says what was drawn and what must be: "attribute 'u' was drawn as 0.143 and must be 0.161 to
+/// 0.164", "the sample is not drawn and must be". Numbers have as many digits as tell them apart.
+/// If nothing was drawn, says why.
+std::string finding_fault(const records::Violation& violation, const cases::Case& source);
+
+/// How bad the fault is: "off by 1/18 of the attribute's range (2.3 million scale ULP, 0.5
+/// allowed)", "0.25 pixels from the boundary". Empty if unknown.
+std::string finding_severity(const records::Violation& violation, const cases::Case& source);
+
+/// All of it as a sentence without a full stop, and the law's note, if any.
+std::string finding_text(const records::Violation& violation, const cases::Case& source);
+
+}  // namespace rastercheck::reports
