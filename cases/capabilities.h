@@ -14,7 +14,7 @@
 
 namespace rastercheck::cases {
 
-/// What a case may need besides rules, sizes and numbers.
+/// A feature that a case may need besides rules, sizes and numbers.
 enum class Feature {
   nonpositive_w,       ///< a triangle's vertex with w <= 0
   depth_clipping,      ///< a vertex beyond the near or far plane, without depth clamp

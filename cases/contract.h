@@ -1,6 +1,6 @@
 #pragma once
 
-// What a backend promises about coverage and attributes (RULES §3). Verdicts are decided by a
+// A backend's promises about coverage and attributes (RULES §3). Verdicts are decided by a
 // Contract.
 
 #include <cmath>

@@ -22,7 +22,7 @@ struct Error {
   /// Where in the file: a JSON pointer ("/vertices/0/position/2", "/" for the whole document) or
   /// "line:column" for syntax errors; empty if the error concerns the whole file.
   std::string place;
-  /// What is wrong there, in one line of plain words.
+  /// Says what is wrong there, in one line of plain words.
   std::string reason;
   Failure failure = Failure::refused;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a probe found out about a backend, as plain data (properties/probing/probe.h).
+// A probe's findings about a backend, as plain data (properties/probing/probe.h).
 
 #include <cstdint>
 #include <string>

@@ -22,15 +22,6 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Violation;
 
-std::string value_words(const Violation& violation, const cases::Case& source) {
-  if (!violation.attribute) return "depth";
-  const std::size_t attribute = *violation.attribute;
-  if (attribute >= source.attributes.size() || source.attributes[attribute].name.empty()) {
-    return fmt::format("attribute {}", attribute);
-  }
-  return fmt::format("attribute '{}'", cases::printable(source.attributes[attribute].name));
-}
-
 /// The fewest digits that tell a drawn number from those that are right, and these from each other.
 int distinct_digits(double drawn, const NumberRange& right) {
   constexpr int kFewest = 3;
@@ -60,13 +51,14 @@ std::string value_fault(const Violation& violation, const cases::Case& source) {
   const std::optional<NumberRange> drawn = numbers_in(violation.actual);
   if (violation.fragment_class == FragmentClass::wrong_sign_of_zero) {
     return fmt::format("{} was drawn as the zero of the other sign",
-                       value_words(violation, source));
+                       finding_value(violation, source));
   }
-  const int digits = right && drawn ? distinct_digits(drawn->lo, *right) : 9;
+  constexpr int kFloatDigits = 9;  // these tell any two float32 numbers apart
+  const int digits = right && drawn ? distinct_digits(drawn->lo, *right) : kFloatDigits;
   std::string actual = cases::printable(violation.actual);
   if (drawn) actual = fmt::format("{:.{}g}", drawn->lo, digits);
   if (violation.fragment_class == FragmentClass::not_a_number) actual = "NaN";
-  return fmt::format("{} was drawn as {} and must be {}", value_words(violation, source), actual,
+  return fmt::format("{} was drawn as {} and must be {}", finding_value(violation, source), actual,
                      right_text(violation, right, digits));
 }
 
@@ -159,6 +151,15 @@ std::string rounded_count(const records::Enclosure& error) {
 }
 
 }  // namespace
+
+std::string finding_value(const Violation& violation, const cases::Case& source) {
+  if (!violation.attribute) return "depth";
+  const std::size_t attribute = *violation.attribute;
+  if (attribute >= source.attributes.size() || source.attributes[attribute].name.empty()) {
+    return fmt::format("attribute {}", attribute);
+  }
+  return fmt::format("attribute '{}'", cases::printable(source.attributes[attribute].name));
+}
 
 std::string finding_place(const Violation& violation, const cases::Case& source) {
   return fmt::format("pixel ({}, {}){} of triangle {}", violation.place.x, violation.place.y,

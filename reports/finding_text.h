@@ -10,6 +10,9 @@
 
 namespace rastercheck::reports {
 
+/// "attribute 'u'", "attribute 1", "depth": the violation's value.
+std::string finding_value(const records::Violation& violation, const cases::Case& source);
+
 /// "pixel (3, 5) of triangle 0"; names the sample if there are several.
 std::string finding_place(const records::Violation& violation, const cases::Case& source);
 

@@ -25,7 +25,7 @@ class MethodTap;
 using DrawFragments = DrawCounts (*)(const State& state, const Mesh& mesh, const TargetSize& size,
                                      Fragments& fragments, MethodTap* tap);
 
-/// What a method claims about smooth values: they are linear in clip space or, for a method that
+/// A method's claim about smooth values: they are linear in clip space or, for a method that
 /// never divides, linear in window space like noperspective values.
 enum class Claim { perspective, affine };
 

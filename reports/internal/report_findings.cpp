@@ -184,8 +184,13 @@ std::string violation_row(const records::Violation& violation, const cases::Case
   };
   std::string what(to_string(violation.fragment_class));
   if (violation.has_place()) what += fmt::format(", {}", to_string(violation.kind));
+  std::string where = "–";
+  if (violation.has_place()) {
+    where = html(finding_place(violation, source));
+    if (violation.attribute) where += ": " + html(finding_value(violation, source));
+  }
   if (!violation.note.empty()) what += "<br><small>" + html(violation.note) + "</small>";
-  return "<tr>" + cell(html(place_text(violation, source))) + cell(what) +
+  return "<tr>" + cell(where) + cell(what) +
          named_cell("must be", violation.has_place() ? shortened_value(violation.exact) : "–") +
          named_cell("drawn", violation.has_place() ? shortened_value(violation.actual) : "–") +
          number_cell("error, ULP", number(violation.error)) +
@@ -240,7 +245,7 @@ std::string next_commands(const Run& run, const Counterexample& counterexample) 
   if (!violations.empty() && violations.front().has_place()) {
     records::WorstError place;
     place.place = violations.front().place;
-    text += fmt::format("<div><dt>see how it comes about</dt><dd><code>{}</code></dd></div>\n",
+    text += fmt::format("<div><dt>explain the sample</dt><dd><code>{}</code></dd></div>\n",
                         html(explain_command(run, file, place)));
   }
   return text + "</dl>\n";
@@ -279,7 +284,7 @@ std::string counterexample_section(const Run& run, const Counterexample& counter
   return text + next_commands(run, counterexample) + "</details>\n";
 }
 
-/// Says what the counterexamples of a cause have in common, and what was tried on the first.
+/// Says what the counterexamples of a cause have in common, and gives the hint, if any.
 std::string cause_heading(const Run& run, std::size_t index) {
   const records::Cause& cause = run.causes[index];
   std::string text = fmt::format("<h3>{}. {}</h3>\n", index + 1, html(cause_line(run, cause)));
@@ -362,8 +367,7 @@ Findings findings_of(const Run& run) {
     return counterexample_section(run, run.counterexamples[i], shown_of(all, i), is_open);
   };
   std::string text;
-  const std::size_t causes = run.counterexamples.empty() ? 0 : run.causes.size();
-  for (std::size_t i = 0; i < causes; ++i) {
+  for (std::size_t i = 0; i < run.causes.size(); ++i) {
     const std::vector<std::uint64_t>& of = run.causes[i].counterexamples;
     text += "<section class=\"cause\">\n" + cause_heading(run, i) +
             tried_of(run.causes[i], i == 0) + section(static_cast<std::size_t>(of.front()), i == 0);

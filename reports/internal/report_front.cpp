@@ -45,10 +45,9 @@ std::string levels_of(const LawSummary& total) {
   return text;
 }
 
-/// The sum of a backend's rows, with their largest error.
+/// The largest errors of a backend's rows.
 struct BackendFigures {
   std::string backend;
-  std::vector<LawSummary> rows;
   std::optional<Enclosure> worst;
   std::optional<Enclosure> p99;
   std::optional<Enclosure> excess;
@@ -65,7 +64,6 @@ std::vector<BackendFigures> by_backend(const Run& run, const std::vector<LawSumm
     figures.backend = backend;
     for (const LawSummary& row : rows) {
       if (row.backend != backend) continue;
-      figures.rows.push_back(row);
       keep_greater(figures.worst, row.ideal.worst);
       keep_greater(figures.p99, row.ideal.p99);
       keep_greater(figures.excess, row.excess.worst);

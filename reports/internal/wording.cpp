@@ -258,17 +258,4 @@ std::string verdict_text(const LawSummary& row) {
   return std::string(to_string(row.verdict));
 }
 
-std::string place_text(const records::Violation& violation, const cases::Case& source) {
-  if (!violation.has_place()) return "–";
-  std::string text = fmt::format("triangle {}, pixel ({}, {}), sample {}", violation.place.triangle,
-                                 violation.place.x, violation.place.y, violation.place.sample);
-  if (violation.attribute) {
-    const std::size_t attribute = *violation.attribute;
-    text += attribute < source.attributes.size()
-                ? ", attribute " + cases::printable(source.attributes[attribute].name)
-                : fmt::format(", attribute {}", attribute);
-  }
-  return text;
-}
-
 }  // namespace rastercheck::reports

@@ -106,7 +106,4 @@ records::LawSummary totals(const std::vector<records::LawSummary>& rows);
 /// True if any row has a table of precision.
 bool has_precision(const std::vector<records::LawSummary>& rows);
 
-/// "triangle 0, pixel (3, 5), sample 0, attribute u"; "–" if there is no place.
-std::string place_text(const records::Violation& violation, const cases::Case& source);
-
 }  // namespace rastercheck::reports

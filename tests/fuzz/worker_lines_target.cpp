@@ -16,7 +16,7 @@ void check_findings(const properties::Findings& findings) {
   expect(*again == findings, "findings that were written are read as the same");
   expect(properties::findings_to_line(again) == line,
          "findings that were read again are written as the same");
-  // What a campaign does with the findings that it reads.
+  // Does what a campaign does with the findings that it reads.
   properties::Findings merged = findings;
   properties::merge(merged, *again);
 }

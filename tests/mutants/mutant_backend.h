@@ -14,7 +14,8 @@ const std::vector<std::string>& mutant_names();
 /// Mutants of both kinds are available as backends.
 const std::vector<std::string>& gate_mutant_names();
 
-/// What a patch states about its mutant before the diff begins; only the first line of each text.
+/// The header of a patch, which describes its mutant before the diff begins; only the first line of
+/// each text.
 struct Header {
   std::string defect;      ///< what is wrong
   std::string killed_by;   ///< the id of a law; empty if no law can kill the mutant

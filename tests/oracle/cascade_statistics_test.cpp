@@ -1,5 +1,5 @@
-// What a judgement counts and keeps where the cascade is most likely to lose or double some of it:
-// sums, extremes of equal size, borders of words, batches and chunks.
+// Tests what a judgement counts and keeps where the cascade is most likely to lose or double some
+// of it: sums, extremes of equal size, borders of words, batches and chunks.
 
 #include <gtest/gtest.h>
 

@@ -125,7 +125,7 @@ RC_GTEST_PROP(Cascade, VerdictsAreThoseOfTheTriangleAndTheReferee, ()) {
   RC_ASSERT(wrong == "");
 }
 
-/// Two big triangles in perspective; none of their numbers lie on a grid.
+/// Two big triangles in perspective, with no number on a grid.
 cases::Case ordinary_case(int size) {
   cases::Case c = small_case(cases::Rules::vulkan, size, size,
                              {{{-0.937F, -0.913F, 0.137F, 1.0F},

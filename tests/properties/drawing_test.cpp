@@ -1,4 +1,5 @@
-// What a backend must not do to the process that it runs in, and which drawings it must not return.
+// Tests what a backend must not do to the process that it runs in, and which drawings it must not
+// return.
 
 #include "properties/drawing.h"
 

@@ -21,7 +21,7 @@ TEST(Figures, AreInTheOrderOfTheirNames) {
   }
 }
 
-/// What a figure has to say about its source. The figure's name begins with the number of the text
+/// Checks what a figure says about its source. The figure's name begins with the number of the text
 /// (docs/bibliography.md).
 std::string source_of(const std::string& name) {
   const std::map<std::string, std::string> texts{{"000", "Appendix 5"},

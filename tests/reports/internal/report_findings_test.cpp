@@ -52,6 +52,7 @@ TEST(Findings, WithoutInspectionsThereIsNoViewer) {
   EXPECT_THAT(both(run), Not(HasSubstr("viewer-place")));
   EXPECT_THAT(both(run), Not(HasSubstr("Largest errors")));
   run.counterexamples.clear();
+  run.causes.clear();
   EXPECT_EQ(both(run), "");
 }
 

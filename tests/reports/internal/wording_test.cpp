@@ -191,20 +191,5 @@ TEST(Totals, AddsRows) {
   EXPECT_EQ(total.verdict, LawVerdict::violated);
 }
 
-TEST(PlaceText, NamesTheAttribute) {
-  cases::Case c;
-  c.attributes = {{"u"}};
-  records::Violation violation;
-  violation.place.x = 3;
-  violation.place.y = 5;
-  EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0");
-  violation.attribute = 0;
-  EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0, attribute u");
-  violation.attribute = 1;
-  EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0, attribute 1");
-  violation.fragment_class = records::FragmentClass::hang;
-  EXPECT_EQ(place_text(violation, c), "–");
-}
-
 }  // namespace
 }  // namespace rastercheck::reports::wording_test
