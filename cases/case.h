@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cases/coverage.h"
+#include "cases/picture_layout.h"
 
 namespace rastercheck::cases {
 
@@ -153,6 +154,8 @@ struct Case {
   /// drawn.
   std::optional<std::uint64_t> choices;
   std::optional<Found> found;
+  /// What pictures of the case show (`rastercheck judge`). Ignored when drawn.
+  std::optional<PictureLayout> picture;
 
   /// The attribute values of one vertex, in the order of `attributes`.
   std::span<const float> attributes_of(std::size_t vertex) const;

@@ -12,6 +12,7 @@
 #include "cases/files.h"
 #include "cases/json_node.h"
 #include "cases/names.h"
+#include "cases/picture_layout_json.h"
 #include "cases/sample_pattern.h"
 
 namespace rastercheck::cases {
@@ -201,7 +202,8 @@ void check_header(const JsonNode& root) {
   root.expect_object(
       {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
       {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
-       "depth_clear", "depth_clamp", "attributes", "camera", "essential", "choices", "found"});
+       "depth_clear", "depth_clamp", "attributes", "camera", "essential", "choices", "found",
+       "picture"});
   if (root.failed()) return;
   if (root["version"].integer(0, std::numeric_limits<std::int32_t>::max()) != 1) {
     root["version"].refuse("version must be 1");
@@ -238,6 +240,7 @@ Case read_case(const JsonNode& root) {
   }
   if (root.has("choices")) c.choices = root["choices"].unsigned_integer();
   if (root.has("found")) c.found = read_found(root["found"]);
+  if (root.has("picture")) c.picture = read_picture_layout(root["picture"]);
   if (root.failed()) return c;
   read_vertices(root["vertices"], c);
   if (root.failed()) return c;

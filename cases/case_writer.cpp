@@ -10,6 +10,7 @@
 #include "cases/float_text.h"
 #include "cases/json.h"
 #include "cases/names.h"
+#include "cases/picture_layout_json.h"
 
 namespace rastercheck::cases {
 namespace {
@@ -130,6 +131,7 @@ std::string to_json(const Case& c) {
   }
   if (c.choices) add("choices", fmt::to_string(*c.choices));
   if (c.found) add("found", found_text(*c.found));
+  if (c.picture) add("picture", to_json(*c.picture));
   return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
 }
 

@@ -17,14 +17,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/child_process.h"
 #include "cases/error.h"
 #include "cases/mesh.h"
+#include "cases/reader_process.h"
 
 namespace rastercheck::cases {
-
-/// Half of the machine's memory and two minutes: more than any drawable mesh needs.
-ProcessLimits default_mesh_limits();
 
 /// Returns the mesh that `command` (program and arguments) reads; the command must call
 /// serve_mesh(). `file` is the name used in errors.

@@ -40,6 +40,18 @@ constexpr auto names_of(Rounding /*type*/) {
 constexpr auto names_of(Basis /*type*/) {
   return std::to_array<std::string_view>({"ideal", "snapped", "unspecified"});
 }
+constexpr auto names_of(Storage /*type*/) {
+  return std::to_array<std::string_view>({"float32", "float16", "unorm8", "unorm16", "srgb8"});
+}
+constexpr auto names_of(StoreRounding /*type*/) {
+  return std::to_array<std::string_view>({"nearest", "either"});
+}
+constexpr auto names_of(FirstRow /*type*/) {
+  return std::to_array<std::string_view>({"top", "bottom"});
+}
+constexpr auto names_of(ResolveOf /*type*/) {
+  return std::to_array<std::string_view>({"linear", "stored"});
+}
 /// `unspecified` occurs only in contracts and has no name, as a case must say who owns a tie. It
 /// must stay the last enumerator, because names are found by an enumerator's number.
 constexpr auto names_of(TieRule /*type*/) {

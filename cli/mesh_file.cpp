@@ -9,7 +9,7 @@ namespace rastercheck::cli {
 
 Result<cases::Case> case_from_mesh_file(const std::string& file, const std::string& format,
                                         const cases::MeshOptions& options) {
-  const cases::ProcessLimits limits = cases::default_mesh_limits();
+  const cases::ProcessLimits limits = cases::default_reader_limits();
   std::vector<std::string> command{kOwnProgram, "mesh"};
   if (!format.empty()) command.push_back("--format=" + format);
   // After "--" a file name may begin with any character, even with "-".

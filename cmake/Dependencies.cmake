@@ -19,6 +19,7 @@ find_package(assimp REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Boost REQUIRED)  # headers only
 find_package(PNG REQUIRED)
+find_package(OpenEXR REQUIRED)
 find_package(rapidcheck REQUIRED)
 find_package(Vulkan REQUIRED)
 find_program(RASTERCHECK_GLSLANG glslangValidator REQUIRED)

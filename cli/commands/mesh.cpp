@@ -12,7 +12,7 @@ namespace {
 struct Options {
   std::string file;
   std::string format;
-  cases::ProcessLimits limits = cases::default_mesh_limits();
+  cases::ProcessLimits limits = cases::default_reader_limits();
 };
 
 ExitCode run(const Options& options) {

@@ -11,13 +11,16 @@
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
+#include "cases/drawn_picture.h"
 #include "cases/files.h"
 #include "cases/float_text.h"
 #include "cases/json.h"
+#include "cases/picture_writer.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
 #include "cli/output.h"
+#include "cli/picture_option.h"
 #include "cli/sample_limit.h"
 #include "oracle/transform.h"
 #include "properties/drawing.h"
@@ -31,6 +34,8 @@ struct Options {
   std::string file;
   std::string backend = "cpu";
   std::string png;
+  std::string picture;
+  PictureFlags flags;
   double timeout = kDefaultTimeout;
   bool all = false;
   bool json = false;
@@ -89,6 +94,21 @@ Result<void> check_png(const Options& options) {
   return check_output_file(options.png, options.file);
 }
 
+/// Writes the drawing as a picture with numbers, as `rastercheck judge` reads it.
+Result<void> write_numbers(const Options& options, const cases::Case& c,
+                           const cases::Fragments& drawn) {
+  if (const auto is_free = check_output_file(options.picture, options.file); !is_free) {
+    return is_free;
+  }
+  const Result<cases::PictureLayout> layout = layout_of(c, options.flags);
+  if (!layout) return tl::unexpected(layout.error());
+  const cases::PictureFile plan = cases::planned_picture(c, *layout);
+  return cases::view_of(c, *layout, plan, options.picture)
+      .and_then([&](const cases::PictureView& view) {
+        return cases::write_picture(cases::picture_of(view, plan, drawn), options.picture);
+      });
+}
+
 ExitCode run(const Options& options) {
   if (const Result<void> png = check_png(options); !png) return fail(png.error());
   auto backend = backend_factory(options.timeout).make(options.backend);
@@ -101,6 +121,10 @@ ExitCode run(const Options& options) {
   }
   const Result<backends::Drawn> drawn = properties::draw(*c, **backend);
   if (!drawn) return fail({options.file, "", to_string(drawn.error())});
+  if (!options.picture.empty()) {
+    const Result<void> written = write_numbers(options, *c, drawn->fragments);
+    return written ? ExitCode::ok : fail(written.error());
+  }
   if (!options.png.empty()) {
     const Result<void> written = reports::to_png(reports::draw_picture(*c, drawn->fragments))
                                      .and_then([&options](const auto& bytes) {
@@ -127,8 +151,15 @@ Action set_up(CLI::App& app) {
       ->type_name(kBackend)
       ->capture_default_str();
   add_timeout(app, options->timeout);
-  app.add_option("--png", options->png, "Write the picture to this file and print nothing")
-      ->type_name(kFile);
+  CLI::Option* png = app.add_option("--png", options->png,
+                                    "Write a picture for people to this file and print nothing")
+                         ->type_name(kFile);
+  app.add_option("--picture", options->picture,
+                 "Write the drawn numbers to this file, .exr, .png, .npy or .pfm, as rastercheck "
+                 "judge reads them, and print nothing")
+      ->type_name(kFile)
+      ->excludes(png);
+  add_picture_flags(app, options->flags);
   app.add_flag("--all", options->all, "Allow more than 2^26 samples");
   app.add_flag("--json", options->json,
                "Print the fragments as JSON, with values as hexadecimal floats");

@@ -6,11 +6,7 @@
 
 namespace rastercheck::oracle {
 
-namespace {
-
-/// If a placement has some depth at a covered sample, the exact triangle has that depth at a point
-/// at most this far away, in pixels per axis. Empty if doubles cannot tell.
-std::optional<double> moved_by(const TriangleSetup& triangle) {
+std::optional<double> placement_radius(const TriangleSetup& triangle) {
   constexpr double kUp = 1 + 0x1p-40;  // for roundings
   const double reach = triangle.reach.to_interval().second;
   if (triangle.shape == Shape::cut) return reach;
@@ -30,6 +26,22 @@ std::optional<double> moved_by(const TriangleSetup& triangle) {
   return reach * (1 + 2 * rho) / (1 - rho) * kUp;
 }
 
+namespace {
+
+/// Encloses the depths of a triangle's vertices, all of which have w > 0.
+records::Enclosure vertex_depths(const TriangleSetup& triangle) {
+  records::Enclosure depths{std::numeric_limits<double>::infinity(),
+                            -std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double depth = near_double(triangle.scene->depth_numerator(triangle.indices[i])) /
+                         near_double(triangle.columns[i][2]);
+    const double slack = std::abs(depth) * 0x1p-48;  // of two near_double() and the quotient
+    depths.lo = std::min(depths.lo, depth - slack);
+    depths.hi = std::max(depths.hi, depth + slack);
+  }
+  return depths;
+}
+
 }  // namespace
 
 DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& coverage)
@@ -44,8 +56,11 @@ DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& co
   const bool is_open = triangle.promise.is_made && triangle.shape != Shape::exact &&
                        triangle.ideal.orientation() != 0 && coverage.has_first_level();
   if (!is_open) return;
-  if (const std::optional<double> moved = moved_by(triangle)) {
+  if (const std::optional<double> moved = placement_radius(triangle)) {
     set_line(triangle, triangle.ideal, *moved);
+  } else if (triangle.shape == Shape::placed) {
+    set_line(triangle, triangle.ideal, 0);
+    if (line_) vertices_ = vertex_depths(triangle);
   }
 }
 
@@ -84,8 +99,12 @@ std::optional<records::Enclosure> DepthFilter::at(int x, int y,
   const double u = x - box_.x0 + sample.x / 16.0;
   const double v = y - box_.y0 + sample.y / 16.0;
   const double depth = (line_->a * u + (line_->b * v + line_->c)) * reciprocal_;
-  return records::Enclosure{std::clamp(depth - radius_, range_.lo, range_.hi),
-                            std::clamp(depth + radius_, range_.lo, range_.hi)};
+  records::Enclosure depths{depth - radius_, depth + radius_};
+  if (vertices_) {
+    depths = {std::min(depths.lo, vertices_->lo), std::max(depths.hi, vertices_->hi)};
+  }
+  return records::Enclosure{std::clamp(depths.lo, range_.lo, range_.hi),
+                            std::clamp(depths.hi, range_.lo, range_.hi)};
 }
 
 }  // namespace rastercheck::oracle

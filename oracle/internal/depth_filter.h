@@ -9,13 +9,18 @@
 
 namespace rastercheck::oracle {
 
+/// The R of DepthFilter, in pixels: if a placement has some value at a covered sample, the exact
+/// triangle has that value within this distance along both axes. Empty if doubles cannot tell. Only
+/// for shapes placed and cut.
+std::optional<double> placement_radius(const TriangleSetup& triangle);
+
 /// Encloses the depths of a triangle's required and permitted samples in doubles. A depth test
 /// compares many depths and needs few of them exactly.
 ///
 /// If the contract allows several placements, the depth of each at a sample p is the depth of the
 /// exact triangle at some point q (placement_filter.h, which defines ρ and S):
 ///
-///   |p − q| <= reach S/(1 − ρ),  S = 1 + 2ρ;     shape cut:  |p − q| <= reach.
+///   |p − q| <= R = reach S/(1 − ρ),  S = 1 + 2ρ;     shape cut:  R = reach.
 ///
 /// So the placement's depth differs from the exact depth at p by at most this distance times
 /// |∂d/∂u| + |∂d/∂v|.
@@ -27,6 +32,9 @@ namespace rastercheck::oracle {
 /// triangle, where no α_i is negative. Σ ∂α_i = 0 and Σ |∂α_i| = ρ/reach, so the negative α_i(q)
 /// sum up to at most N = ρ/(1 − ρ). So 1/w > 0 if N/(1 + N) = ρ is less than the ratio of the least
 /// w to the greatest.
+///
+/// Otherwise, as in triangles of a few grid units, the enclosure holds all depths between the
+/// vertices' depths, and the exact triangle's own depth, which the basis unspecified permits.
 class DepthFilter {
  public:
   /// `coverage` must be the triangle's filter; at() must be called only for samples in its box.
@@ -43,6 +51,8 @@ class DepthFilter {
   double reciprocal_ = 0;           ///< 1 / |det M|
   double radius_ = 0;
   records::Enclosure range_;  ///< the rules clamp depths to this
+  /// The vertices' depths, if all depths between them are permitted.
+  std::optional<records::Enclosure> vertices_;
 };
 
 }  // namespace rastercheck::oracle

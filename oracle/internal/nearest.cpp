@@ -64,12 +64,14 @@ const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle)
   return prepared_[triangle] = {std::move(truth), std::move(filter)};
 }
 
-NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles)
+NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles,
+                         Comparison comparison)
     : scene_(&scene),
       y0_(y0),
       y1_(y1),
       clear_depth_(nearest_clear_depth(scene)),
-      triangles_(&triangles) {
+      triangles_(&triangles),
+      comparison_(comparison) {
   // If the case does not name the buffer's initial value, it may lie beyond all depths.
   const double horizon = scene.source().depth_clear
                              ? std::nextafter(double{*scene.source().depth_clear}, -kFarthest)
@@ -151,6 +153,12 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
   if (sample.coverings.size() == 1 && sample.coverings.front().depth.hi < clear_depth_) {
     const Covering& only = sample.coverings.front();
     candidates.push_back({only.triangle, only.decision});
+    return sample.is_required;
+  }
+  if (comparison_ == Comparison::enclosed) {
+    for (const Covering& covering : sample.coverings) {
+      candidates.push_back({covering.triangle, {Verdict::permitted, Reason::depth}});
+    }
     return sample.is_required;
   }
   bool is_any_required = sample.is_required;

@@ -57,8 +57,13 @@ class NearestBand {
   using Take = std::function<void(int y, int x, int sample, std::span<const Candidate> candidates,
                                   bool is_required)>;
 
+  /// How depths are compared that enclosures in doubles do not tell apart: exactly, or not at all,
+  /// so that either may be left.
+  enum class Comparison { exact, enclosed };
+
   /// Covers the rows y0 <= y < y1. The scene and the triangles must outlive the band.
-  NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles);
+  NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles,
+              Comparison comparison = Comparison::exact);
 
   /// Adds a triangle that may cover pixels of the band and about which the contract promises
   /// something. Triangles without a promise are not added: a sample that shows one is not judged
@@ -103,6 +108,7 @@ class NearestBand {
   /// Depths certainly nearer than this pass the depth test against an empty buffer.
   double clear_depth_;
   PreparedTriangles* triangles_;
+  Comparison comparison_;
   std::vector<Sample> samples_;
   CoverageRow row_;
 };

@@ -14,57 +14,6 @@ namespace {
 
 using records::FragmentClass;
 
-/// The number of rows in a band: few enough to hold their samples in memory, and enough to amortise
-/// setting up triangles.
-int rows_of_band(const cases::FramebufferSize& size) {
-  constexpr int kSamples = 65536;
-  return std::clamp(kSamples / (size.width * size.samples), 1, 64);
-}
-
-/// Returns the first row and the row after the last of a range that holds all samples that a
-/// triangle may cover. Computed in doubles, without an exact set-up.
-std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::size_t triangle,
-                                                const cases::TrianglePromise& promise) {
-  const cases::Case& source = scene.source();
-  const std::pair<std::uint16_t, std::uint16_t> all(0, source.framebuffer.height);
-  if (source.camera) return all;
-  const cases::Contract& contract = scene.contract();
-  double spread = 1;  // pixels; covers the part beyond whole rows
-  if (contract.coverage) {
-    spread +=
-        std::ldexp(1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance,
-                   -contract.coverage->subpixel_bits);
-    if (contract.has_open_viewport()) {
-      // The moves of vertices grow with the viewport (TriangleSetup::open_viewport).
-      spread = spread * cases::most_growth(source.viewport, contract.viewport_error) +
-               contract.viewport_error + 1;
-    }
-  }
-  const double half = source.viewport.height / 2.0;
-  const double middle = source.viewport.y + half;
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
-  for (const std::uint32_t vertex : source.triangles[triangle]) {
-    const cases::ClipVertex& p = source.positions[vertex];
-    if (!(exact_double(p.w) > 0)) return all;
-    // `half` may be negative, as a viewport may be either way up.
-    const double share = exact_double(p.y) / exact_double(p.w) * half;
-    // Far more than the roundings can add in any rounding mode.
-    const double slack = (std::abs(share) + std::abs(middle)) * 0x1p-40;
-    const bool is_turned = source.rules == cases::Rules::d3d;
-    const double v = middle + (is_turned ? -share : share);
-    if (!std::isfinite(v)) return all;
-    least = std::min(least, v - slack);
-    greatest = std::max(greatest, v + slack);
-  }
-
-  const auto row = [&all](double v) {
-    return static_cast<std::uint16_t>(
-        std::clamp(std::floor(v), 0.0, static_cast<double>(all.second)));
-  };
-  return {row(least - spread), row(greatest + spread + 1)};
-}
-
 }  // namespace
 
 NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
@@ -77,17 +26,10 @@ NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
   std::vector<std::size_t> next(row_begins_.begin(), row_begins_.end() - 1);
   for (std::size_t i = 0; i < rows.size(); ++i) order_[next[rows[i]]++] = i;
 
-  const std::size_t triangles = context.scene->source().triangles.size();
-  rows_.reserve(triangles);
-  for (std::size_t t = 0; t < triangles; ++t) {
-    const cases::TrianglePromise promise =
-        cases::promise_of(context.scene->contract(), context.scene->source(), t);
-    if (promise.is_made) {
-      rows_.push_back(rows_of(*context.scene, t, promise));
-    } else {
-      rows_.emplace_back(std::uint16_t{0}, std::uint16_t{0});
-      ++unpromised_;
-    }
+  boxes_ = boxes_of_triangles(*context.scene);
+  const cases::Case& source = context.scene->source();
+  for (std::size_t t = 0; t < boxes_.size(); ++t) {
+    if (!cases::promise_of(context.scene->contract(), source, t).is_made) ++unpromised_;
   }
 }
 
@@ -278,8 +220,8 @@ void NearestJudge::judge_band(int y0, int y1, std::size_t index, Turns& turns) {
   Band band(*context_, sorted_rows(static_cast<std::size_t>(y0), static_cast<std::size_t>(y1)),
             bool{*sink_});
   NearestBand answers(*context_->scene, y0, y1, band.triangles());
-  for (std::uint32_t t = 0; t < rows_.size(); ++t) {
-    if (rows_[t].first < y1 && rows_[t].second > y0) {
+  for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
+    if (boxes_[t].y0 < y1 && boxes_[t].y1 > y0) {
       answers.add(t, band.samples().levels().samples);
     }
   }

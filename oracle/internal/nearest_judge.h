@@ -10,6 +10,7 @@
 
 #include "oracle/internal/nearest.h"
 #include "oracle/internal/sample_judge.h"
+#include "oracle/internal/triangle_boxes.h"
 #include "oracle/internal/turns.h"
 #include "oracle/judge.h"
 
@@ -32,10 +33,9 @@ class NearestJudge {
   const JudgeSink* sink_;
   std::vector<std::size_t> order_;       ///< fragments by row; sorted within bands asked for so far
   std::vector<std::size_t> row_begins_;  ///< [y]: begin of row y in order_; one more at the end
-  /// [triangle]: its first row, and the row after its last row.
-  std::vector<std::pair<std::uint16_t, std::uint16_t>> rows_;
-  std::uint64_t unpromised_ = 0;    ///< triangles the contract promises nothing about
-  SampleJudge::Findings findings_;  ///< written by the band whose turn it is
+  std::vector<PixelBox> boxes_;          ///< [triangle]
+  std::uint64_t unpromised_ = 0;         ///< triangles the contract promises nothing about
+  SampleJudge::Findings findings_;       ///< written by the band whose turn it is
 };
 
 }  // namespace rastercheck::oracle

@@ -103,6 +103,11 @@ Case every_key() {
                   "several samples"};
   c.essential = {"samples", "nonpositive_w"};
   c.choices = 0xfedcba9876543210U;
+  c.picture = PictureLayout{{{"R", "u", 0.1F}, {"id", "triangle", std::nullopt}},
+                            Storage::srgb8,
+                            StoreRounding::either,
+                            FirstRow::bottom,
+                            ResolveOf::stored};
   return c;
 }
 

@@ -234,6 +234,13 @@ FULL_CASE = {
     "depth_clamp": True,
     "essential": ["rules", "centroid"],
     "choices": 18446744073709551615,
+    "picture": {
+        "channels": [{"name": "R", "shows": "u", "background": 0.5}, {"name": "id", "shows": "triangle"}],
+        "storage": "srgb8",
+        "rounding": "either",
+        "first_row": "bottom",
+        "resolve": "stored",
+    },
     "attributes": [
         {"name": "u", "interpolation": "noperspective", "location": "center"},
         {"name": "v", "interpolation": "flat", "location": "centroid"},

@@ -1,0 +1,55 @@
+#pragma once
+
+// What the channels of a picture file show of a case, and how a program stored them (RULES §12).
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rastercheck::cases {
+
+/// The largest number of channels of a picture, inclusive.
+inline constexpr std::size_t kMaxPictureChannels = 64;
+
+/// How a number is stored. unorm8 and unorm16: k/255 and k/65535, clamped to [0, 1]. srgb8: like
+/// unorm8, after the transfer function of sRGB (IEC 61966-2-1:1999).
+enum class Storage { float32, float16, unorm8, unorm16, srgb8 };
+
+/// Which of the two neighbours of a number a program may store: the nearest one (either, in the
+/// middle), or either one.
+enum class StoreRounding { nearest, either };
+
+/// Which rows a picture begins with: the uppermost or the lowest as displayed.
+enum class FirstRow { top, bottom };
+
+/// What the mean over a pixel's samples is taken of; matters only for several samples. `linear`:
+/// the numbers that stored values stand for; `stored`: the stored values, which differ for srgb8.
+enum class ResolveOf { linear, stored };
+
+/// What a channel shows where a triangle is drawn.
+enum class Shown { attribute, depth, triangle, coverage, constant, nothing };
+
+/// One channel. `shows` is `depth`, `triangle` (the index of the triangle, plus 1), `coverage` (1),
+/// a number (that number), `-` (anything: not judged), or an attribute's name; a name that could be
+/// mistaken is preceded by `attribute:`.
+struct PictureChannel {
+  std::string name;  ///< as in the file: R, G, B, A, Y for grey, or an EXR channel's name
+  std::string shows;
+  /// What the channel shows where nothing is drawn. Empty: 1 for depth, else 0.
+  std::optional<float> background;
+  bool operator==(const PictureChannel&) const = default;
+};
+
+struct PictureLayout {
+  /// Empty: the attributes in order, on the file's channels R, G, B and A.
+  std::vector<PictureChannel> channels;
+  /// Empty: as the file stores its numbers, without a transfer function.
+  std::optional<Storage> storage;
+  StoreRounding rounding = StoreRounding::nearest;
+  FirstRow first_row = FirstRow::top;
+  ResolveOf resolve = ResolveOf::linear;
+  bool operator==(const PictureLayout&) const = default;
+};
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,49 @@
+#pragma once
+
+// A picture's layout (picture_layout.h) applied to a case: what each channel of a file shows of it.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/error.h"
+#include "cases/picture_file.h"
+#include "cases/picture_layout.h"
+
+namespace rastercheck::cases {
+
+/// What one channel shows.
+struct ShownChannel {
+  std::string name;
+  Shown shows = Shown::nothing;
+  std::uint32_t attribute = 0;  ///< index into the case's attributes
+  float constant = 0;           ///< the number of a constant, and 1 for coverage
+  float background = 0;
+  Storage storage = Storage::float32;
+};
+
+struct PictureView {
+  FramebufferSize size;                ///< the case's
+  std::vector<ShownChannel> channels;  ///< [channel of the file]
+  StoreRounding rounding = StoreRounding::nearest;
+  ResolveOf resolve = ResolveOf::linear;
+  bool is_flipped = false;  ///< true if row 0 of the file is the framebuffer's last row
+
+  /// The window y of a row of the file, and vice versa.
+  int flipped(int y) const { return is_flipped ? size.height - 1 - y : y; }
+};
+
+/// The channels of a file that does not exist yet: for the layout's channels or, without any, one
+/// for each attribute, stored as the layout says, by default as float32.
+PictureFile planned_picture(const Case& c, const PictureLayout& layout);
+
+/// Finds out what a file's channels show. Fails if the file has another size than the case, if the
+/// layout names a channel that the file lacks, leaves one out, or shows what the case does not
+/// have. `file` is the name used in errors.
+Result<PictureView> view_of(const Case& c, const PictureLayout& layout, const PictureFile& picture,
+                            const std::string& file);
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,117 @@
+// `rastercheck judge CASE PICTURE`: which pixels of a finished picture are wrong.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "cases/case_reader.h"
+#include "cases/files.h"
+#include "cases/picture_writer.h"
+#include "cli/command.h"
+#include "cli/output.h"
+#include "cli/picture_option.h"
+#include "cli/sample_limit.h"
+#include "oracle/picture_judge.h"
+#include "oracle/transform.h"
+#include "reports/picture_text.h"
+
+namespace rastercheck::cli::judge_command {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string picture;
+  PictureFlags flags;
+  PicturePromise promise;
+  std::string mask;
+  bool is_chw = false;
+  bool all = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Writes the verdicts as a picture, whose texts say what its colours mean.
+Result<void> write_mask(const records::JudgedPicture& judged, const std::string& file) {
+  const reports::Image image = reports::verdict_image(judged);
+  cases::PictureFile mask;
+  mask.width = image.width;
+  mask.height = image.height;
+  mask.channels = cases::default_channel_names(3);
+  mask.stored.assign(3, cases::Storage::unorm8);
+  mask.values.assign(image.rgb.begin(), image.rgb.end());
+  return cases::write_picture(mask, file, {{"Comment", reports::verdict_legend()}});
+}
+
+ExitCode exit_code_of(const records::JudgedPicture& judged) {
+  if (judged.wrong() > 0) return ExitCode::violated;
+  const std::uint64_t right = judged.count(records::PixelVerdict::right);
+  return right == 0 ? ExitCode::nothing_checked : ExitCode::ok;
+}
+
+ExitCode run(const Options& options) {
+  Result<cases::Case> c = cases::read_case(options.file);
+  if (c) c = oracle::to_clip_case(*c, options.file);
+  if (!c) return fail(c.error());
+  if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
+    return fail(few.error());
+  }
+  if (!options.mask.empty()) {
+    const auto is_free = check_output_file(options.mask, options.picture).and_then([&] {
+      return check_output_file(options.mask, options.file);
+    });
+    if (!is_free) return fail(is_free.error());
+  }
+  const Result<cases::PictureLayout> layout = layout_of(*c, options.flags);
+  if (!layout) return fail(layout.error());
+  const Result<cases::PictureFile> picture = picture_from_file(options.picture, options.is_chw);
+  if (!picture) return fail(picture.error());
+  const Result<cases::PictureView> view = cases::view_of(*c, *layout, *picture, options.picture);
+  if (!view) return fail(view.error());
+  const auto contract = contract_by(options.promise, *c);
+  if (!contract) return contract.error();
+  const oracle::SceneTruth scene(*c, *contract);
+  const records::JudgedPicture judged = oracle::judge_picture(scene, *view, *picture);
+  fmt::print("{}", options.json ? reports::picture_json(judged, *view) + "\n"
+                                : reports::picture_text(judged, *view, options.quiet));
+  if (!options.mask.empty()) {
+    if (const auto written = write_mask(judged, options.mask); !written) {
+      return fail(written.error());
+    }
+  }
+  return exit_code_of(judged);
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("CASE", options->file, "Case file; - reads standard input")
+      ->type_name(kFile)
+      ->required();
+  app.add_option("PICTURE", options->picture,
+                 "OpenEXR, PNG, NPY or PFM file; - reads standard input")
+      ->type_name(kFile)
+      ->required();
+  add_picture_flags(app, options->flags);
+  app.add_flag("--chw", options->is_chw,
+               "An NPY array's axes are channel, height, width; default: height, width, channel");
+  add_picture_promise(app, options->promise);
+  app.add_option("--mask", options->mask, "Write the verdict of each pixel to this PNG file")
+      ->type_name(kFile);
+  app.add_flag("--all", options->all, "Allow more than 2^26 samples");
+  app.add_flag("--json", options->json, "Print the verdict as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Print only the table's rows");
+  app.footer(
+      "A pixel is right if a drawing that the contract permits shows it so. The judge calls no "
+      "right pixel wrong; where the contract leaves open where vertices are placed, it may miss a "
+      "wrong one.\n\n"
+      "Exit codes: 0 all pixels are right, 1 some are wrong, 2 usage or unreadable input, 5 "
+      "nothing could be judged.\n\n"
+      "Example:\n"
+      "  rastercheck judge scene.json scene.png --channels R=u,G=v,B=0 --promised-by gl:llvmpipe");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("judge", "Say which pixels of a picture are wrong", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli::judge_command

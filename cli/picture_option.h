@@ -1,0 +1,50 @@
+#pragma once
+
+// Options of the commands that judge pictures or say what they may show.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/contract.h"
+#include "cases/error.h"
+#include "cases/picture_file.h"
+#include "cases/picture_view.h"
+#include "cli/exit_code.h"
+
+namespace rastercheck::cli {
+
+/// What the user says of a picture. Every option overrides the case's key `picture`.
+struct PictureFlags {
+  std::vector<std::string> channels;  ///< NAME=WHAT
+  std::vector<float> background;      ///< [channel]
+  std::string storage;
+  std::string rounding;
+  std::string first_row;
+  std::string resolve;
+};
+
+void add_picture_flags(CLI::App& app, PictureFlags& flags);
+
+/// The layout of a case's pictures; fails if an option makes no sense.
+Result<cases::PictureLayout> layout_of(const cases::Case& c, const PictureFlags& flags);
+
+/// Reads a picture file, or standard input for "-", in a process of its own, `rastercheck picture`.
+Result<cases::PictureFile> picture_from_file(const std::string& file, bool is_chw);
+
+/// Options that say what a picture is judged by.
+struct PicturePromise {
+  std::string contract;  ///< a contract file
+  std::string backend;   ///< a backend whose promise counts
+};
+
+void add_picture_promise(CLI::App& app, PicturePromise& promise);
+
+/// The contract that a picture of a case is judged by: the case's own, the backend's, or either
+/// with the file's terms in place of some. Otherwise prints the error and returns the exit code.
+tl::expected<cases::Contract, ExitCode> contract_by(const PicturePromise& promise,
+                                                    const cases::Case& c);
+
+}  // namespace rastercheck::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+// How a mask (records::PictureMask) looks: as text, as a picture for people, as bounds for
+// programs.
+
+#include <string>
+
+#include "cases/picture_file.h"
+#include "records/judged_picture.h"
+
+namespace rastercheck::reports {
+
+/// How many pixels may differ.
+std::string mask_text(const records::PictureMask& mask);
+/// As JSON, "rastercheck-mask", version 1.
+std::string mask_json(const records::PictureMask& mask);
+
+/// What each pixel may show, as a colour. mask_legend() says which is what.
+cases::PictureFile mask_picture(const records::PictureMask& mask);
+std::string mask_legend();
+
+/// Two channels for each of the mask's: the least number, lower.NAME, and the greatest, upper.NAME.
+cases::PictureFile bounds_picture(const records::PictureMask& mask);
+
+}  // namespace rastercheck::reports
