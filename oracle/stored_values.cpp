@@ -291,6 +291,7 @@ double steps_between(Storage storage, float from, float to) {
   // A float16 of exponent e has 2^10 numbers up to the next exponent, which float32 has 2^23 of;
   // subnormal ones are multiples of 2^-24.
   const auto half_rank = [&rank](float f) {
+    if (std::isinf(f)) f = std::copysign(65536.0F, f);  // the number after the greatest
     if (std::abs(f) < 0x1p-14F) return double{f} * 0x1p24;
     const double above = static_cast<double>(rank(std::abs(f)) - rank(0x1p-14F)) * 0x1p-13 + 1024;
     return f < 0 ? -above : above;

@@ -106,10 +106,10 @@ void PictureOptions::make(std::span<const SampleAnswer> samples) {
   spans_.clear();
   may_be_background_ = std::all_of(samples.begin(), samples.end(),
                                    [](const SampleAnswer& one) { return one.may_be_empty; });
-  const bool is_empty = std::all_of(samples.begin(), samples.end(),
-                                    [](const SampleAnswer& one) { return one.candidates.empty(); });
+  is_empty_ = std::all_of(samples.begin(), samples.end(),
+                          [](const SampleAnswer& one) { return one.candidates.empty(); });
   const std::size_t channels = view_->channels.size();
-  if (samples.size() > 1 && !is_empty) {
+  if (samples.size() > 1) {
     mix(samples);
     return;
   }
@@ -177,7 +177,8 @@ void PictureOptions::mix(std::span<const SampleAnswer> samples) {
         spans_.emplace_back();
         continue;
       }
-      const double slack = magnitudes[c] * 0x1p-24;  // n roundings, each divided by n
+      // n roundings, each divided by n; below the normal numbers, of 2^-150 each.
+      const double slack = magnitudes[c] * 0x1p-24 + 0x1p-149;
       spans_.push_back({sum[c].lo / count - slack, sum[c].hi / count + slack, false});
     }
   }
@@ -255,7 +256,9 @@ bool PictureOptions::explains(const SampleAnswer::Candidate& candidate) const {
 
 bool PictureOptions::is_background_stored() const {
   for (std::size_t c = 0; c < view_->channels.size(); ++c) {
-    if (!is_explained(c, background_of(c))) return false;
+    const ValueSpan background = background_of(c);
+    const bool is_mean = view_->size.samples > 1;
+    if (!is_explained(c, is_mean ? averaged(c, background) : background)) return false;
   }
   return true;
 }

@@ -30,7 +30,7 @@ class PictureOptions {
   std::optional<std::uint32_t> triangle_of(std::size_t option) const { return triangles_[option]; }
   bool has_triangle(std::uint32_t triangle) const;
   bool may_be_background() const { return may_be_background_; }
-  bool must_be_background() const { return may_be_background_ && triangles_.size() == 1; }
+  bool must_be_background() const { return is_empty_; }
   /// True if there is one option, and each channel has one stored value in it.
   bool has_one_value() const;
   /// The stored values of a channel in an option.
@@ -70,6 +70,7 @@ class PictureOptions {
   std::vector<std::optional<std::uint32_t>> triangles_;  ///< [option]
   std::vector<ValueSpan> spans_;                         ///< [option][channel]
   bool may_be_background_ = true;
+  bool is_empty_ = true;  ///< no triangle may be seen
   std::uint64_t widened_ = 0;
 
   std::span<const float> stored_;                      ///< [channel]

@@ -1,0 +1,109 @@
+#include "cases/picture_view.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "cases/drawn_picture.h"
+
+namespace rastercheck::cases::picture_view_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Case case_of(Rules rules) {
+  Case c;
+  c.rules = rules;
+  c.framebuffer = {2, 2, 1};
+  c.attributes = {{"u", {}, {}}, {"depth", {}, {}}, {"v", {}, {}}};
+  return c;
+}
+
+PictureFile file_of(std::vector<std::string> channels) {
+  PictureFile picture;
+  picture.width = 2;
+  picture.height = 2;
+  picture.channels = std::move(channels);
+  picture.stored.assign(picture.channels.size(), Storage::unorm8);
+  return picture;
+}
+
+std::string fault_of(const PictureLayout& layout, const PictureFile& file) {
+  const Result<PictureView> view = view_of(case_of(Rules::vulkan), layout, file, "a.png");
+  return view ? "none" : to_string(view.error());
+}
+
+TEST(PictureView, ShowsAttributesInOrderUnlessToldOtherwise) {
+  const auto view = view_of(case_of(Rules::vulkan), {}, file_of({"B", "G", "R"}), "a.exr");
+  ASSERT_TRUE(view.has_value()) << to_string(view.error());
+  EXPECT_EQ(view->channels[2].attribute, 0U);  // R
+  EXPECT_EQ(view->channels[1].attribute, 1U);
+  EXPECT_EQ(view->channels[0].attribute, 2U);
+}
+
+TEST(PictureView, FindsWhatAWordShows) {
+  PictureLayout layout;
+  layout.channels = {
+      {"R", "depth", {}}, {"G", "attribute:depth", {}}, {"B", "0.5", 0.25F}, {"A", "coverage", {}}};
+  const auto view = view_of(case_of(Rules::vulkan), layout, file_of({"R", "G", "B", "A"}), "a");
+  ASSERT_TRUE(view.has_value()) << to_string(view.error());
+  EXPECT_EQ(view->channels[0].shows, Shown::depth);
+  EXPECT_EQ(view->channels[0].background, 1);
+  EXPECT_EQ(view->channels[1].shows, Shown::attribute);
+  EXPECT_EQ(view->channels[1].attribute, 1U);
+  EXPECT_EQ(view->channels[2].constant, 0.5F);
+  EXPECT_EQ(view->channels[2].background, 0.25F);
+  EXPECT_EQ(view->channels[3].constant, 1);
+}
+
+TEST(PictureView, RefusesWhatDoesNotFit) {
+  EXPECT_THAT(fault_of({}, file_of({"R", "G", "B", "A"})),
+              HasSubstr("nothing says what channel A shows"));
+  PictureLayout layout;
+  layout.channels = {{"R", "w", {}}};
+  EXPECT_THAT(fault_of(layout, file_of({"R"})),
+              HasSubstr("channel R shows \"w\", which the case has no attribute for"));
+  EXPECT_THAT(fault_of(layout, file_of({"G"})), HasSubstr("has no channel R; its channels are G"));
+  layout.channels = {{"R", "u", {}}};
+  layout.storage = Storage::float16;
+  EXPECT_THAT(fault_of(layout, file_of({"R"})), HasSubstr("holds unorm8 numbers, not float16"));
+  PictureFile large = file_of({"R"});
+  large.width = 3;
+  EXPECT_THAT(fault_of(layout, large), HasSubstr("has 3 x 2 pixels, the case 2 x 2"));
+}
+
+/// The stored values of a picture of one channel, 2 × 2, where pixel (0, 0) of window coordinates
+/// shows 0.5.
+std::vector<float> rows_of(Rules rules, FirstRow first_row, Storage storage) {
+  Case c = case_of(rules);
+  PictureLayout layout;
+  layout.channels = {{"Y", "u", {}}};
+  layout.first_row = first_row;
+  layout.storage = storage;
+  const PictureFile plan = planned_picture(c, layout);
+  const auto view = view_of(c, layout, plan, "a");
+  EXPECT_TRUE(view.has_value());
+  Fragments drawn;
+  drawn.attribute_count = 3;
+  drawn.triangle = {0};
+  drawn.x = {0};
+  drawn.y = {0};
+  drawn.sample = {0};
+  drawn.depth = {0};
+  drawn.attributes = {0.5F, 0, 0};
+  return picture_of(*view, plan, drawn).values;
+}
+
+// OpenGL's window y points up; 0.5 is 128 of unorm8 and 188 of srgb8 (IEC 61966-2-1).
+TEST(DrawnPicture, BeginsWithTheRowThatWasAskedFor) {
+  EXPECT_THAT(rows_of(Rules::vulkan, FirstRow::top, Storage::unorm8), ElementsAre(128, 0, 0, 0));
+  EXPECT_THAT(rows_of(Rules::vulkan, FirstRow::bottom, Storage::srgb8), ElementsAre(0, 0, 188, 0));
+  EXPECT_THAT(rows_of(Rules::opengl, FirstRow::top, Storage::float32), ElementsAre(0, 0, 0.5F, 0));
+  EXPECT_THAT(rows_of(Rules::opengl, FirstRow::bottom, Storage::unorm16),
+              ElementsAre(32768, 0, 0, 0));
+}
+
+}  // namespace
+}  // namespace rastercheck::cases::picture_view_test
