@@ -97,8 +97,8 @@ Members needing_only(const Members& members, std::string_view need, std::string_
 }
 
 /// True if the member fails without this feature: its case still failed after the removal, or
-/// certainly lacks the feature. The latter is known of features that can always be removed if
-/// present.
+/// certainly lacks the feature. A case certainly lacks a feature if the feature was not removed,
+/// although it can always be removed where present.
 bool does_without(const CauseMember& member, std::string_view id) {
   if (member.indifferent.contains(id)) return true;
   const bool is_told = leaves_geometry(id) || id == "snapping" || id == "samples";
