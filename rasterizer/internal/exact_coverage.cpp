@@ -137,7 +137,7 @@ CoveredBlock ExactCoverage::cover(std::size_t sample, int y, int first, int coun
   return block;
 }
 
-/// A sample that is within the band of some edge and beyond that of none.
+/// Decides exactly whether a sample is inside. No edge function there may be below −band.
 bool ExactCoverage::is_inside(const BlockWeights& weights, int column, double u, double v) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const EdgeFunction& edge = edges_[i];
