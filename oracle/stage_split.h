@@ -25,9 +25,8 @@
 // clamped where the rules clamp them. A stage whose output gives no value (a zero denominator, or a
 // number that is not finite) is left out; its error counts for the next stage.
 //
-// OpenGL and Vulkan let a centroid be anywhere in the pixel and the triangle. If the place that the
-// backend took lies there, that place is the right one; otherwise the right one is the place that
-// D3D names.
+// OpenGL and Vulkan let a centroid be anywhere in the pixel and the triangle. If the backend took a
+// place there, that place is the right one; otherwise the right place is the one that D3D names.
 
 #include <cstdint>
 #include <memory>

@@ -52,9 +52,9 @@ struct Derivatives {
   Rational dv;  ///< ∂r/∂v, per pixel of window y
 };
 
-/// Derivatives, each with the size of the terms that it is a difference of (cases::Contract):
-/// max|r_i| Σ|∂E_i/∂u| / Σ E_i for a smooth attribute, Σ|r_i w_i ∂E_i/∂u| / Σ w_i E_i for a
-/// noperspective one, 0 for a flat one.
+/// Derivatives and their scales. A derivative is a difference of terms, and its scale is the size
+/// of these terms (cases::Contract): max|r_i| Σ|∂E_i/∂u| / Σ E_i for a smooth attribute, Σ|r_i w_i
+/// ∂E_i/∂u| / Σ w_i E_i for a noperspective one, 0 for a flat one.
 struct ScaledDerivatives {
   Derivatives exact;
   Derivatives scale;
@@ -125,8 +125,8 @@ class TriangleTruth {
 
   /// True if every value counts as right for an attribute, or for the depth if `attribute` is
   /// empty: either the APIs leave the value open (RULES §3: noperspective, or smooth claimed to be
-  /// the same, with some w_i <= 0), or the contract promises nothing about it. attribute() then
-  /// returns the continuation.
+  /// the same, with some w_i <= 0), or the contract promises nothing about it. Even if the APIs
+  /// leave the value open, attribute() returns what the formula gives there.
   bool is_value_free(std::optional<std::size_t> attribute) const;
 
   /// The largest excess allowed, in scale ULP, for an attribute, or for the depth if `attribute` is
