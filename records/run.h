@@ -86,7 +86,8 @@ struct Run {
   bool operator==(const Run&) const = default;
 };
 
-/// The key of Run::environment for what draws for a backend, such as a driver's name and version.
+/// The key in Run::environment whose value says what draws for a backend, such as a driver's name
+/// and version.
 std::string drawn_by_key(const std::string& backend);
 
 /// Returns the law's sentence, or its id if the run has no sentence for it.
