@@ -46,8 +46,8 @@ HWY_INLINE hn::Vec<Floats> NearestByte(hn::Vec<Floats> held) {
   const auto product = hn::Mul(held, most);
   auto nearest = hn::Round(product);
   // Rounding is monotone, so the nearest byte can be wrong only if the product was rounded to the
-  // middle between two bytes. In that case 256 s − product − s, which is exact because the numbers
-  // are so close, shows on which side of the middle 255 s is.
+  // middle between two bytes. The difference 256 s − product − s, exact because the numbers are so
+  // close, then shows on which side of the middle 255 s is.
   const auto is_middle = hn::Eq(hn::Abs(hn::Sub(product, nearest)), half);
   if (!hn::AllFalse(d, is_middle)) {
     const auto rest = hn::Sub(hn::Sub(hn::Mul(held, hn::Set(d, 256.0F)), product), held);
