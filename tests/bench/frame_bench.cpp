@@ -51,7 +51,7 @@ struct Mode {
   std::optional<rasterizer::Snapping> snapping = {};
   rasterizer::Precision precision = rasterizer::Precision::float64;
   bool on_avx2 = false;
-  /// True to have no kernel draw: the viewport's origin is off the grid of 1/256 pixel.
+  /// If set, no kernel draws, because the viewport's origin is off the grid of 1/256 pixel.
   bool by_fallback = false;
 };
 

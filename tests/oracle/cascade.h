@@ -1,7 +1,7 @@
 #pragma once
 
-// What the judge's levels have to agree in (oracle/judge.h): everything except which level
-// answered, and how narrow its enclosures are.
+// Checks that the judge's levels agree (oracle/judge.h) in everything except which level answered
+// and how narrow its enclosures are.
 
 #include <array>
 #include <string>
