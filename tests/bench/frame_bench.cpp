@@ -151,7 +151,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The drivers that draw the scene on so many threads. The label says why other drivers do not.
+/// The drivers that draw the scene on this many threads. The label says why other drivers do not.
 std::vector<Beside> drivers_beside(benchmark::State& bench, const std::string& name,
                                    unsigned threads, const Summary& summary) {
   std::vector<Configuration> all = llvmpipe_configurations();

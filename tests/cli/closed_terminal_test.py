@@ -30,8 +30,8 @@ def in_terminal(terminal):
 
 class ClosedTerminal(unittest.TestCase):
     def close_on(self, *options):
-        """Closes the terminal of an endless run once cases are checked; returns the exit code and the
-        run's folder."""
+        """Closes the terminal of an endless run once cases are checked; returns the exit code and
+        the run's folder."""
         folder = tempfile.TemporaryDirectory(prefix="closed-")
         self.addCleanup(folder.cleanup)
         output = pathlib.Path(folder.name) / "out"

@@ -134,7 +134,7 @@ class Installed(unittest.TestCase):
         self.assertNotEqual(subprocess.run([build / "bunny", "nowhere.obj", self.folder / "none.png"],
                                            check=False).returncode, 0)
 
-        # Sanitizers keep what is given back, and without optimisation 100 frames take minutes.
+        # Sanitizers keep freed memory, and without optimisation 100 frames take minutes.
         if CONFIG == "Release" and "-fsanitize" not in FLAGS:
             for threads in (1, 2):
                 print(run(build / "viewer", BUNNY, threads), end="")
