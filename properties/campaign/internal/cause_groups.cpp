@@ -76,8 +76,7 @@ bool tells_faults_apart(std::string_view id) {
   return leaves_geometry(id) || std::find(kIds.begin(), kIds.end(), id) != kIds.end();
 }
 
-/// Minimum number of laws that must agree: so many are unlikely to need the same feature by
-/// accident.
+/// Minimum number of laws that must agree: two are unlikely to need the same feature by accident.
 constexpr std::size_t kFewestLaws = 2;
 
 /// A split into two sets, each of which needs a feature that the other does without.
