@@ -51,8 +51,8 @@ struct JudgedValue {
   /// Certified, in scale ULP, and only as narrow as the class and the histogram require. Empty if
   /// `actual` is not finite.
   std::optional<records::Enclosure> excess;
-  std::optional<records::Enclosure> ideal;  ///< also empty if the triangle of the basis has no
-                                            ///< value
+  std::optional<records::Enclosure> ideal;  ///< also empty for a centroid, and if the triangle of
+                                            ///< the basis has no value
 };
 
 /// The judgement of one sample of one triangle. The sample was drawn, or it is missing.

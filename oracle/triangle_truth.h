@@ -77,8 +77,8 @@ struct QuadDifference {
   bool is_next_to_horizon = false;  ///< g > cases::kMostQuadHorizon: nothing is promised
 };
 
-/// How much a fragment amplifies errors (RULES §5); empty if the divisor is 0. A smooth attribute
-/// has the terms n_i = r_i, a noperspective one n_i = r_i w_i.
+/// How much a fragment amplifies errors (RULES §5). `kappa` is empty if its divisor is 0, `kappa_d`
+/// if D <= 0. A smooth attribute has the terms n_i = r_i, a noperspective one n_i = r_i w_i.
 struct Conditioning {
   std::optional<Rational> kappa;    ///< Σ|n_i e_i| / |Σ n_i e_i|: relative errors of the weights
   std::optional<Rational> kappa_d;  ///< max_i(|A_i u| + |B_i v| + |C_i|)/D: cancellation in the
