@@ -153,8 +153,8 @@ struct Contract {
   /// The bound alone would allow two depths if the exact depth lies near the middle between two
   /// floats.
   bool keeps_equal_depth = false;
-  /// True if an attribute whose values at all vertices are equal bit for bit has that value
-  /// everywhere, whatever its bound: bit for bit, except for a zero's sign (keeps_sign_of_zero).
+  /// True if an attribute that has the same bits at all vertices has these bits everywhere,
+  /// whatever its bound; only a zero's sign may differ (keeps_sign_of_zero).
   bool keeps_constants = false;
   /// True if a sample exactly at a vertex with w > 0 (where the basis places the vertex) has the
   /// vertex's value, bit for bit; zeros of either sign count as equal.

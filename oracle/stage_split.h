@@ -90,11 +90,11 @@ class StageSplit {
 
   /// The stage at fault for a sample that is missing or extra by the contract: the first stage
   /// whose output, continued exactly, contradicts the rules. `coverage` decides from the outputs of
-  /// all other stages, so it owns the clip planes and clip distances derived from them, viewport,
-  /// scissor and culling; a triangle without a trace was dropped by `coverage`. Empty if the sample
-  /// is neither missing nor extra, if the trace belongs to another drawing, and for a missing
-  /// sample of a clipped triangle, because the traced corners describe only one of the triangle's
-  /// pieces.
+  /// all other stages, so faults of clip planes and clip distances (computed from these outputs),
+  /// viewport, scissor and culling are its faults; a triangle without a trace was dropped by
+  /// `coverage`. Empty if the sample is neither missing nor extra, if the trace belongs to another
+  /// drawing, and for a missing sample of a clipped triangle, because the traced corners describe
+  /// only one of the triangle's pieces.
   std::optional<records::Stage> coverage_stage(std::uint32_t x, std::uint32_t y,
                                                std::uint32_t sample, bool is_drawn,
                                                const records::SampleTrace* trace) const;

@@ -89,10 +89,10 @@ void ExactCoverage::find_box(const InputTriangle& triangle) {
                     ndc(2, &glm::vec4::y), box_.rows);
 }
 
-/// Returns the pixels of a row whose sample no edge surely excludes, and at most one more pixel on
-/// each side. In real numbers a U + row < −2 band implies that the evaluated edge is below −band,
-/// because an evaluation's error is less than a band. Near the target the crossing itself is off by
-/// a few 2^-53 times numbers below 2^20.
+/// Returns the pixels of a row whose samples may lie inside all edges, and at most one more pixel
+/// on each side. In real numbers a U + row < −2 band implies that the evaluated edge is below
+/// −band, because an evaluation's error is less than a band. Near the target the crossing itself is
+/// off by a few 2^-53 times numbers below 2^20.
 PixelRange ExactCoverage::span(std::size_t sample, int y) const {
   const SampleFrame& frame = setting_.frame;
   const SampleOffset& offset = setting_.pattern[sample];

@@ -119,7 +119,7 @@ HWY_INLINE hn::Vec<Pixels> SumOfBytes(hn::Vec<Pixels> a, hn::Vec<Pixels> b) {
 }
 
 /// min(255, 255 s + d), ties to even. If 255 s is halfway between two bytes, then 510 s is a whole
-/// number that 255 must divide, because s is a float; so s = 1/2. For s = 1/2 the nearest byte of
+/// number. As s is a float, 255 divides this number, so s = 1/2. For s = 1/2 the nearest byte of
 /// 255 s is 128, which is one too much if d is odd. Otherwise the nearest byte of 255 s + d is the
 /// nearest byte of 255 s, plus d.
 HWY_INLINE hn::Vec<Pixels> AddedWords(const HeldColor& color, hn::Vec<Pixels> old) {
