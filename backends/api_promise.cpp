@@ -57,7 +57,7 @@
 //    viewport is at most 1 + 2e/W times as large, and shrinks triangles to no less than 1 − 2e/W of
 //    their size, where e is cases::Contract::viewport_error. Errors of planes do not depend on the
 //    scale of an axis; only distances in pixels grow. In K of section 3 each |X| is at most 1 +
-//    4e/W times as large, as |w| e <= 2e/W |X|.
+//    4e/W times as large, because |w| e <= 2e/W |X|.
 //
 // 5. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
 //    TriangleInterpolator) accepts every colour that the weights anywhere in a square give, with
@@ -175,7 +175,7 @@ void clip_by(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
   clipped.planes += cuts ? 1 : 0;
   clipped.is_cut_at_the_sides = clipped.is_cut_at_the_sides || (cuts && is_side);
   clipped.is_empty = left.empty();
-  // A driver may still draw something after a second plane, as new vertices are slightly off.
+  // A driver may still draw something after a second plane, because new vertices are slightly off.
   if (!clipped.is_empty || clipped.planes == 1) clipped.polygon = std::move(left);
 }
 
@@ -478,7 +478,7 @@ bool OneTriangle::extrapolates(cases::Interpolation interpolation) const {
 }
 
 /// The greatest distance, along each axis, from any corner of the framebuffer to any place in the
-/// triangle's bounding box. Every corner counts, as any may be the window's origin.
+/// triangle's bounding box. Every corner counts, because any of them may be the window's origin.
 std::array<double, 2> from_origin(const WindowTriangle& triangle,
                                   const cases::FramebufferSize& size) {
   const auto farthest = [](const std::array<double, 3>& at, int extent) {

@@ -73,8 +73,8 @@ class Records {
   const RecordLayout& layout() const { return *layout_; }
   float value(std::size_t i, std::size_t at) const { return std::bit_cast<float>(word(i, at)); }
 
-  /// Indices of the records, ordered by triangle, y and x. Fails if a record's triangle number
-  /// exceeds `triangles`.
+  /// Indices of the records, ordered by triangle, y and x. Fails unless each record's triangle
+  /// number is an integer from 1 to `triangles`.
   Result<std::vector<std::size_t>> order(std::size_t triangles) const {
     std::vector<std::size_t> begins(triangles + 1);
     for (std::size_t i = 0; i < size(); ++i) {

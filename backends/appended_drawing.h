@@ -68,8 +68,8 @@ std::string lacks_of_appending(const cases::Case& c);
 /// each layout (at least one), so that records stay short. A triangle goes into a layer if it has
 /// more fragments than the buffer has room for, or a depth that is NaN or beyond the depth range,
 /// since such a depth does not tell what a depth buffer holds. Calls `go_on` after each draw. Fails
-/// if a record names no triangle of the case. Fragments may lie outside the target, as a driver may
-/// draw there. Compares records with layers only if `is_checked`.
+/// if a record names no triangle of the case. Fragments may lie outside the target, because a
+/// driver may draw there. Compares records with layers only if `is_checked`.
 Result<cases::Fragments> draw_appended(const cases::Case& c, std::span<const RecordLayout> layouts,
                                        const AppendingDriver& driver, bool is_checked,
                                        const std::function<void()>& go_on);

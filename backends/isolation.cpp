@@ -137,7 +137,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   mutable std::optional<Error> last_loss_;
   mutable std::optional<std::pair<cases::Case, Error>> withheld_;
   mutable std::optional<std::pair<cases::Case, cases::Contract>> remembered_;
-  mutable std::optional<cases::DriverPromise> promised_;  ///< for which remembered_ holds
+  mutable std::optional<cases::DriverPromise> promised_;  ///< the promise behind `remembered_`
   mutable std::optional<std::pair<cases::Case, cases::Contract>> of_nothing_;
 };
 

@@ -24,8 +24,8 @@
 namespace rastercheck::backends {
 
 struct Isolation {
-  /// Program and arguments of a process that calls serve_backend(). The backend's specification is
-  /// appended, then `--seconds` and `--memory` with the limits below.
+  /// Program and arguments of a process that calls serve_backend(). Appended are `--seconds` and
+  /// `--memory` with the limits below, `--`, and the backend's specification.
   std::vector<std::string> command;
   /// How long a process may stay silent after a question, until it answers or reports progress
   /// (Backend::tell_progress()). In the same interval, the process may use this much processor time

@@ -102,11 +102,12 @@ class WatchedDrawer {
     });
   }
 
-  /// A drawing is repeated at least kRepetitions times, as caches fill during the first few
+  /// A drawing is repeated at least kRepetitions times, because caches fill during the first few
   /// repetitions. If the last kSuspected repetitions in a row have all taken memory, a leak is
   /// suspected. The repetitions then go on until one takes no memory, which means no leak, or until
-  /// kLeaking in a row have taken memory. So many are needed because a driver's threads take some
-  /// memory for a while, until the work is spread over all of them.
+  /// kLeaking in a row have taken memory or half of the time limit is over, which means a leak. So
+  /// many are needed because a driver's threads take some memory for a while, until the work is
+  /// spread over all of them.
   static constexpr int kRepetitions = 8;
   static constexpr int kSuspected = 4;
   static constexpr int kLeaking = 64;

@@ -1,7 +1,8 @@
 #pragma once
 
 // The cases that a backend can draw; random cases are generated within these capabilities. A
-// backend draws every case that needs none of the features it lacks and keeps these limits.
+// backend draws every case that stays within these limits and needs none of the features that the
+// backend lacks.
 
 #include <cstddef>
 #include <string>

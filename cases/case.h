@@ -146,9 +146,9 @@ struct Case {
   std::vector<float> clip_distances;
   std::size_t clip_distance_count = 0;
   std::vector<Triangle> triangles;
-  /// What the case is about: names of cases::Feature, "rules", "samples" and "size". Anything else
-  /// may be removed from the case if it keeps a backend from drawing the case. Empty: everything
-  /// but rules and samples is essential. Ignored when drawn.
+  /// What the case is about: names of cases::Feature, "rules", "samples" and "size". Everything
+  /// else may be removed from the case if a backend could not draw the case otherwise. Empty:
+  /// everything but rules and samples is essential. Ignored when drawn.
   std::optional<std::vector<std::string>> essential;
   /// The seed of laws' choices (properties/choices.h); empty: a hash of the case. Ignored when
   /// drawn.

@@ -56,7 +56,7 @@ struct ProcessEnd {
   std::uint64_t most_memory = 0;  ///< peak, bytes; 0 if unknown
 };
 
-/// "ended by signal Killed", "ended with exit code 1".
+/// "was killed by signal Killed", "ended with exit code 1".
 std::string to_string(const ProcessEnd& end);
 
 /// A child process. The destructor kills it if it still runs, and waits for it.

@@ -133,8 +133,8 @@ struct Contract {
   /// How far an edge cut by a clip plane, and the clip edge itself, may be off in addition to the
   /// position error, in grid units per axis. Only if `coverage` is snapped.
   double clip_tolerance = 1;
-  /// How far, in addition, the distance of a point from a plane that cuts the triangle may be off,
-  /// as a share of max|z| + max|w| of the triangle's vertices or, for a clip distance, of its
+  /// How far the distance of a point from a plane that cuts the triangle may be off in addition.
+  /// This is a share of max|z| + max|w| of the triangle's vertices or, for a clip distance, of its
   /// greatest magnitude at the vertices. Such errors arise because the new vertices made by one
   /// plane are cut by the next. Only if `coverage` is snapped.
   double clip_error = 0;
@@ -153,8 +153,8 @@ struct Contract {
   /// The bound alone would allow two depths if the exact depth lies near the middle between two
   /// floats.
   bool keeps_equal_depth = false;
-  /// True if an attribute whose values at all vertices are equal bit for bit has that value
-  /// everywhere, whatever its bound: bit for bit, except for a zero's sign (keeps_sign_of_zero).
+  /// True if an attribute that has the same bits at all vertices has these bits everywhere,
+  /// whatever its bound; only a zero's sign may differ (keeps_sign_of_zero).
   bool keeps_constants = false;
   /// True if a sample exactly at a vertex with w > 0 (where the basis places the vertex) has the
   /// vertex's value, bit for bit; zeros of either sign count as equal.
@@ -168,7 +168,8 @@ struct Contract {
   /// guarantee.
   bool is_invariant = true;
   /// The largest error of screen derivatives of attributes, in ulp(max(|d|, M)) of float32: d is
-  /// the exact ∂r/∂u (∂r/∂v likewise) and M the size of the terms whose difference d is,
+  /// the exact ∂r/∂u (∂r/∂v likewise). d is a difference of terms, and M is the size of these
+  /// terms:
   ///
   ///   smooth         M = max|r_i| Σ|∂E_i/∂u| / Σ E_i
   ///   noperspective  M = Σ|r_i w_i ∂E_i/∂u| / Σ w_i E_i

@@ -133,9 +133,9 @@ class TriangleCollector {
   VertexTable vertices_;
 };
 
-/// The reason why nothing was read. Only the first text quotes assimp. assimp calls memory input by
-/// a made-up name, which is replaced by "-". `format` is the format the user named when reading
-/// standard input.
+/// The reason why nothing was read; quotes assimp unless it found no suitable reader. assimp gives
+/// input from memory a made-up name, which is replaced by "-". `format` is the format the user
+/// named when reading standard input.
 std::string import_failure(const Assimp::Importer& importer, bool is_input,
                            const std::string& format) {
   std::string words = importer.GetErrorString();

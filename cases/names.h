@@ -52,8 +52,8 @@ constexpr auto names_of(FirstRow /*type*/) {
 constexpr auto names_of(ResolveOf /*type*/) {
   return std::to_array<std::string_view>({"linear", "stored"});
 }
-/// `unspecified` occurs only in contracts and has no name, as a case must say who owns a tie. It
-/// must stay the last enumerator, because names are found by an enumerator's number.
+/// `unspecified` occurs only in contracts and has no name, because a case must say who owns a tie.
+/// It must stay the last enumerator, because names are found by an enumerator's number.
 constexpr auto names_of(TieRule /*type*/) {
   return std::to_array<std::string_view>({"top_left", "bottom_left"});
 }

@@ -9,10 +9,12 @@
 
 namespace rastercheck::cli {
 
-/// Adds the option `--contract FILE` to a command that judges; `file` is empty without it.
+/// Adds the option `--contract FILE` to a command that judges; `file` stays empty without the
+/// option.
 CLI::Option* add_contract(CLI::App& app, std::string& file);
 
-/// Adds the option `--promise NAME` to a command that judges; `promise` is empty without it.
+/// Adds the option `--promise NAME` to a command that judges; `promise` stays empty without the
+/// option.
 CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& promise);
 
 /// Reads the contract file, if any; `promise`, if given, replaces the file's.

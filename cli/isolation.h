@@ -20,8 +20,8 @@ using records::kDefaultTimeout;
 /// Adds the option `--timeout` to a command that draws.
 void add_timeout(CLI::App& app, double& seconds);
 
-/// Adds the option `--draw-by` to a command that draws; `way` is empty without it. The caller must
-/// set the description.
+/// Adds the option `--draw-by` to a command that draws; `way` stays empty without the option. The
+/// caller must set the description.
 CLI::Option* add_draw_by(CLI::App& app, std::optional<cases::DrawBy>& way,
                          std::span<const std::string_view> names);
 

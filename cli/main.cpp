@@ -23,8 +23,8 @@ void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
     const int opened = ::open("/dev/null", O_RDONLY);
-    static_cast<void>(
-        opened);  // The lowest free number: that of the closed stream. Writing still fails.
+    // open() takes the lowest free number, that of the closed stream. Writing still fails.
+    static_cast<void>(opened);
   }
 }
 

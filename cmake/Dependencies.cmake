@@ -1,6 +1,6 @@
 # Every outside library, in one place. All are packages of Debian 12 and 13 (scripts/packages.txt).
 
-# What the rasterizer needs; cmake/RasterCheckConfig.cmake.in has the same list.
+# The rasterizer's own dependencies; cmake/RasterCheckConfig.cmake.in has the same list.
 find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 find_package(TBB REQUIRED)
@@ -23,7 +23,7 @@ find_package(OpenEXR REQUIRED)
 find_package(rapidcheck REQUIRED)
 find_package(Vulkan REQUIRED)
 find_program(RASTERCHECK_GLSLANG glslangValidator REQUIRED)
-# d3, which goes into every report.html.
+# d3, which is embedded in every report.html.
 find_file(RASTERCHECK_D3 d3.min.js PATHS /usr/share/nodejs/d3/dist NO_DEFAULT_PATH
   DOC "d3.min.js of d3 5 to 7, as Debian's node-d3 has it")
 if(NOT RASTERCHECK_D3)
@@ -38,7 +38,7 @@ if(NOT RASTERCHECK_BUNNY)
     "-DRASTERCHECK_BUNNY=FILE says where it is; what draws it fails, all else works")
 endif()
 
-# libepoxy, which finds OpenGL's functions when the program runs. It comes without a CMake file.
+# libepoxy, which looks up OpenGL's functions at run time. It has no CMake package file.
 find_path(RASTERCHECK_EPOXY_INCLUDE epoxy/egl.h REQUIRED)
 find_library(RASTERCHECK_EPOXY_LIBRARY epoxy REQUIRED)
 add_library(epoxy::epoxy UNKNOWN IMPORTED)
@@ -46,7 +46,7 @@ set_target_properties(epoxy::epoxy PROPERTIES
   IMPORTED_LOCATION "${RASTERCHECK_EPOXY_LIBRARY}"
   INTERFACE_INCLUDE_DIRECTORIES "${RASTERCHECK_EPOXY_INCLUDE}")
 
-# libseccomp, for the processes of foreign code. It comes without a CMake file, too.
+# libseccomp, for the processes that run foreign code. It has no CMake package file either.
 find_path(RASTERCHECK_SECCOMP_INCLUDE seccomp.h REQUIRED)
 find_library(RASTERCHECK_SECCOMP_LIBRARY seccomp REQUIRED)
 add_library(seccomp::seccomp UNKNOWN IMPORTED)
@@ -57,7 +57,7 @@ set_target_properties(seccomp::seccomp PROPERTIES
 if(RASTERCHECK_TESTS)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)
-  # Debian's interpreter, the one its python3-jsonschema is installed for.
+  # Debian's interpreter: Debian's python3-jsonschema is installed for that one.
   find_program(RASTERCHECK_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
   find_program(RASTERCHECK_PATCH patch REQUIRED)
 endif()

@@ -1,19 +1,20 @@
-# What an installed RasterCheck is made of, in components:
+# The components of an installed RasterCheck:
 #
 #   rasterizer  RasterCheck::rasterizer (docs/using-the-rasterizer.md)
 #   testing     RasterCheck::testing and the libraries that it needs (docs/using-in-googletest.md)
-#   plugin      rastercheck/plugin.h, which needs nothing
-#   corpus      the cases that program and tests begin with
+#   plugin      rastercheck/plugin.h, which depends on nothing
+#   corpus      the cases that the program and RasterCheck::testing check first
 #   program     rastercheck
 #
-# The first two are the components of find_package(RasterCheck), too (RasterCheckConfig.cmake.in).
+# The first two are also the components of find_package(RasterCheck) (RasterCheckConfig.cmake.in).
 include(CMakePackageConfigHelpers)
 
 set(RASTERCHECK_CORPUS "${CMAKE_INSTALL_DATADIR}/rastercheck/corpus")  # below the prefix
 set(RASTERCHECK_KNOWN "${CMAKE_INSTALL_DATADIR}/rastercheck/known")
 
-# rastercheck_install(FOLDER COMPONENT WHERE [EXCEPT HEADERS…]): the library of a folder, and its public
-# headers, in WHERE below the folder of headers. Users include them as the project does: "FOLDER/….h".
+# rastercheck_install(FOLDER COMPONENT WHERE [EXCEPT HEADERS…]): installs the library of a folder,
+# and its public headers into WHERE below the include folder. Users include headers as the project
+# does: "FOLDER/….h".
 function(rastercheck_install folder component where)
   cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "EXCEPT")
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.h)
@@ -30,16 +31,17 @@ function(rastercheck_install folder component where)
     FILE_SET HEADERS DESTINATION "${include_folder}" COMPONENT ${component})
 endfunction()
 
-# rastercheck_install_package(COMPONENTS…): what find_package(RasterCheck) finds of these. Its own files
-# come with the rasterizer, which all else needs.
+# rastercheck_install_package(COMPONENTS…): installs the files by which find_package(RasterCheck)
+# finds these components. The package's own files belong to the rasterizer, which the other
+# components need.
 function(rastercheck_install_package)
   set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/RasterCheck")
   foreach(component IN LISTS ARGN)
     install(EXPORT RasterCheck-${component} NAMESPACE RasterCheck::
       DESTINATION "${package_folder}" COMPONENT ${component})
   endforeach()
-  # Where find_package() does not look for it: it goes through what is on the PATH as well, and a build's
-  # bin/ may be on it.
+  # Generates the file in CMakeFiles/, where find_package() does not find it. find_package() also
+  # looks beside the folders on the PATH, and a build's bin/ may be one of these.
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/RasterCheckConfig.cmake.in
     ${PROJECT_BINARY_DIR}/CMakeFiles/RasterCheckConfig.cmake INSTALL_DESTINATION "${package_folder}")
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/CMakeFiles/RasterCheckConfigVersion.cmake

@@ -1,6 +1,7 @@
-# rastercheck_library(FOLDER SOURCES…): the static library of one top-level folder,
-# rastercheck_FOLDER, with the alias RasterCheck::FOLDER. What the project is compiled with is for the
-# project: an installed library has no say in its users' flags, nor has one that is part of theirs.
+# rastercheck_library(FOLDER SOURCES…): adds the static library of one folder, rastercheck_FOLDER,
+# with the alias RasterCheck::FOLDER. The project's compile options stay within the project: users
+# get them neither from an installed library nor if they build the rasterizer as part of their own
+# project.
 function(rastercheck_library folder)
   add_library(rastercheck_${folder} STATIC ${ARGN})
   add_library(RasterCheck::${folder} ALIAS rastercheck_${folder})
@@ -12,17 +13,18 @@ function(rastercheck_library folder)
   endif()
 endfunction()
 
-# rastercheck_precompile(TARGET HEADERS…): the standard library's and other libraries' headers that most
-# of a target's files need and that take most of their time, compiled once for all of them; never the
-# project's own, so that a change of one compiles just what includes it. With GCC only: clang-tidy reads
-# the commands of a Clang build, which also sees what lacks an include, and not what another version
-# precompiled. Unity builds (all presets but `dev` and `coverage`) share headers without it.
+# rastercheck_precompile(TARGET HEADERS…): precompiles for a target these headers of other
+# libraries, and the headers of the standard library that most files need. They take most of the
+# compile time. Never the project's own headers: a change of one would recompile everything. With
+# GCC only: clang-tidy reads the commands of a Clang build, and cannot read headers that another
+# version has precompiled; a Clang build also notices a missing #include. Unity builds (all presets
+# but `dev` and `coverage`) share headers anyway.
 function(rastercheck_precompile target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_UNITY_BUILD)
     target_compile_options(${target} PRIVATE
-      -fpch-preprocess  # as ccache wants it
-      # GCC 12 forgets that a precompiled std::string is not the project's, and warns of its inside
-      # (GCC bug 105651). Clang's builds, which precompile nothing, keep watch.
+      -fpch-preprocess  # required by ccache
+      # GCC 12 no longer treats a precompiled std::string as a system header, and warns about its
+      # code (GCC bug 105651). Clang builds, which precompile nothing, still warn.
       -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
     target_precompile_headers(${target} PRIVATE
       <algorithm> <array> <functional> <map> <optional> <span> <string> <vector> ${ARGN})

@@ -1,4 +1,4 @@
-# What every target of the project is compiled with: one INTERFACE target, rastercheck_options.
+# The compile options of every target of the project: one INTERFACE target, rastercheck_options.
 
 option(RASTERCHECK_ONLY_RASTERIZER "Build RasterCheck::rasterizer alone, without tests" OFF)
 option(RASTERCHECK_TESTS "Build the tests" ON)
@@ -20,24 +20,25 @@ target_compile_options(rastercheck_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
   -Wcast-qual -Wnon-virtual-dtor -Woverloaded-virtual
   -Wimplicit-fallthrough -Wundef
-  # A fused multiply-add is a different number: it stands only where the source says so.
+  # A fused multiply-add gives a different number, so only explicit calls in the source may fuse.
   -ffp-contract=off
-  # GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651).
+  # GCC 12 warns of overlaps in std::string's operator+ that do not exist (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  # In a unity build GCC takes a source for a header, and compares its names with those of other sources:
-  # builds that compile each by itself look for these two.
+  # In a unity build, GCC treats sources as headers and compares their names with each other, so
+  # these two warnings are false. Builds that compile each source by itself keep both warnings.
   $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   $<$<BOOL:${RASTERCHECK_WERROR}>:-Werror>)
 
 if((RASTERCHECK_SANITIZE OR RASTERCHECK_COVERAGE) AND NOT RASTERCHECK_ALL_VECTORS)
-  # Instrumented kernels take minutes to compile for each kind of vectors. On x86 those that stay have
-  # four lanes and eight: SSE2's or none, and AVX2's. Better ones are lower bits.
+  # Instrumented kernels take minutes to compile for each SIMD target. On x86 the remaining targets
+  # have four lanes (SSE2, or no vector instructions) and eight (AVX2). Better targets have lower
+  # bits, so HWY_AVX2 − 1 disables all that are better than AVX2.
   target_compile_definitions(rastercheck_options INTERFACE
     "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|(HWY_AVX2-1))")
 endif()
 if(RASTERCHECK_COVERAGE)
-  # What threads count has to add up: gcov works out some counts from others.
+  # Counts from several threads must be consistent: gcov derives some counts from others.
   target_compile_options(rastercheck_options INTERFACE --coverage -fprofile-update=atomic)
   target_link_options(rastercheck_options INTERFACE --coverage)
 endif()

@@ -1,5 +1,5 @@
 # `cpack -G DEB` in a build folder makes two Debian packages: rastercheck, the program with its corpus,
-# and rastercheck-dev, what find_package(RasterCheck) finds (Install.cmake has the components).
+# and rastercheck-dev, the files for find_package(RasterCheck). Install.cmake lists the components.
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
@@ -9,7 +9,7 @@ install(FILES README.md DESTINATION "${package_docs}/rastercheck" COMPONENT prog
 install(DIRECTORY docs DESTINATION "${package_docs}/rastercheck" COMPONENT program
   PATTERN gate.sh PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 install(FILES LICENSE DESTINATION "${package_docs}/rastercheck" RENAME copyright COMPONENT program)
-# Of d3, which every report.html has in it.
+# The licence of d3, which is embedded in every report.html.
 install(FILES /usr/share/doc/node-d3/copyright DESTINATION "${package_docs}/rastercheck"
   RENAME copyright.d3 COMPONENT program OPTIONAL)
 install(FILES LICENSE DESTINATION "${package_docs}/rastercheck-dev" RENAME copyright
@@ -21,7 +21,7 @@ set(CPACK_PACKAGE_CONTACT "The RasterCheck authors")
 set(CPACK_VERBATIM_VARIABLES TRUE)
 set(CPACK_STRIP_FILES TRUE)
 set(CPACK_DEB_COMPONENT_INSTALL TRUE)
-# The first line of each description is the project's; what follows is the package's own.
+# The first line of each package's description is the project's description; the rest is set here.
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_COMPONENTS_ALL program corpus rasterizer testing plugin)
 set(CPACK_COMPONENT_PROGRAM_GROUP program)
@@ -37,10 +37,11 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
 rational arithmetic, holds what a rasterizer draws against it, on a corpus and on random cases, and shows
 what is wrong as a case of a few pixels.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS TRUE)
-# What is looked for when a driver is to be judged, and a driver.
+# The libraries that the program loads to judge a driver, and Mesa's drivers.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libegl1, libopengl0, libgles2, libgl1-mesa-dri, mesa-vulkan-drivers")
 
-# The corpus is the program's, of the same version; the rest is what RasterCheckConfig.cmake.in looks for.
+# The corpus comes with the program, of the same version. RasterCheckConfig.cmake.in looks for the
+# rest.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME rastercheck-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_DESCRIPTION

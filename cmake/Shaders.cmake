@@ -1,6 +1,7 @@
-# rastercheck_shader(LIST NAME FILE DEFINITIONS…): the shader FILE, from the current folder, as words of an
-# array `spirv_NAME` in the header NAME.h, which sources include by the path that FILE has in the tree. The
-# header joins LIST; spirv/ in the current binary folder is where includes begin.
+# rastercheck_shader(LIST NAME FILE DEFINITIONS…): compiles the shader FILE of the current folder
+# into an array of words, `spirv_NAME`, in the header NAME.h, and appends the header to LIST. The
+# header lies below spirv/ in the current binary folder, under FILE's path in the source tree;
+# sources include it by that path.
 function(rastercheck_shader list name file)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
     OUTPUT_VARIABLE place)

@@ -1,8 +1,8 @@
 include(GoogleTest)
 
-# rastercheck_test_program(PROGRAM FOLDER SOURCES…): a GoogleTest program, each test of it a CTest test
-# labelled with the folder. RapidCheck's properties start from one seed, so that the same commit has
-# the same result; run the program itself for other seeds.
+# rastercheck_test_program(PROGRAM FOLDER SOURCES…): adds a GoogleTest program; each of its tests is
+# a CTest test labelled with the folder. RapidCheck's properties start from a fixed seed, so that a
+# commit always has the same result; for other seeds run the program itself.
 function(rastercheck_test_program program folder)
   add_executable(${program} ${ARGN})
   target_link_libraries(${program} PRIVATE
@@ -12,9 +12,8 @@ function(rastercheck_test_program program folder)
     PROPERTIES LABELS ${folder} ENVIRONMENT RC_PARAMS=seed=1 DISCOVERY_TIMEOUT 60)
 endfunction()
 
-# rastercheck_tests(FOLDER SOURCES…): the program of one folder's tests. It sees the folder's internal
-# headers, as only it may. The whole library is linked, so that nothing that registers itself is
-# dropped.
+# rastercheck_tests(FOLDER SOURCES…): adds the program of one folder's tests. Links the whole
+# library, so that the linker drops nothing that registers itself.
 function(rastercheck_tests folder)
   rastercheck_test_program(rastercheck_tests_${folder} ${folder} ${ARGN})
   target_link_libraries(rastercheck_tests_${folder} PRIVATE

@@ -40,8 +40,8 @@ void take_worst(records::LawCases& into, const records::LawCases& from, records:
   }
 }
 
-/// Accepts which cases the law applies to, their outcomes and mismatches. A case that was not
-/// applicable before is accepted whole, as it has no earlier results to keep.
+/// Accepts the set of cases that the law applies to, and their outcomes and mismatches. A case that
+/// was not applicable before is accepted whole, as it has no earlier results to keep.
 void take_outcomes(records::LawCases& into, const records::LawCases& from) {
   std::map<records::CaseNumber, records::CaseFigures> cases = from.cases;
   for (auto& [number, figures] : cases) {

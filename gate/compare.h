@@ -22,12 +22,13 @@ Result<records::Comparison> compare(const records::BaselineSection& before,
                                     const records::BaselineSection& after,
                                     const CompareOptions& options = {});
 
-/// Compares each section of `current` with its counterpart in `baseline` (find_section). Also fails
-/// if a counterpart is missing. `files` names both in errors.
+/// The names of both files, for errors.
 struct CompareFiles {
   std::string baseline;
   std::string current;
 };
+/// Compares each section of `current` with its counterpart in `baseline` (find_section). Also fails
+/// if a counterpart is missing.
 Result<std::vector<records::Comparison>> compare(const records::Baseline& baseline,
                                                  const records::Baseline& current,
                                                  const CompareFiles& files,

@@ -11,9 +11,9 @@
 //   (f − hi)/ulp if f > hi,   (f − lo)/ulp if f < lo,   0 between,
 //
 // in scale ULP (oracle/ulp.h) of the end that f lies beyond; the excess must not exceed the
-// contract's bound. The *ideal* error is (f − r)/ulp, where r is the value of the triangle named by
-// the contract's basis, exact or snapped (exact if the basis allows several triangles),
-// interpolated as the rules say even if the contract claims otherwise. The ideal error says how
+// contract's bound. The *ideal* error is (f − r)/ulp. r is the value of the triangle that the
+// contract's basis names, exact or snapped (exact if the basis allows several triangles). It is
+// interpolated as the rules say, even if the contract claims otherwise. The ideal error says how
 // precise the backend is, regardless of what its contract leaves open. Both errors are certified
 // enclosures. Where an enclosure cannot decide, exact numbers do, so no value is left undecided.
 //
@@ -51,8 +51,8 @@ struct JudgedValue {
   /// Certified, in scale ULP, and only as narrow as the class and the histogram require. Empty if
   /// `actual` is not finite.
   std::optional<records::Enclosure> excess;
-  std::optional<records::Enclosure> ideal;  ///< also empty if the triangle of the basis has no
-                                            ///< value
+  std::optional<records::Enclosure> ideal;  ///< also empty for a centroid, and if the triangle of
+                                            ///< the basis has no value
 };
 
 /// The judgement of one sample of one triangle. The sample was drawn, or it is missing.

@@ -97,7 +97,7 @@ class Geometry {
     return (corners_ && !corners_->are_vertices()) || (snapped_ && !snapped_->are_vertices());
   }
 
-  /// The first stage by whose output the sample is inside (if `other`), or is not (if not `other`).
+  /// The first stage whose output puts the sample inside (if `other`) or outside (if not `other`).
   std::optional<Stage> first(bool other) const {
     if (corners_) {
       const auto columns = placed(*corners_, *scene_);

@@ -25,9 +25,8 @@
 // clamped where the rules clamp them. A stage whose output gives no value (a zero denominator, or a
 // number that is not finite) is left out; its error counts for the next stage.
 //
-// OpenGL and Vulkan let a centroid be anywhere in the pixel and the triangle. If the place that the
-// backend took lies there, that place is the right one; otherwise the right one is the place that
-// D3D names.
+// OpenGL and Vulkan let a centroid be anywhere in the pixel and the triangle. If the backend took a
+// place there, that place is the right one; otherwise the right place is the one that D3D names.
 
 #include <cstdint>
 #include <memory>
@@ -91,11 +90,11 @@ class StageSplit {
 
   /// The stage at fault for a sample that is missing or extra by the contract: the first stage
   /// whose output, continued exactly, contradicts the rules. `coverage` decides from the outputs of
-  /// all other stages, so it owns the clip planes and clip distances derived from them, viewport,
-  /// scissor and culling; a triangle without a trace was dropped by `coverage`. Empty if the sample
-  /// is neither missing nor extra, if the trace belongs to another drawing, and for a missing
-  /// sample of a clipped triangle, because the traced corners describe only one of the triangle's
-  /// pieces.
+  /// all other stages, so faults of clip planes and clip distances (computed from these outputs),
+  /// viewport, scissor and culling are its faults; a triangle without a trace was dropped by
+  /// `coverage`. Empty if the sample is neither missing nor extra, if the trace belongs to another
+  /// drawing, and for a missing sample of a clipped triangle, because the traced corners describe
+  /// only one of the triangle's pieces.
   std::optional<records::Stage> coverage_stage(std::uint32_t x, std::uint32_t y,
                                                std::uint32_t sample, bool is_drawn,
                                                const records::SampleTrace* trace) const;

@@ -52,9 +52,9 @@ struct Derivatives {
   Rational dv;  ///< ∂r/∂v, per pixel of window y
 };
 
-/// Derivatives, each with the size of the terms that it is a difference of (cases::Contract):
-/// max|r_i| Σ|∂E_i/∂u| / Σ E_i for a smooth attribute, Σ|r_i w_i ∂E_i/∂u| / Σ w_i E_i for a
-/// noperspective one, 0 for a flat one.
+/// Derivatives and their scales. A derivative is a difference of terms, and its scale is the size
+/// of these terms (cases::Contract): max|r_i| Σ|∂E_i/∂u| / Σ E_i for a smooth attribute, Σ|r_i w_i
+/// ∂E_i/∂u| / Σ w_i E_i for a noperspective one, 0 for a flat one.
 struct ScaledDerivatives {
   Derivatives exact;
   Derivatives scale;
@@ -77,8 +77,8 @@ struct QuadDifference {
   bool is_next_to_horizon = false;  ///< g > cases::kMostQuadHorizon: nothing is promised
 };
 
-/// How much a fragment amplifies errors (RULES §5); empty if the divisor is 0. A smooth attribute
-/// has the terms n_i = r_i, a noperspective one n_i = r_i w_i.
+/// How much a fragment amplifies errors (RULES §5). `kappa` is empty if its divisor is 0, `kappa_d`
+/// if D <= 0. A smooth attribute has the terms n_i = r_i, a noperspective one n_i = r_i w_i.
 struct Conditioning {
   std::optional<Rational> kappa;    ///< Σ|n_i e_i| / |Σ n_i e_i|: relative errors of the weights
   std::optional<Rational> kappa_d;  ///< max_i(|A_i u| + |B_i v| + |C_i|)/D: cancellation in the
@@ -125,8 +125,8 @@ class TriangleTruth {
 
   /// True if every value counts as right for an attribute, or for the depth if `attribute` is
   /// empty: either the APIs leave the value open (RULES §3: noperspective, or smooth claimed to be
-  /// the same, with some w_i <= 0), or the contract promises nothing about it. attribute() then
-  /// returns the continuation.
+  /// the same, with some w_i <= 0), or the contract promises nothing about it. Even if the APIs
+  /// leave the value open, attribute() returns what the formula gives there.
   bool is_value_free(std::optional<std::size_t> attribute) const;
 
   /// The largest excess allowed, in scale ULP, for an attribute, or for the depth if `attribute` is

@@ -240,8 +240,8 @@ void place_model(Draw& draw, CameraCase& made, const Rotation& rotation, const V
   const double far_end =
       double{lens.far} < reach * double{lens.near} ? double{lens.far} : reach * double{lens.near};
   const double distance = double{lens.near} + double{draw.unit()} * (far_end - double{lens.near});
-  // A perspective view widens with the distance; an orthographic one is everywhere as wide as a
-  // perspective at distance 2 near.
+  // A perspective view widens with the distance. An orthographic view has the same width
+  // everywhere: that of a perspective view at twice the near distance.
   const double depth_of_view =
       made.kind == CameraKind::orthographic ? 2 * double{lens.near} : distance;
   const double aside_x = double{draw.uniform(-0.5F, 0.5F)} * depth_of_view / double{lens.cot_x};

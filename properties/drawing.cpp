@@ -21,7 +21,8 @@ bool is_well_formed(const backends::Drawn& drawn, const cases::Case& c) {
   return is_well_formed(drawn.fragments, c);
 }
 
-/// The same for a picture; textured and vertex-coloured pictures have four channels.
+/// True if the picture has the size and the number of channels that case and pipeline require: four
+/// channels if it is textured or vertex-coloured, else one per attribute.
 bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
                     const cases::Pipeline& pipeline) {
   cases::FramebufferSize size = c.framebuffer;

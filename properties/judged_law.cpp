@@ -39,8 +39,8 @@ void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
   const auto x = static_cast<int>(sample.place.x);
   const auto y = static_cast<int>(sample.place.y);
   const auto s = static_cast<int>(sample.place.sample);
-  // The judge does not find reasons for samples far from the triangle or drawn once too often, so
-  // the decision is made again here.
+  // Decides again here: the judge gives no reason for samples that are far from the triangle or
+  // drawn once too often.
   const records::SampleVerdict decision = truth->judge(x, y, s);
   violation.exact = decision_text(decision);
   violation.distance = truth->distance(x, y, s);
@@ -104,8 +104,8 @@ class CentreQuestion {
   std::uint32_t triangle_ = 0;
 };
 
-/// The labels that a case's judged samples reached. Unless asks_of_ordinary(), see() need not be
-/// called for samples strictly inside: their triangles, passed to labels(), suffice.
+/// The labels that a case's judged samples reached. If asks_of_ordinary() is false, see() need not
+/// be called for samples strictly inside: it suffices to pass their triangles to labels().
 class LabelCollector {
  public:
   explicit LabelCollector(const SceneTruth& scene) : scene_(&scene), centre_(scene) {}
@@ -205,8 +205,8 @@ bool is_alike(const records::Violation& a, const records::Violation& b) {
   return a.fragment_class == b.fragment_class && a.kind == b.kind && a.attribute == b.attribute;
 }
 
-/// Keeps the first eight. A violation of a new sort replaces the last violation whose sort is kept
-/// twice, so that a driver's known defects cannot hide new ones.
+/// Keeps the first eight. After that, a violation of a new sort replaces the last one whose sort
+/// occurs earlier, so that a driver's known defects cannot hide new ones.
 void keep(std::vector<records::Violation>& kept, const records::Violation& violation) {
   const auto is_like = [](const records::Violation& one) {
     return [&one](const records::Violation& other) { return is_alike(one, other); };
@@ -267,7 +267,7 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   oracle::JudgeOptions judge_options;
   judge_options.judges_values = request.judges_values;
   judge_options.case_index = index;
-  // More often than by default: for small cases, other costs dominate.
+  // Checks itself more often than by default: for small cases, other costs dominate.
   judge_options.self_check_one_in = 1024;
   judge_options.shows_ordinary = labels.asks_of_ordinary();
   oracle::JudgedDrawing judged = oracle::judge(scene, drawn, judge_options, see);

@@ -61,8 +61,8 @@ struct Check {
 struct Cover {
   int percent = 0;  ///< least share of the cases checked
   std::string_view label;
-  /// True if the label depends on a decision that a contract may leave open. If so, it is required
-  /// only of backends that draw what the case asks for (draws_what_is_asked_for).
+  /// True if the label depends on a decision that a contract may leave open. If so, the label is
+  /// required only of backends that draw what the case asks for (draws_what_is_asked_for).
   bool is_decided = false;
 };
 
@@ -114,7 +114,7 @@ bool draws_what_is_asked_for(backends::Backend& backend);
 bool draws_invariantly(backends::Backend& backend);
 
 /// Checks a law on a case, which may have a camera. Fails if the backend cannot draw the case, or
-/// if the case cannot be passed to the law because clip positions are beyond float32.
+/// if clip positions are beyond float32 and the law needs them.
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
                         std::uint64_t index);
 

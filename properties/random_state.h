@@ -14,8 +14,8 @@ struct StateRequest {
   /// number of fragments about equal.
   int least_side = 8;
   int most_side = 64;
-  /// If set, viewport origins are multiples of 1/16 pixel and sides are powers of two, unless a
-  /// limit above (such as 12, 24 or 48) replaces a side. If the sides and w are powers of two,
+  /// If set, viewport origins are multiples of 1/16 pixel and sides are powers of two, unless
+  /// clamping to `least_side` or `most_side` changes a side. If the sides and w are powers of two,
   /// window positions on a 2^-8 grid are exact in clip space.
   bool is_on_grid = false;
   /// If set, the framebuffer is 65…200 pixels wide and 4…12 high instead.

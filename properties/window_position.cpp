@@ -119,7 +119,7 @@ WindowPoint point_about(Draw& draw, const cases::Case& c) {
 std::array<cases::ClipVertex, 2> edge_through(Draw& draw, const cases::Case& c,
                                               const WindowPoint& p, float depth) {
   // In homogeneous coordinates b = k q − a, where q is the position of p, so p = (a + b)/k. As a
-  // has 9 bits and q has 11 bits behind the point, all numbers are exact in float32.
+  // has 9 bits and q has 11 bits after the binary point, all numbers are exact in float32.
   const cases::ClipVertex q = at_window(c, p, depth, 1);
   const int w = draw.between(33, 255);
   const int x = draw.between(-w, w);

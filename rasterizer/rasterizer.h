@@ -97,8 +97,8 @@ inline constexpr int kMostSubpixelBits = 16;
 /// clipped away, which makes new vertices.
 inline constexpr int kGuardBand = 32768;
 
-/// With Snapping, the triangle that depth, attributes and facing come from: that of the clip
-/// positions, or that of the snapped vertices.
+/// With Snapping: whether depth, attributes and facing come from the triangle of the clip positions
+/// or from the triangle of the snapped vertices.
 enum class Basis { ideal, snapped };
 
 /// Arithmetic of fragment attributes: double with one rounding to float32 at the end, or float32.

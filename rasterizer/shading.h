@@ -91,9 +91,9 @@ struct ShadedBatch {
 /// `outputs()` returns the number of channels that it fills; this must equal the framebuffer's. The
 /// optional `uses_derivatives()` returns true if the functor needs along_u and along_v.
 ///
-/// The optional `discards()` returns true if the functor may discard fragments; a functor without
-/// `discards()` may. If discards() returns false, only finally visible fragments are shaded (unless
-/// they are blended), and discarding has no effect.
+/// The optional `discards()` returns true if the functor may discard fragments, which is assumed of
+/// a functor without it. If discards() returns false, only finally visible fragments are shaded
+/// (unless they are blended), and discarding has no effect.
 template <typename Shader>
 concept FragmentShader = requires(const Shader& shader, const FragmentBatch& in, ShadedBatch& out) {
   shader(in, out);

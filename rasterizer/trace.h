@@ -55,7 +55,7 @@ struct TracedPlane {
 /// Error bounds of the weights in double (rasterizer/internal/certificates.h).
 struct TracedCertificate {
   std::array<double, 3> bands{};   ///< maximum error of each evaluated line
-  double least_sum = 0;            ///< double suffices for smooth values if Σ E_i is at least this
+  double least_sum = 0;            ///< double suffices for smooth values if Σ E_i is above this
   bool affine_is_certain = false;  ///< true if double suffices for values linear in the window
   bool depth_is_certain = false;
 };

@@ -95,7 +95,7 @@ std::optional<int> orientation(const glm::mat4& model) {
   return determinant_sign(column(0), column(1), column(2));
 }
 
-/// The cofactors of the upper left 3×3 part, or what is opposite them.
+/// The cofactors of the upper left 3×3 part, negated if `is_mirrored`.
 Matrix3 cofactors(const glm::mat4& model, bool is_mirrored) {
   const auto a = [&model](std::size_t row, std::size_t column) {
     return element(model, row, column);
@@ -103,7 +103,7 @@ Matrix3 cofactors(const glm::mat4& model, bool is_mirrored) {
   Matrix3 result{};
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = 0; c < 3; ++c) {
-      // Indices that go round have the cofactor's sign with them.
+      // Cyclic indices include the cofactor's sign.
       const double cofactor = a(r + 1, c + 1) * a(r + 2, c + 2) - a(r + 1, c + 2) * a(r + 2, c + 1);
       result[r][c] = is_mirrored ? -cofactor : cofactor;
     }

@@ -1,7 +1,8 @@
 #pragma once
 
-// The baseline of the regression gate: the results of a run's frozen cases, kept for comparison
-// with later runs. Plain data; baseline_json.h reads and writes the file.
+// The baseline of the regression gate: the results of a run's frozen cases (is_frozen() of
+// record.h), kept for comparison with later runs. Plain data; baseline_json.h reads and writes the
+// file.
 //
 // A baseline consists of sections, each made from a run (gate/sections.h). A comparison takes two
 // sections, so either side may come from a run or from a baseline file.
@@ -70,8 +71,7 @@ struct CaseFigures {
   std::uint64_t found_digest = 0;
   std::uint64_t mismatches = 0;
   WorstOfCase worst;
-  /// Also `held` for every case of a law in files that did not keep outcomes yet
-  /// (are_outcomes_known).
+  /// Also `held` for all cases of a law whose outcomes the file does not hold (are_outcomes_known).
   CaseOutcome outcome = CaseOutcome::held;
   bool operator==(const CaseFigures&) const = default;
 };

@@ -14,8 +14,8 @@
 //                 "compiler": "GNU 12.2.0"},
 //       "approvals": [{"reason": "…", "version": "…", "commit": "…", "changes": ["…"]}],
 //       "entries": [
-//         {"law": "…", "kind": "coverage", "cases": {"checked": 9, "not_applicable": 1,
-//          "violations": 0, "known": 0}, "classes": {"correct": 800}},
+//         {"law": "…", "kind": "coverage", "cases": {"checked": 9, "not_applicable": 1},
+//          "classes": {"correct": 800}},
 //         {"law": "…", "kind": "smooth", "classes": {"correct": 800}, "worst": [0.49, 0.49],
 //          "histogram": {…}, "stages": {"rounding": {…}}},
 //         {"law": "…", "kind": "smooth", "stratum": "sliver", "worst": […], …}],
@@ -31,7 +31,8 @@
 // fragment, empty histograms, a worst error of 0 and other empty or zero members are left out.
 // "histogram" and the sums of "stages" are as in records (records/record_json.h), "worst" of a case
 // as in case records (records/case_record_json.h). A case is numbered within "corpus" or within
-// "random".
+// "random". Not shown: an entry's "power" and "not_judged", and a section's "specimens"
+// (records/specimen_json.h).
 
 #include <string>
 #include <string_view>

@@ -80,7 +80,7 @@ struct StageChange {
 
 /// Returns the factor by which the stage's part grew, for ordering only: parts of different stages
 /// differ by powers of ten, for instance if values come from snapped vertices. Infinite if the part
-/// was 0.
+/// was 0 before and is not any more.
 double growth_of(const StageChange& change);
 
 struct EntryChange {

@@ -95,9 +95,9 @@ struct Explanation {
   /// Ids of features that were removed without making the law hold.
   std::vector<std::string> indifferent;
   /// Simple changes to the case before it was shrunk, as clauses ("y points in the other
-  /// direction"): in the drawing of the unchanged case, the parts in question (`parts`, or `wrong`)
-  /// are right for the changed case. Empty optional if these parts are right already or cannot be
-  /// drawn.
+  /// direction"), each of which would explain the drawing: the parts in question (`parts`, or
+  /// `wrong`), as drawn for the unchanged case, are right for the changed case. Empty optional if
+  /// these parts are right already or cannot be drawn.
   std::optional<std::vector<std::string>> hints = std::nullopt;
   /// True if the case failed when tried again. If false, all else is empty: the drawing varies from
   /// run to run, or depends on earlier drawings.

@@ -11,7 +11,8 @@
 //                    "inherent": [], "indifferent": ["tie"]}, "close_up": ["…"]}
 //
 // "attribute", "error", "bound" and "distance" are absent if the violation has none; "shrinking",
-// "explanation" and "close_up" if the counterexample has none. Texts are UTF-8.
+// "explanation" and "close_up" if the counterexample has none. "explanation" may also have "hints",
+// a list of clauses, and "fails_again": false. Texts are UTF-8.
 
 #include <nlohmann/json_fwd.hpp>
 

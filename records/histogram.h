@@ -88,11 +88,11 @@ class Histogram {
   /// How many finite magnitudes were counted.
   std::uint64_t count() const;
   std::uint64_t count_in(std::size_t bucket) const { return counts_[bucket]; }
-  /// Number of counted non-finite magnitudes. Quantiles ignore these, as they have no size.
+  /// Number of counted non-finite magnitudes. Quantiles ignore these, because they have no size.
   std::uint64_t non_finite() const { return non_finite_; }
-  /// Number of magnitudes above `border`, which must be 0 or a bucket's upper border. Exact, as no
-  /// bucket lies on both sides of the border. Includes non-finite magnitudes, which are not known
-  /// to be at most the border.
+  /// Number of magnitudes above `border`, which must be 0 or a bucket's upper border. Exact,
+  /// because no bucket lies on both sides of the border. Includes non-finite magnitudes, which are
+  /// not known to be at most the border.
   std::uint64_t count_above(double border) const;
 
   /// The borders of the bucket that holds the p-quantile of the finite magnitudes; [0, 0] if the

@@ -17,9 +17,9 @@
 //                "total": [0.7, 0.7], "is_traced": true}],
 //    "coverage_stage": "snap"}
 //
-// Keys are the members of records/inspection.h, except "case" for `source`. Empty members are
-// absent, including empty "values". Exact values are texts; "actual" is a hex float, "nan", "inf"
-// or "-inf". Texts are UTF-8.
+// Keys are the members of records/inspection.h, except "case" for `source`. Optional members are
+// absent if they are empty, and so are a sample's "values" and a value's "exact". Exact values are
+// texts; "actual" is a hex float, "nan", "inf" or "-inf". Texts are UTF-8.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -45,7 +45,8 @@ constexpr AttributeKind kind_of(cases::Interpolation interpolation) {
 
 /// The class of one fragment, or of one of its values. NaN and wrong infinities are classes of
 /// their own and have no error. Infinity stands for 2^128, the number after the largest float32: an
-/// infinite value is correct if the exact value lies beyond that or within the bound of it.
+/// infinite value is correct if the exact value lies beyond this number, or no farther before it
+/// than the bound allows.
 enum class FragmentClass {
   correct,             ///< correctly drawn; the value is within the bound
   beyond_bound,        ///< a number, but farther from the exact value than the bound

@@ -84,7 +84,8 @@ std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTe
 std::optional<cases::ContractTerms> terms_of(const Plan& plan);
 
 /// Keeps the members that decide which cases are frozen and how they are judged: seed, cases,
-/// patterns, contract, promise, corpus and known defects. All others get their default.
+/// patterns, capabilities, contract, promise, way of drawing, corpus, known defects and power.
+/// Empties `backends`; all other members get their default.
 Plan frozen(const Plan& plan);
 
 /// Returns the options of `rastercheck run` that reproduce the plan, except backends, cases, seed,

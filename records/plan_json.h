@@ -9,7 +9,7 @@
 //    "shrink_seconds": 5, "power": 5, "require_cases": 20, "keeps_cases": true, "timeout": 10,
 //    "shard": {"index": 2, "count": 7}}
 //
-// All keys except seed and cases are absent for default values (plan.h).
+// All keys except "seed" and "cases_per_law" are absent for default values (plan.h).
 
 #include <nlohmann/json_fwd.hpp>
 

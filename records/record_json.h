@@ -29,9 +29,10 @@
 // violated in known ways only; "known": {"llvmpipe-3": 5} names the entries (known.h). The reasons
 // why a law does not apply to cases are in "not_applicable_because": {"its contract lacks 8
 // samples": 7}. "power" counts drawings that were made wrong, and how many of these were noticed:
-// {"values NaN": {"drawings": 4, "noticed": 4}}. All four are absent if empty. The float32 of
-// "actual" is a hex float, as in all files. Objects list their keys alphabetically, so that equal
-// records give equal bytes.
+// {"values NaN": {"drawings": 4, "noticed": 4}}. "not_judged": {"not promised": 3} counts fragments
+// or values that were drawn but not judged. All five are absent if empty. The float32 of "actual"
+// is a hex float, as in all files. Objects list their keys alphabetically, so that equal records
+// give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 

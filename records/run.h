@@ -63,7 +63,7 @@ struct Run {
   /// Drawn parts of some cases, ordered by backend, key and triangle; only if the run keeps each
   /// case's result.
   std::vector<Specimen> specimens = {};
-  /// Ordered by (law, backend, verdict), one for each combination.
+  /// One for each combination of law, backend, verdict, kind and condition, ordered by these.
   std::vector<Counterexample> counterexamples;
   /// Groups of the counterexamples by likely cause, largest first. Each cause belongs to one
   /// backend, and each counterexample to one cause.
@@ -86,16 +86,17 @@ struct Run {
   bool operator==(const Run&) const = default;
 };
 
-/// The key of Run::environment for what draws for a backend, such as a driver's name and version.
+/// The key in Run::environment whose value says what draws for a backend, such as a driver's name
+/// and version.
 std::string drawn_by_key(const std::string& backend);
 
 /// Returns the law's sentence, or its id if the run has no sentence for it.
 const std::string& sentence_of(const Run& run, const std::string& law);
 
-/// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
+/// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases; at least 13 were required."
 std::string unreached_sentence(const UnreachedLabel& label);
 
-/// "Unexpected pass: the case of llvmpipe-3 no longer violates LAW on gl:llvmpipe.", followed by
+/// "Unexpected pass: the case of llvmpipe-3 no longer violates LAW on gl:llvmpipe; …", followed by
 /// what that means.
 std::string unexpected_sentence(const UnexpectedPass& pass);
 
@@ -112,16 +113,18 @@ std::vector<SkippedLaw> skipped_laws(const Run& run);
 /// The label of cases left undrawn because the backend was given up; these count as violations.
 inline constexpr std::string_view kGivenUp = "not drawn, as the backend was given up";
 
-/// Returns sentences on what else a reader must know about a run: it is a shard, it was
-/// interrupted, shrinking was cut short, a list of known defects is for another version of the
-/// driver, entries are past their last day, laws were skipped.
+/// Returns sentences on what else a reader must know about a run. Examples: the run is a shard or
+/// was interrupted; a contract file or an API's promise decided the verdicts; shrinking had a time
+/// limit; a list of known defects is for another version of the driver; laws were skipped; a
+/// backend was given up.
 std::vector<std::string> caveats(const Run& run);
 
 /// Makes a text fit for a file's name: replaces all but letters and digits by '-'.
 std::string file_word(std::string_view text);
 
 /// Returns the file of a counterexample within the run's folder:
-/// "counterexamples/LAW-BACKEND-VERDICT.json", each part as by file_word().
+/// "counterexamples/LAW-BACKEND-VERDICT.json", with the special_words() of the case after the
+/// verdict, each part as by file_word().
 std::string file_of(const Counterexample& counterexample);
 
 }  // namespace rastercheck::records

@@ -29,7 +29,7 @@ struct SceneResult {
 };
 
 /// One sentence for people, such as "Scene bunny.obj on cpu: 69666 triangles, 51234 fragments;
-/// 51234 samples judged, all right."; gives the reason if nothing was judged.
+/// 51234 samples judged, all correct."; gives the reason if nothing was judged.
 std::string scene_sentence(const SceneResult& scene);
 
 }  // namespace rastercheck::records

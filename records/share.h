@@ -15,13 +15,13 @@ namespace rastercheck::records {
 /// <= whole; returns a dash if whole is 0.
 std::string share_text(std::uint64_t part, std::uint64_t whole);
 
-/// The share of answers that each level of the oracle gave: "99.99% by filter, 0.01% by interval,
-/// 0.00004% by exact numbers". `undecided` counts questions without an answer. Empty if nothing was
-/// asked.
+/// The share of answers that each level of the oracle gave: "99.99% by fast arithmetic, 0.01% by
+/// interval arithmetic, 0.00004% by exact arithmetic". `undecided` counts questions without an
+/// answer. Empty if nothing was asked.
 std::string levels_text(const LevelCounts& levels, std::uint64_t undecided);
 
-/// Answers on samples and on values in one line: "Samples decided: 100% by filter, …; 0 undecided.
-/// Values decided: 98.7% by filter, …". Empty if no level gave an answer.
+/// Answers on samples and on values in one line: "Samples decided: 100% by fast arithmetic, …; 0
+/// undecided. Values decided: 98.7% by fast arithmetic, …". Empty if no level gave an answer.
 std::string decided_sentence(const Levels& levels, std::uint64_t undecided_samples);
 
 }  // namespace rastercheck::records

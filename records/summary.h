@@ -138,8 +138,8 @@ std::string why_not_checked(const LawSummary& row);
 /// Says, for a thin row, on how many cases the law held and which label was not reached.
 std::string thin_words(const LawSummary& row);
 
-/// "3 properties held on fewer than 20 cases; 1 property held without a label that had to be
-/// reached"; empty if no row is thin.
+/// "3 properties held on fewer than 20 cases; 1 property held without reaching a required label";
+/// empty if no row is thin.
 std::string thin_sentence(const std::vector<LawSummary>& rows);
 
 }  // namespace rastercheck::records

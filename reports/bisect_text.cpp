@@ -17,7 +17,7 @@ namespace rastercheck::reports {
 namespace {
 
 constexpr std::size_t kShownHash = 10;
-/// The most worse figures that are shown; the JSON has all of them.
+/// Maximum number of worse figures shown; the JSON has all of them.
 constexpr std::size_t kMostLines = 5;
 constexpr std::size_t kMostStagesOfCommit = 1;
 

@@ -21,7 +21,8 @@ namespace {
 using records::Counterexample;
 using records::Violation;
 
-/// The most vertices, or triangles, of a case that are shown; the case file has the rest.
+/// Maximum number of vertices, and of triangles, of a case that are shown; the case file has the
+/// rest.
 constexpr std::size_t kMostShown = 12;
 constexpr int kMeasureDigits = 6;  ///< the most digits of errors and distances
 

@@ -22,7 +22,8 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Violation;
 
-/// The fewest digits that tell a drawn number from those that are right, and these from each other.
+/// The fewest digits that tell the drawn number from the right numbers, and the right numbers from
+/// each other.
 int distinct_digits(double drawn, const NumberRange& right) {
   constexpr int kFewest = 3;
   constexpr int kMost = 17;  // these tell any two doubles apart

@@ -1,6 +1,6 @@
 #pragma once
 
-// Says what is wrong with a drawing, where, and how badly, in units that people have.
+// Says what is wrong with a drawing, where, and how badly, in units that readers know.
 
 #include <string>
 
@@ -16,16 +16,17 @@ std::string finding_value(const records::Violation& violation, const cases::Case
 /// "pixel (3, 5) of triangle 0"; names the sample if there are several.
 std::string finding_place(const records::Violation& violation, const cases::Case& source);
 
-/// Says what was drawn and what must be: "attribute 'u' was drawn as 0.143 and must be 0.161 to
-/// 0.164", "the sample is not drawn and must be". Numbers have as many digits as tell them apart.
-/// If nothing was drawn, says why.
+/// Says what was drawn and what must be drawn: "attribute 'u' was drawn as 0.143 and must be 0.161
+/// to 0.164", "the sample is not drawn and must be". Numbers have as many digits as tell them
+/// apart. If nothing was drawn, says why.
 std::string finding_fault(const records::Violation& violation, const cases::Case& source);
 
 /// How bad the fault is: "off by 1/18 of the attribute's range (2.3 million scale ULP, 0.5
 /// allowed)", "0.25 pixels from the boundary". Empty if unknown.
 std::string finding_severity(const records::Violation& violation, const cases::Case& source);
 
-/// All of it as a sentence without a full stop, and the law's note, if any.
+/// Place, fault, severity and the law's note, if any, as a sentence without a full stop. Only the
+/// fault if the violation has no place.
 std::string finding_text(const records::Violation& violation, const cases::Case& source);
 
 }  // namespace rastercheck::reports

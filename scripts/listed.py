@@ -1,4 +1,4 @@
-"""What there is, for the scripts that write pages of docs/: laws, generators, mutants."""
+"""Lists laws, generators and mutants for the scripts that write pages of docs/."""
 
 import hashlib
 import json
@@ -7,18 +7,18 @@ import pathlib
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# The built program, or the one that the environment's RASTERCHECK names.
+# The built program, or the one that the environment variable RASTERCHECK names.
 PROGRAM = os.environ.get("RASTERCHECK", ROOT / "build/release/bin/rastercheck")
 
 
 def listed():
-    """What the built program lists."""
+    """Everything that the built program lists."""
     return json.loads(subprocess.run([PROGRAM, "list", "--json"], check=True, capture_output=True).stdout)
 
 
 def mutants(folder="tests/mutants"):
-    """name -> (fields of its patch's header, lines of its diff), by name. A field's further lines are
-    indented."""
+    """Maps names, sorted, to (fields of the patch's header, lines of its diff). In the header, the
+    continuation lines of a field are indented."""
     found = {}
     for patch in sorted((ROOT / folder).glob("*.patch")):
         lines = patch.read_text().splitlines()
@@ -35,6 +35,7 @@ def mutants(folder="tests/mutants"):
 
 
 def key_of(fields, diff):
-    """What a mutant changes, in twelve digits: what is known of it holds while that is the same."""
+    """A digest of what a mutant changes, in twelve digits. Results about the mutant stay valid as
+    long as the digest is the same."""
     changes = [fields["Of"], *(line for line in diff if line.startswith(("-", "+")))]
     return hashlib.sha256("\n".join(changes).encode()).hexdigest()[:12]

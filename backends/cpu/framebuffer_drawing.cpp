@@ -75,8 +75,8 @@ class FramebufferDrawing {
   std::optional<ras::Error> draw_each() {
     const ras::Mesh mesh = memory_.mesh();
     ras::Mesh drawn = mesh;
-    // Draws no triangles first, so that mismatched arrays are refused even if the case has no
-    // triangle.
+    // First draws a mesh without triangles, so that mismatched arrays are refused even if the case
+    // has no triangle.
     drawn.triangles = {};
     if (const auto error = draw(drawn)) return error;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

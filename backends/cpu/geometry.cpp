@@ -41,7 +41,7 @@ Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c) {
                            matrix(c.camera->projection)};
   std::vector<glm::vec4> clip;
   std::optional<ras::Error> error;
-  // The rasterizer also accepts positions without w; this uses them if every w is 1.
+  // The rasterizer also accepts positions without w. They are used if every w is 1.
   const bool is_affine = std::all_of(c.positions.begin(), c.positions.end(),
                                      [](const cases::ClipVertex& p) { return p.w == 1; });
   if (is_affine) {

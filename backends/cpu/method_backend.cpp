@@ -114,8 +114,8 @@ cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
 /// tolerance. An edge carries its values along, so errors of the edge change values only within the
 /// range that moving the vertices allows.
 ///
-/// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A, as the
-/// guard band is 2^10, so A 2^-34 scale ULP are added to the other errors. For depth, the other
+/// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A, because
+/// the guard band is 2^10. So A 2^-34 scale ULP are added to the other errors. For depth, the other
 /// errors are the rounding to float32 and an error of less than 2^-24. A vertex that only the
 /// method clips has the clip tolerance as its position error.
 void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,

@@ -106,7 +106,7 @@ class RasterizerBackend : public Backend,
   About about() const override { return {.same_as = variants(options_)}; }
   cases::Contract promise(const cases::Case& c) const override {
     cases::Contract contract = production_contract(c, options_.precision);
-    if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // it holds none
+    if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // not stored
     return contract;
   }
   /// Framebuffers hold values computed in double, so only the backend in double draws pictures.

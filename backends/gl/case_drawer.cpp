@@ -360,8 +360,8 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
-/// True if fragments are appended when the caller gives no way: only if layers, which are read back
-/// whole, would take more than one batch.
+/// True if fragments are appended when the caller names no way of drawing. That is the case only if
+/// layers, which are read back whole, would take more than one batch.
 bool CaseDrawer::Impl::appends(const cases::Case& c) const {
   if (!buffer || !lacks_of_appending(c).empty()) return false;
   const LayerShape one{c.framebuffer, 1, pack(c.attributes, 1, has.has_noperspective)[0].size()};

@@ -15,8 +15,8 @@ namespace rastercheck::backends::gl {
 
 enum class Api { opengl, opengl_es };
 
-/// Which of several drivers to use: the one of EGL's surfaceless platform, which Mesa chooses
-/// (GALLIUM_DRIVER, LIBGL_ALWAYS_SOFTWARE), or preferably a device with its own hardware.
+/// The display to try first: EGL's surfaceless platform, whose driver Mesa chooses (GALLIUM_DRIVER,
+/// LIBGL_ALWAYS_SOFTWARE), or a device with hardware of its own.
 enum class Prefer { surfaceless, hardware };
 
 /// The requirements on a context.

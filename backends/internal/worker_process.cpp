@@ -140,7 +140,8 @@ bool WorkerProcess::wait() {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
     is_late_ = left.count() <= 0;
     if (is_late_) return false;
-    // Also watch for the process's end, as its children may hold the bell and never ring it.
+    // Also watch for the process's end, because its children may hold the bell open and never ring
+    // it.
     std::array<pollfd, 3> ends{
         {{channel_.bell(), POLLIN, 0}, {log_.pipe(), POLLIN, 0}, {process_.end(), POLLIN, 0}}};
     const int most = static_cast<int>(std::min<std::int64_t>(left.count(), kLongestPoll));
@@ -161,8 +162,8 @@ Error WorkerProcess::end_for_nonsense() {
 
 /// Ends the process and reports how it ended.
 Error WorkerProcess::loss(std::string_view doing) {
-  // A process that closed the channel is about to end, so wait to learn how. If it does not end, it
-  // is of no use.
+  // A process that closed the channel is about to end, so wait to learn how. If it does not end in
+  // time, it is killed.
   const bool has_ended =
       process_.has_ended_within(is_late_ ? std::chrono::milliseconds(0) : kLongestEnd);
   process_.kill();

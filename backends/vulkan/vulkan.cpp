@@ -1,8 +1,8 @@
 // The backend `vulkan`: any device that the Vulkan loader finds. `vulkan` is the machine's best
-// device, `vulkan:N` the Nth, `vulkan:NAME` one whose name contains NAME. `vulkan:lavapipe` and
-// `vulkan:swiftshader` are drivers that draw on the CPU, whose files are where Debian puts them.
-// `,validate` after any of these turns on the validation layer. Any message from that layer fails
-// the case.
+// device, `vulkan:N` the one with index N (from 0), `vulkan:NAME` one whose name contains NAME.
+// `vulkan:lavapipe` and `vulkan:swiftshader` are drivers that draw on the CPU, whose files are
+// where Debian puts them. `,validate` after any of these turns on the validation layer. Any message
+// from that layer fails the case.
 
 #include <fmt/format.h>
 

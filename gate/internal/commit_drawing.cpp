@@ -134,8 +134,8 @@ std::string pattern_of(const std::set<std::string>& laws) {
   for (const std::string& law : laws) {
     if (!all.empty()) all += '|';
     for (const char c : law) {
-      // Writes each special character as a set of one, because a backslash does not keep '|' and
-      // brackets from having a meaning in a list.
+      // Writes each special character as a set of one character: in a list of patterns, '|' and
+      // brackets keep their meaning even after a backslash.
       const bool is_special = std::string_view("*?[]\\(|)").find(c) != std::string_view::npos;
       all += !is_special ? std::string(1, c) : c == '\\' ? R"([\\])" : fmt::format("[{}]", c);
     }

@@ -335,7 +335,7 @@ SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
     near_cut = near_cut || is_near;
   }
 
-  // The moved lines may meet far beyond a sharp corner or a moved one, where nothing is drawn.
+  // The moved lines may meet far beyond a sharp or moved corner, where nothing is drawn.
   if (!is_in_clipped_triangle(triangle, p) &&
       triangle.clipped_to_triangle(box_around(p, triangle.reach)).is_empty()) {
     return {Verdict::forbidden, Reason::outside};

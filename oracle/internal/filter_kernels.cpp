@@ -181,8 +181,8 @@ void ValueErrors(const ValueFilter& value, const BatchWeights& weights,
     const auto h =
         hn::Add(hn::Mul(absolute, hn::Set(d, 1 + 0x1p-18)), hn::Mul(hn::Set(d, 0x1p-51), size));
     // Products that underflow lose less than 2^-900. The sum of h and 2^-900 is large enough that
-    // its product with `units`, which is at least 2^-104, does not underflow. Reproduced constants
-    // involve no product but 0, and exact values lose nothing.
+    // its product with `units`, which is at least 2^-104, does not underflow. If a constant is
+    // reproduced, all products are 0; exact values lose nothing.
     const auto radius = hn::IfThenZeroElse(has_no_error, hn::Add(h, hn::Set(d, 0x1p-900)));
     hn::StoreU(hn::Mul(hn::Sub(q, radius), units), d, lo.data() + k);
     hn::StoreU(hn::Mul(hn::Add(q, radius), units), d, hi.data() + k);

@@ -41,9 +41,9 @@ class PreparedTriangles {
   std::unordered_map<std::uint32_t, Prepared> prepared_;
 };
 
-/// Finds the answers for a band of rows. A triangle is dropped as soon as the depth test certainly
-/// cannot leave it, so memory is bounded by the band's samples and the depths that are too close to
-/// tell apart.
+/// Finds the answers for a band of rows. A triangle is dropped from a sample as soon as the depth
+/// test certainly removes it there, so memory is bounded by the band's samples and the depths that
+/// are too close to tell apart.
 class NearestBand {
  public:
   /// A triangle that may be left at a sample.

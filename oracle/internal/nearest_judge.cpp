@@ -159,8 +159,8 @@ class NearestJudge::Band {
                                  static_cast<int>(place.sample));
   }
 
-  /// Takes the next fragment, at a sample where every triangle with a promise is forbidden, and all
-  /// other fragments of that sample.
+  /// Takes all fragments of the next fragment's sample, where every triangle with a promise is
+  /// forbidden.
   void take_unanswered() {
     const Sample where = next_sample();
     take_if_unpromised();

@@ -1,7 +1,7 @@
 #pragma once
 
 // Judges the result of a depth test: the triangle drawn at a sample must be among those that may be
-// the nearest there. Works on one band of rows after the other.
+// the nearest there. Each thread judges one band of rows after the other.
 
 #include <cstdint>
 #include <span>

@@ -2,8 +2,8 @@
 
 // The oracle's numbers. Every input is a finite float32, hence dyadic: sums, differences and
 // products stay in the ring Z[1/2] and are exact in CGAL::Mpzf, without a gcd. Divided values
-// become CGAL::Gmpq, in lowest terms. Nothing in this folder rounds, except functions whose names
-// below say so.
+// become CGAL::Gmpq, in lowest terms. These numbers are rounded only by functions whose names say
+// so.
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Mpzf.h>

@@ -11,9 +11,9 @@ using records::SampleVerdict;
 using records::Verdict;
 
 /// Nonzero coefficients must be within these limits, to keep the products of a value's error
-/// (filter_kernels.h) in the normal doubles. The least product is that of a float32 difference and
-/// a w, of at least 2^-149 each, and an edge function, which is a multiple of 2^(-600 - 4 - 52) at
-/// any sample. The greatest is 2^129 times 2^128 times 2^(600 + 15 + 2).
+/// (filter_kernels.h) in the normal doubles. The least product has three factors: a float32
+/// difference and a w, each at least 2^-149, and an edge function, which is a multiple of 2^(-600 -
+/// 4 - 52) at any sample. The greatest is 2^129 times 2^128 times 2^(600 + 15 + 2).
 constexpr double kLeastCoefficient = 0x1p-600;
 constexpr double kMostCoefficient = 0x1p600;
 

@@ -43,7 +43,8 @@ class TriangleFilter {
   /// True if the first level can decide any sample of the triangle.
   bool has_first_level() const { return !lines_.empty(); }
 
-  /// The three edges of a map, if exactly these decide coverage; else nullptr.
+  /// The three edges of a map, if exactly these edges decide coverage, perhaps together with clip
+  /// planes; else nullptr.
   const FilterLine* edges_of(const ProjectiveMap* map) const;
 
   /// The first level, for one sample of each pixel of row y. Leaves samples open, rather than

@@ -338,9 +338,9 @@ FieldRange TriangleSetup::extent(Eigen::Index axis) const {
 
 namespace {
 
-/// Returns the first pixel, and one past the last, along an axis that lie within `spread` of some
-/// point between two of the positions `at`, limited to `most`. Each position is known to within
-/// 2^-48 relative.
+/// Returns the range of pixels along an axis (the first, and one past the last) that lie within
+/// `spread` of some point between two of the positions `at`, with pixel numbers clamped to
+/// −1…`most`. Each position is known to within 2^-48 relative.
 std::pair<int, int> touched(std::span<const double> at, double spread, int most) {
   const auto [least, greatest] = std::ranges::minmax(at);
   // The positions may be off by 2^-48, and the spread and these sums by as much again in any

@@ -140,7 +140,7 @@ struct TriangleSetup {
   };
   const NearPositions& near_positions() const;
 
-  /// The map that the contract's basis evaluates; nullptr if the basis allows several.
+  /// The map that the contract's basis evaluates; nullptr if the contract allows several.
   const ProjectiveMap* value_map() const;
 
   /// A box of pixels that contains all required or permitted samples; may be larger than necessary.

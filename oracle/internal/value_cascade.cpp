@@ -139,8 +139,8 @@ void ValueCascade::filter_column(const PreparedValue& prepared, int count,
 
 /// Returns the limits within which an error is certainly no extreme. Enclosures of the first level
 /// end strictly beyond their errors, unless an error is 0 or the filter knows it exactly. An
-/// exactly known error as far from 0 as the extreme so far is a new extreme if it comes from an
-/// earlier place, so it must lie outside the limits.
+/// exactly known error may be just as large as the extreme so far. It is then a new extreme if it
+/// comes from an earlier place, so it must lie outside the limits.
 ErrorLimits ValueCascade::limits_of(const PreparedValue& prepared) const {
   const auto kept = [&](const ExtremeLimit& limit) {
     const bool may_equal = prepared.filter.exact_bits > 0 && limit.lets(limit.size, first_place_);

@@ -9,8 +9,8 @@
 // range.
 //
 //   placed   readings are the extreme placements' values, and the exact triangle's if the basis is
-//            unspecified; a mean of the vertices' values lies between the least and the greatest
-//            of these, so the range is clamped to them
+//            unspecified; at a sample, a placement's value is a mean of the vertices' values, so
+//            the placements' range is clamped to the least and the greatest vertex value
 //   cut      if the square of half-width `reach` around the point lies inside the polygon, readings
 //            are the exact triangle's values at its corners, where a ratio of affine functions has
 //            its extremes

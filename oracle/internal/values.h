@@ -71,7 +71,8 @@ class TriangleValues {
   /// Values at samples lie between them.
   FractionRange ends(std::size_t attribute) const;
   const FractionRange& depth_ends() const { return depth_ends_; }
-  /// True if the rules define the attribute at its location p; false at a centre with 1/w <= 0.
+  /// True if single_map() has a value of the attribute at its location p; false at a centre with
+  /// 1/w <= 0, where the rules define none.
   bool is_defined_at(std::size_t attribute, const Point& p) const;
   /// The point at which an attribute of a fragment is evaluated. A centroid may have a range of
   /// points; this returns the sample.
@@ -83,7 +84,7 @@ class TriangleValues {
     bool has_center = false;
   };
   CentroidSamples centroid_samples(int x, int y) const;
-  /// The map that the contract's basis evaluates; nullptr if the basis allows several.
+  /// The map that the contract's basis evaluates; nullptr if the contract allows several.
   const ProjectiveMap* single_map() const;
 
   /// A map, and a region where values may be evaluated on it. The values that the quantity has

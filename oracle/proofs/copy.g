@@ -1,14 +1,14 @@
-# [lo, hi] of a flat value holds f - s.
+# [lo, hi] of a flat value contains f - s.
 #
-# Of: filter_column for ValueMethod::copy (value_cascade.cpp):
+# Code: filter_column for ValueMethod::copy (value_cascade.cpp), which computes
 #
 #   d = fl(f - s)       slack = 8u |d|, exact       lo, hi = fl(d -+ slack)
 #
-# Assumes: the relative errors of roundings.g. It also shows that multiplying by `units` is exact.
+# Assumes: the relative errors of roundings.g, which also shows that multiplying by `units` is
+# exact.
 #
-# f - s is taken for not negative; else turn both round, which exchanges lo and hi. `difference`
-# is not bounded by anything: with 0 both ends are 0.
-
+# Shown for f - s >= 0; the other case follows with both signs reversed, which exchanges lo and hi.
+# `difference` may be arbitrarily small; if it is 0, both ends are 0.
 #@ -Eprecision=200
 eight_u = 8 * 1b-53;
 # Refused with: eight_u = 2 * 1b-53;

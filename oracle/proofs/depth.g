@@ -1,18 +1,18 @@
-# [lo, hi] of a depth holds N*/Den*, N the line of the depth's numerators, Den = |det M|.
+# [lo, hi] of a depth contains N*/Den*, where N is the line of the depth's numerators and
+# Den = |det M|. A star marks an exact number.
 #
-# Of: DepthFilter (depth_filter.cpp):
+# Code: DepthFilter (depth_filter.cpp), which computes
 #
 #   reciprocal = fl(1/Den)        radius = fl(fl(2 band) reciprocal)         2 band is exact
 #   depth      = fl(e reciprocal)              lo, hi = fl(depth -+ radius)
 #
-# Assumes: |e - N*| <= band, band = 8u size, where each is computed in a few roundings and |e| <=
-# (1 + 2^-40) size (edge.g: the sum of the terms' sizes); Den is within 2^-51 of Den*, relative to
-# itself (limbs.g). Nothing underflows: e is 0 or at least 2^-656 (roundings.g), and so is the band, and Den lies
-# between 2^-300 and 2^300.
+# Assumes: |e - N*| <= band and band = 8u size, where `size` is the sum of the terms' sizes
+# (edge.g). Band and size have a few roundings each, and |e| <= (1 + 2^-40) size. Den is within
+# 2^-51 Den* of Den* (limbs.g). Nothing underflows: e and the band are 0 or at least 2^-656 in
+# magnitude (roundings.g), and Den lies between 2^-300 and 2^300.
 #
-# In units of size/Den, which so drops out: e = s, band = w, N* = s + w r with |r| <= 1, and
-# Den/Den* = 1 + k. For hi; for lo turn the signs s and r round.
-
+# Numbers are in units of size/Den, so size and Den drop out: e = s, band = w, N* = s + w r with
+# |r| <= 1, and Den/Den* = 1 + k. Shown for hi; lo follows with the signs s and r reversed.
 #@ -Eprecision=200
 twice = 2;
 # Refused with: twice = 1.87;

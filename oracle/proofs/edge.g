@@ -1,8 +1,8 @@
-# An edge function in doubles differs from the exact one by at most `band`. Where a margin is added,
-# the wider band is at least the sum of both.
+# An edge function in doubles differs from the exact one by at most `band`. If a margin is added,
+# the wider band is at least the sum of band and margin.
 #
-# Of: FilterLine (filter_kernels.h). filter_line and TriangleFilter's constructor
-# (triangle_filter.cpp) make the band:
+# Code: FilterLine (filter_kernels.h). filter_line and TriangleFilter's constructor
+# (triangle_filter.cpp) compute the band:
 #
 #   size    = fl(fl(fl(|a| W) + fl(|b| H)) + |c|)
 #   band    = (2^-51 + 2^-51) size                       exact
@@ -10,15 +10,14 @@
 #
 # ClassifyRow and `edge_at` in WeighSamples compute fl(fl(a x) + fl(fl(b y) + c)).
 #
-# Assumes: the exact coefficients differ from a, b, c by at most 2^-51 of these (limbs.g), and are 0
-# where these are (filter_line); x in [0, W], y in [0, H] (samples of the box that the line was made
-# for); the relative errors of roundings.g. `margin` is any double, at least 0. A subnormal `wide`
-# is no less than it either, as the band is then 0 and rounding is monotone.
+# Assumes: each exact coefficient differs from a, b or c by at most 2^-51 of that double (limbs.g),
+# and is 0 if the double is 0 (filter_line); x in [0, W], y in [0, H] (samples of the box that the
+# line was made for); the relative errors of roundings.g. `margin` is any double, at least 0. A
+# subnormal `wide` is also at least `margin`, because the band is then 0 and rounding is monotone.
 #
-# Sizes are sa = |a| W, sb = |b| H, sc = |c|; a x, b y and c are these times s1, s2, s3, signs and
-# shares in one. The bound is one-sided; for the other side turn all signs round, as rounding is
-# symmetric.
-
+# Sizes are sa = |a| W, sb = |b| H, sc = |c|. The terms a x, b y and c are s1, s2 and s3 times these
+# sizes; each of these factors combines a sign with a share. The bound is shown for one side; the
+# other side follows with all signs reversed, because rounding is symmetric.
 #@ -Eprecision=200
 share = 8 * 1b-53;  # 2^-51 for the coefficients, 2^-51 for rounding
 # Refused with: share = 7 * 1b-53;

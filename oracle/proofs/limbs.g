@@ -1,19 +1,19 @@
-# near_double() differs from its value by at most 2^-51 of the value, and of the double.
+# near_double() differs from its value by at most 2^-51 of the value, and by at most 2^-51 of the
+# double.
 #
-# Of: near_double (number.h), which is CGAL's Mpzf::to_double(). Of a number top + next + rest,
-# times a power of two, with limbs of 64 bits, top a whole number, not 0, and next the next limb
-# times 2^-64, it makes
+# Code: near_double (number.h), which is CGAL's Mpzf::to_double(). The number is top + next + rest,
+# times a power of two, in limbs of 64 bits: `top` is the first limb, an integer that is not 0, and
+# `next` is the next limb times 2^-64. to_double() computes
 #
-#   fl(top)                      where top >= 2^53: left out is less than 1, at most u top
-#   fl(top + fl(next))           elsewhere: left out is less than 2^-64, at most u top
+#   fl(top)                      if top >= 2^53: the part left out is less than 1, at most u top
+#   fl(top + fl(next))           otherwise: the part left out is less than 2^-64, at most u top
 #
-# Assumes: the result is a normal double, so that the power of two does not round; filter_line and
-# set_filter take no other.
+# Assumes: the result is a normal double, so that multiplying by the power of two does not round;
+# filter_line and set_filter accept no other results.
 #
-# The first is the second with next = 0. The value is not negative here, and s the sign of the
-# difference. The hints sort by sizes, as those of all scripts do: then each size's factor is at
-# least 0.
-
+# The first form is the second with next = 0. The value is assumed not to be negative; s is the sign
+# of the difference. As in all scripts, the hints group terms by size, so that the factor of each
+# size is at least 0.
 #@ -Eprecision=200
 most = 1b-51;
 # Refused with: most = 2 * 1b-53;

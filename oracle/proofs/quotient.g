@@ -1,29 +1,29 @@
-# [q - radius, q + radius], rounded to nearest, holds S*/Den*.
+# [q - radius, q + radius], rounded to nearest, contains S*/Den*. A star marks an exact number.
 #
-# Of: value_errors (filter_kernels.h); what follows the loop in ValueErrors:
+# Code: value_errors (filter_kernels.h): what ValueErrors computes after its loop,
 #
 #   R       = fl(1/Den)
 #   q       = fl(S R)
 #   h       = fl(fl(fl(fl(H + fl(|q| Z)) R) (1 + 2^-18)) + 4u |q|)
 #   radius  = fl(h + least),      hi = fl(q + radius)
 #
-# roundings.g shows that multiplying by `units` is exact, which is why `least` is as large as it is.
+# roundings.g shows that multiplying by `units` is exact; that needs a `least` of this size.
 #
-# Assumes: Den > 0; |Den - Den*| <= Z <= 2^-20 Den (sum.g, and the test beside `reciprocal`; of a
-# determinant limbs.g, Z = 2^-51 Den); |S - S*| <= H (value.g); H > 0, so that `least` counts. H = 0
-# only where all g_i are: all is 0 then, and exact. Quotients of sums without an error are computed
-# another way (filter_kernels.h).
+# Assumes: Den > 0; |Den - Den*| <= Z <= 2^-20 Den (sum.g, and the test beside `reciprocal`; for a
+# determinant limbs.g, with Z = 2^-51 Den); |S - S*| <= H (value.g); H > 0, so that `least` is
+# added. H is 0 only if all g_i are 0; everything is then 0 and exact. Quotients of sums without an
+# error are computed in another way (filter_kernels.h).
 #
-# In units of Den, whose size so drops out: N = |S|/Den, eta = H/Den, z = Z/Den. S* = S + H r with
-# |r| <= 1, and Den/Den* = 1 + z y with |y| <= 1/(1 - 2^-20). The sign of S, hence of q, is s. The
-# bound is one-sided: for lo turn the signs s and r round.
+# Numbers are in units of Den, so its size drops out: N = |S|/Den, eta = H/Den, z = Z/Den.
+# S* = S + H r with |r| <= 1, and Den/Den* = 1 + z y with |y| <= 1/(1 - 2^-20). s is the sign of S,
+# hence of q. Shown for hi; lo follows with the signs s and r reversed.
 #
-# Underflow. A product here may be subnormal: fl(v w) = v w (1 + d) + t, |t| <= 2^-1074. Only that
-# of |q| Z is multiplied again, by R, which may be large; t3 is that of it, divided by Den, and no
-# larger. For let S be not 0, hence at least 2^-955 (roundings.g), and Z not 0, hence at least
-# u Den. If |S|/Den >= 2^-1021, |q| Z >= |S| u/2 is normal, and t3 = 0. Else Den > 2^66, and R is
-# small. R itself is normal: Den lies between 2^-656 and 2^620, or 2^-900 and 2^900.
-
+# Underflow. A product here may be subnormal: fl(v w) = v w (1 + d) + t, |t| <= 2^-1074. Only the
+# product |q| Z is multiplied again, by R, which may be large. t3 is the t of that product divided
+# by Den, and is no larger than 2^-1074 either: Let S not be 0, hence at least 2^-955 (roundings.g),
+# and Z not be 0, hence at least u Den. If |S|/Den >= 2^-1021, then |q| Z >= |S| u/2 is normal, and
+# t3 = 0. Otherwise Den > 2^66, and R is small. R itself is normal, because Den lies between 2^-656
+# and 2^620 or, if it is a determinant, between 2^-900 and 2^900.
 #@ -Eprecision=200
 four_u = 4 * 1b-53;
 # Refused with: four_u = 3 * 1b-53;

@@ -1,28 +1,29 @@
-# No rounding that the other scripts take for relative is anything else: fl(z) = z (1 + d), |d| <=
-# u = 2^-53, as nothing is lost to underflow; and products taken for exact are.
+# Every rounding that the other scripts assume to be relative is relative, because nothing is lost
+# to underflow: fl(z) = z (1 + d), |d| <= u = 2^-53. Every product that they assume to be exact is
+# exact.
 #
-# Of: filter_line (triangle_filter.cpp); ClassifyRow, WeighSamples and, up to `sum_error` and where
-# it multiplies by `units`, ValueErrors (filter_kernels.cpp); ValueMethod::copy in filter_column
-# (value_cascade.cpp).
+# Code: filter_line (triangle_filter.cpp); in filter_kernels.cpp ClassifyRow, WeighSamples, and
+# ValueErrors up to `sum_error` and where it multiplies by `units`; ValueMethod::copy in
+# filter_column (value_cascade.cpp).
 #
-# FIX(z, k): z is a multiple of 2^k. fl(z) is then one as well, and where k >= -1074, the least
-# subnormal, fl is off by at most u |z|, however small z is. A double times a power of two is exact
-# where it is a multiple of 2^-1074. Sums of such numbers are multiples of the same power, so that
-# of the operations one of each kind is shown.
+# FIX(z, k) says that z is a multiple of 2^k. fl(z) is then a multiple of 2^k, too. If k >= -1074,
+# the exponent of the least subnormal, fl(z) is off by at most u |z|, however small z is. A double
+# times a power of two is exact if the product is a multiple of 2^-1074. Sums of multiples of a
+# power are multiples of that power, so it is enough to show one operation of each kind.
 #
 # Assumes:
 #
 #   a, b, c       0, or from 2^-600 to 2^600 (fits_filter): multiples of 2^-652
 #   x, y, W, H    multiples of 1/16, at most 2^15 (cases::kMaxSize is 2^14; cases::SamplePosition)
-#   f, t, p, s    float32: multiples of 2^-149, below 2^128. As p = 1 or t = 1 there are two forms
-#                 of g: (f - s) t, and f p - s' with s' a double and a multiple of 2^-299 (half a
+#   f, t, p, s    float32: multiples of 2^-149, below 2^128. Because p = 1 or t = 1, g is either
+#                 (f - s) t, or f p - s' with a double s' that is a multiple of 2^-299 (half a
 #                 product of two float32 at the least; Scene::depth_numerator without a camera)
 #   units         a power of two, at least 2^-104 (units_of)
 #
-# Doubles are taken here to have no greatest one. By the bounds at the end no edge function comes
-# near it, nor, by |g| < 2^258, a product of one with g or a sum of three. Beyond those ValueErrors
-# may overflow: then an end of its enclosure is infinite or NaN, which keeps no limit.
-
+# Doubles are assumed here to have no greatest number. By the bounds at the end, no edge function
+# comes near the real greatest double, nor, because |g| < 2^258, does a product of g and an edge
+# function or a sum of three such products. Later operations of ValueErrors may overflow. An end of
+# the enclosure is then infinite or NaN, which keeps no limit.
 #@ -Eprecision=200
 @rnd = float<ieee_64, ne>;
 least = 1b-900;

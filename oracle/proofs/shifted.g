@@ -1,26 +1,26 @@
-# What is computed of G at a shifted sample is off from the exact number by at most H.
+# The computed G at a shifted sample differs from the exact G by at most H.
 #
-# Of: find_between_readings (filter_kernels.h); FindBetweenReadings, for one of its shifts:
+# Code: find_between_readings (filter_kernels.h): what FindBetweenReadings computes for one of its
+# shifts,
 #
 #   g_i   = fl(fl(f p_i - s_i) t_i)                   f p_i is exact
-#   here  = fl(fl(fl(g_0 e_0) + fl(g_1 e_1)) + fl(g_2 e_2))     0 + z, the loop's first sum, is z
-#   along_x, along_y: the same of a_i and b_i in place of e_i
+#   here  = fl(fl(fl(g_0 e_0) + fl(g_1 e_1)) + fl(g_2 e_2))     the loop's first sum, 0 + z, is z
+#   along_x, along_y: like `here`, with the coefficients a_i and b_i in place of e_i
 #   there = fl(fl(here - fl(along_x x)) - fl(along_y y))
 #   l_i   = fl(edge_error_i + 16u |e_i|)
 #   H     = fl(fl(fl(|g_0| l_0) + fl(|g_1| l_1)) + fl(|g_2| l_2))
 #
-# Assumes: the exact E_i is e_i + b_i r_i with b_i the band and |r_i| <= 1 (edge.g); a_i and b_i are
-# within 4u of the exact coefficients (limbs.g); with R what a sample is shifted by at most
-# (placement_filter.h: reach S/(1 - rho)), the exact shift along x is R s, |s| <= 1, and the
-# computed one within R (share + 2^-41) of it: `share` is what the errors of E_i make of it, and
-# 2^-41 is more than 200 roundings; and
+# Assumes:
 #
-#   edge_error_i >= b_i (1 + 2^-40) + (|A_i| + |B_i|) R (share + 2^-40);
+# - The exact E_i is e_i + band_i r_i with |r_i| <= 1 (edge.g).
+# - The coefficients a_i and b_i are within 4u of the exact A_i and B_i (limbs.g).
+# - Let R be the largest shift of a sample (placement_filter.h: reach S/(1 - rho)). The exact shift
+#   along x is R s, |s| <= 1, and the computed one is within R (share + 2^-41) of it. `share` bounds
+#   the effect of the errors of E_i, and 2^-41 is more than 200 roundings.
+# - edge_error_i >= band_i (1 + 2^-40) + (|A_i| + |B_i|) R (share + 2^-40).
+# - The relative errors of roundings.g.
 #
-# the relative errors of roundings.g.
-#
-# p_i and q_i are |A_i| R and |B_i| R; all else as in value.g.
-
+# Below, b_i is band_i, and p_i and q_i are |A_i| R and |B_i| R; all other names are as in value.g.
 #@ -Eprecision=200
 sixteen_u = 16 * 1b-53;
 # Refused with: sixteen_u = 6 * 1b-53;

@@ -1,5 +1,5 @@
-# Where Line::certain_side (line.cpp) answers, the line's exact value has the sign that it
-# has in doubles, by more than it changes where the point is moved.
+# If Line::certain_side (line.cpp) answers, the line's exact value has the same sign as in doubles,
+# and is farther from 0 than it can change while the point moves.
 #
 # What is computed, with a, b, c, u, v and r for the doubles near coefficients, point and reach:
 #
@@ -8,17 +8,17 @@
 #   change = fl(r fl(|a| + |b|))
 #   least  = fl(change + fl(sizes + change) 2^-47)
 #
-# and an answer is given where |value| > least: so |exact value| > exact change follows from
+# An answer is given if |value| > least. So |exact value| > exact change follows from
 # least >= |value - exact value| + exact change.
 #
-# Assumes: no over- or underflow (has_normal_products); roundings of any direction, at most 2^-52
-# each, by which near_double() may be off by twice what limbs.g has for the nearest: 2^-50 of a
-# coefficient; u and v quotients of two such (near_point): 2^-48. Of the change, made of three such
-# and two roundings, that is 2^-48 as well.
+# Assumes: no overflow or underflow (has_normal_products). Roundings may have any direction and are
+# at most 2^-52 each. near_double() may then be off by twice the bound that limbs.g proves for
+# rounding to nearest: 2^-50 of a coefficient. u and v are quotients of two such numbers
+# (near_point), and are off by at most 2^-48. The change is made of three such numbers and two
+# roundings, and is off by at most 2^-48 as well.
 #
 # Sizes are sa = |a u|, sb = |b v|, sc = |c| and ch, the exact change; s1, s2, s3 are signs. The
-# bound is one-sided; for the other side turn all signs round.
-
+# bound is shown for one side; the other side follows with all signs reversed.
 #@ -Eprecision=200
 share = 1b-47;
 # Refused with: share = 1b-48;

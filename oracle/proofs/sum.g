@@ -1,16 +1,16 @@
-# D = fl(fl(e0 + e1) + e2) is off from the exact sum of the edge functions by at most `error`.
+# D = fl(fl(e0 + e1) + e2) differs from the exact sum of the edge functions by at most `error`.
 #
-# Of: BatchWeights::error (filter_kernels.h); WeighSamples:
+# Code: BatchWeights::error (filter_kernels.h); WeighSamples computes
 #
 #   bands  = fl(fl(fl(b0 + b1) + b2) (1 + 2^-40))
 #   size   = fl(fl(|e0| + |e1|) + |e2|)
 #   error  = fl(bands + 4u size)
 #
-# Assumes: the exact E_i is e_i + b_i r_i with b_i the band, without a margin, and |r_i| <= 1
-# (edge.g; TriangleFilter::edges_of gives no others); the relative errors of roundings.g.
+# Assumes: the exact E_i is e_i + b_i r_i, where b_i is the band without a margin and |r_i| <= 1
+# (edge.g; TriangleFilter::edges_of returns only edges without a margin); the relative errors of
+# roundings.g.
 #
-# As in edge.g e_i is its size n_i times a sign, and the bound is one-sided.
-
+# As in edge.g, e_i is its size n_i times a sign, and the bound is shown for one side.
 #@ -Eprecision=200
 four_u = 4 * 1b-53;
 # Refused with: four_u = 2 * 1b-53;

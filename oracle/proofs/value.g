@@ -1,19 +1,19 @@
-# S = fl(Σ g_i e_i) is off from Σ g*_i E_i, the exact numerator of a value's error, by at most H.
+# S = fl(Σ g_i e_i) differs from Σ g*_i E_i, the exact numerator of a value's error, by at most H. A
+# star marks an exact number.
 #
-# Of: value_errors (filter_kernels.h); the loop over i in ValueErrors:
+# Code: value_errors (filter_kernels.h): what ValueErrors computes in its loop over i,
 #
 #   g_i  = fl(fl(f p_i - s_i) t_i)                    f p_i is exact
-#   S    = fl(fl(fl(g_0 e_0) + fl(g_1 e_1)) + fl(g_2 e_2))        0 + z, the loop's first sum, is z
+#   S    = fl(fl(fl(g_0 e_0) + fl(g_1 e_1)) + fl(g_2 e_2))        the loop's first sum, 0 + z, is z
 #   x_i  = fl(edge_error_i + 8u |e_i|)                edge_error_i = fl(band_i (1 + 2^-40))
 #   H    = fl(fl(fl(|g_0| x_0) + fl(|g_1| x_1)) + fl(|g_2| x_2))
 #
-# Assumes: the exact E_i is e_i + b_i r_i with b_i the band and |r_i| <= 1 (edge.g); the relative
-# errors of roundings.g.
+# Assumes: the exact E_i is e_i + b_i r_i, where b_i is the band and |r_i| <= 1 (edge.g); the
+# relative errors of roundings.g.
 #
-# g*_i is its size G_i times a sign, which is put into the signs s_i of e_i (of size n_i) and r_i,
-# so that it does not appear; g_i has the sign of g*_i, as its errors are relative. As in edge.g the
-# bound is one-sided, and the hint sorts by sizes.
-
+# g*_i is its size G_i times a sign. That sign is merged into r_i and into the sign s_i of e_i,
+# whose size is n_i, so it does not appear. g_i has the sign of g*_i, because its errors are
+# relative. As in edge.g, the bound is shown for one side, and the hint groups terms by size.
 #@ -Eprecision=200
 eight_u = 8 * 1b-53;
 # Refused with: eight_u = 5 * 1b-53;

@@ -21,16 +21,16 @@ using records::Counterexample;
 /// time.
 constexpr std::uint64_t kCasesPerTask = 10;
 /// A campaign of many cases has larger tasks, because the findings of each task must be handed over
-/// and merged. A larger task has at most a 500th of the cases of its law and backend …
+/// and merged. A larger task has at most a 500th of the cases of its law and backend.
 constexpr std::uint64_t kMostTasks = 500;
-/// … and at most a 16th of the cases before it: a run that is interrupted loses its tasks in
-/// progress.
+/// A larger task also has at most a 16th as many cases as precede it, because an interrupted run
+/// loses its tasks in progress.
 constexpr std::uint64_t kShareOfThoseBefore = 16;
 /// Minimum number of tasks per shard for a law and backend, if there are several shards and enough
-/// cases. With so many tasks, one more or less makes no difference.
+/// cases. With so many tasks, one task more or less makes no difference.
 constexpr std::uint64_t kTasksPerShard = 4;
 
-/// Default limit, in seconds, for shrinking a case at which a backend hangs: each try may take the
+/// Default limit, in seconds, for shrinking a case on which a backend hangs: each try may take the
 /// whole time-out.
 constexpr double kHangSeconds = 60;
 
@@ -226,7 +226,7 @@ Result<KnownByBackend> TaskRunner::known() {
 
 namespace {
 
-/// Returns false if cases are not to be shrunk, or if the backend hangs at the counterexample: each
+/// Returns false if cases are not to be shrunk, or if the backend hangs on the counterexample: each
 /// try would take the whole time-out.
 bool is_explained(const records::Counterexample& one, const ShrinkLimits& limits) {
   return limits.tries > 0 && one.source.found->verdict != to_string(records::FragmentClass::hang);

@@ -56,7 +56,7 @@ struct Task {
 };
 
 /// Returns the limits for shrinking a counterexample, counted from now. Shrinking also ends when
-/// `is_to_end` returns true. If the budget sets no seconds and the backend hangs at the case, the
+/// `is_to_end` returns true. If the budget sets no seconds and the backend hangs on the case, the
 /// limit is one minute.
 ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
                            const records::Counterexample& counterexample,
@@ -112,7 +112,7 @@ class TaskRunner {
   Result<KnownByBackend> known();
 
   /// Asks each of the plan's backends for its promises. For a backend that can no longer be made,
-  /// assumes every promise that a law needs, but not that it draws what is asked for.
+  /// assumes every promise that a law needs, but not that the backend draws what is asked for.
   std::vector<records::BackendPromises> promises();
   /// Asks the plan's backends for their capabilities; leaves out backends that draw every case.
   std::map<std::string, cases::Capabilities> capabilities();

@@ -8,14 +8,14 @@
 //   1. their laws hold once the same part of the drawing (coverage, depth or values) is corrected;
 //      or if no such part exists and each violates the other's law, too: the fault is then not in
 //      the fragments, but before or after them; and
-//   2. they do not need different features. Two sets have two causes if each needs a feature that
-//      the other does without. Two sets also have two causes if one needs a scissor, or any other
-//      feature that moves no vertex, and the other does without. A counterexample belongs to
-//      another set than its own if it needs what that set needs, but not what its own set needs.
+//   2. they do not need different features. Two sets of counterexamples have different causes if
+//      each set needs a feature that the other does without, or if only one of them needs a scissor
+//      or another feature that moves no vertex. A counterexample moves to another set if it needs
+//      what that set needs, but not what its own set needs.
 //
-// Sets also share a cause, whatever part is wrong, if one simple change ("the scissor's ends are
-// drawn, too") makes at least half of the wrong drawings of each set right. Counterexamples that
-// did not fail again form one cause. A few counterexamples join a larger set if they need
+// Two sets also share a cause, whatever part is wrong, if one simple change ("the scissor's ends
+// are drawn, too") makes at least half of the wrong drawings of each set right. Counterexamples
+// that did not fail again form one cause. A few counterexamples join a larger set if they need
 // everything that most of that set needs. The condition for which a counterexample was kept does
 // not count as a need.
 //

@@ -30,7 +30,8 @@ bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found,
       check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault;
   if (!fails) return false;
   if (check.violations.empty()) return found.verdict == verdict_of(check);
-  // Drops violations that are known defects of the driver: the one to find again is not known.
+  // Drops violations that are known defects of the driver: the violation to find again is a new
+  // one.
   const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (known != nullptr && clip) {
     std::erase_if(check.violations, [&](const records::Violation& violation) {

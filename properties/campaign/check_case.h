@@ -27,10 +27,10 @@ struct NumberedCase {
 };
 
 /// Checks a case and adds the outcome to the findings: counts, errors and labels; the case's own
-/// result, if the findings keep case results; and a counterexample for each new way of failing. The
-/// counterexample is the one triangle that suffices, if any, else the case. A case with only
-/// `known` violations counts as known instead. A lost backend (Backend::is_lost) is not asked
-/// again: each of its cases fails. Returns true if the law applied and held.
+/// result, if the findings keep case results; and a counterexample for each new way of failing. If
+/// a single triangle suffices, the counterexample is that triangle alone, else the whole case. A
+/// case with only `known` violations counts as known instead. A lost backend (Backend::is_lost) is
+/// not asked again: each of its cases fails. Returns true if the law applied and held.
 bool check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
                 const KnownDefects* known = nullptr);
@@ -50,7 +50,7 @@ std::optional<NumberedCase> check_random_case(const Law& law, const std::string&
 
 /// Checks a known-defect entry's case and adds the outcome to the findings: known if its violations
 /// match the entry, a violation if not. If the law holds, adds an unexpected pass; if the driver
-/// also has the list's version, the pass counts as a violation, as the list is stale.
+/// also has the list's version, the pass counts as a violation, because the list is then stale.
 void check_known_case(const Law& law, const std::string& specification, backends::Backend& backend,
                       std::uint64_t seed, const KnownDefects& known, std::size_t entry,
                       Findings& findings);
@@ -77,7 +77,8 @@ bool put_alike_first(Check& check, const cases::Case& c, const cases::Found& fou
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check);
 
 /// Adds a check to the findings: its record, and the case's own result if the findings keep these.
-/// Returns whether the law is violated in an unknown way; does not keep the counterexample yet.
+/// Returns true if the law is violated in a way that is not known; does not keep the counterexample
+/// yet.
 bool account(const Law& law, const std::string& specification, backends::Backend& backend,
              const NumberedCase& numbered, const Check& check, Findings& findings);
 
@@ -88,9 +89,9 @@ void keep_counterexample(const Law& law, const std::string& specification,
                          const KnownDefects* known = nullptr);
 
 /// Shrinks the counterexample while the law still finds the same class of violation, disregarding
-/// known defects. Then explains it and adds a close-up. A case with several triangles at which the
-/// backend hangs is not shrunk. Adds the result to `findings`, or a fault if the oracle failed
-/// meanwhile.
+/// known defects. Then explains it and adds a close-up. Does not shrink a case with several
+/// triangles on which the backend hangs. Adds the result to `findings`, or a fault if the oracle
+/// failed meanwhile.
 void shrink_counterexample(const Law& law, backends::Backend& backend,
                            const records::Counterexample& found, const ShrinkLimits& limits,
                            Findings& findings, const KnownDefects* known = nullptr);

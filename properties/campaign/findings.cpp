@@ -35,7 +35,7 @@ bool is_hang(const cases::Found& found) {
   return found.verdict == to_string(records::FragmentClass::hang);
 }
 
-/// Finds the counterexample at which a backend hung, for any law.
+/// Finds the counterexample on which a backend hung, for any law.
 template <typename All>
 auto hang_of(All& all, const std::string& backend) {
   return std::find_if(all.begin(), all.end(), [&backend](const Counterexample& one) {
@@ -43,16 +43,17 @@ auto hang_of(All& all, const std::string& backend) {
   });
 }
 
-/// Two counterexamples found in the same place are saved ones that were given the same name.
+/// Compares by place, then by content: two saved counterexamples with the same name have the same
+/// place.
 bool comes_before(const Counterexample& a, const Counterexample& b) {
   if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
   return cases::to_json(a.source) < cases::to_json(b.source);
 }
 
-/// True if all violations are missing or extra samples close to the boundary, but not on it.
-/// Samples so close fall to the wrong side by rounding, as is common in most rasterizers; an error
-/// of logic shows at any distance. Most rasterizers snap to a grid of 1/256 pixel, and 1/1024 pixel
-/// is less than half a step of it.
+/// True if all violations are missing or extra samples close to the boundary, but not on it. In
+/// most rasterizers, rounding moves samples so close to the wrong side; an error of logic shows at
+/// any distance. Most rasterizers snap to a grid of 1/256 pixel, and 1/1024 pixel is less than half
+/// a step of that grid.
 bool is_of_rounding(const Counterexample& one) {
   constexpr double kPixels = 0x1p-10;
   return !one.violations.empty() &&

@@ -25,7 +25,7 @@ struct Findings {
   /// Only for campaigns that keep each case's result.
   std::optional<records::CaseRecordSet> cases = std::nullopt;
   /// One per (law, backend, verdict, kind, condition), the first by origin and index. For a backend
-  /// that hangs, only one over all laws.
+  /// that hangs, a single one for all laws.
   std::vector<records::Counterexample> counterexamples;
   /// In order, each once.
   std::vector<records::UnexpectedPass> unexpected;
@@ -46,7 +46,7 @@ void keep(Findings& findings, records::Counterexample counterexample);
 
 /// Returns the index of the counterexample to read first. Prefers laws that judge a plain drawing;
 /// then failures that rounding does not explain; then the smallest case. Rounding explains wrong
-/// coverage less than 1/1024 pixel beside the boundary.
+/// coverage less than 1/1024 pixel from the boundary, but not on it.
 std::size_t first_to_read(const std::vector<records::Counterexample>& all);
 
 /// True if keep() would add a case with this failure; check this before building the

@@ -2,10 +2,10 @@
 
 // Reads a backend's known defects and matches violations with them.
 //
-// An entry applies to some laws, or to the drawing itself. Entries for a law make a case that
-// violates the law known only if every kept violation (records::kMostViolations) matches an entry.
-// Entries for drawings make a case known if the law holds once the oracle has corrected everything
-// that these entries describe. Any other fault in the case is reported as usual.
+// An entry applies to some laws, or to the drawing itself. If a case violates a law, it is known by
+// the law's entries only if every kept violation (records::kMostViolations) matches one of them. It
+// is known by entries for drawings if the law holds once the oracle has corrected everything that
+// these entries describe. Any other fault in the case is reported as usual.
 
 #include <map>
 #include <optional>

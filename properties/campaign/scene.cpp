@@ -169,7 +169,7 @@ void keep_violations(const Law& law, const std::string& specification, backends:
   }
 }
 
-/// Returns those of the two laws that were asked for.
+/// Returns the laws on coverage and on values, if they were asked for.
 std::vector<const Law*> scene_laws(const std::vector<std::string>& asked_for) {
   std::vector<const Law*> chosen;
   for (const std::string_view name : {kCoverageLaw, kValuesLaw}) {

@@ -142,7 +142,7 @@ std::optional<double> number_in(const std::string& text) {
   return stop == end && error == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-/// Joins what all shards say of a key, each value once, in the order of the shards.
+/// Joins the shards' values of one key, each value once, in the order of the shards.
 std::string all_said(const std::vector<std::string>& said) {
   std::vector<std::string> once;
   for (const std::string& one : said) {

@@ -57,8 +57,8 @@ struct Conditions {
   bool are_degenerate = true;  ///< whether no wrongly drawn triangle has an area
 };
 
-/// Maps needs to facts. Only needs that experiments establish beyond chance have a fact: a change
-/// of sizes may meet the others by accident.
+/// Maps needs to facts. Only needs that experiments can establish have a fact: a law may hold by
+/// chance after a change of sizes.
 constexpr std::array<std::pair<std::string_view, KnownFact>, 12> kFacts{
     {{"w <= 0", KnownFact::nonpositive_w},
      {"near plane", KnownFact::before_near},
@@ -118,8 +118,8 @@ double reach_of(const cases::Contract& contract) {
   return std::nextafter(std::sqrt(2.0), 2.0) * std::ldexp(steps, -snapping.subpixel_bits);
 }
 
-/// Adds what the judge finds wrong in the plain drawing of a case, in the parts to correct. That
-/// may be nothing: a law that draws other cases may find its faults only in those.
+/// Adds what the judge finds wrong in the plain drawing of a case, in the parts to correct. A law
+/// that draws other cases may find its faults only in those; then this adds nothing.
 void add_drawn(const Subject& subject, backends::Backend& backend, const KnownDefects& known,
                Conditions& conditions) {
   const Result<cases::ClipCase> c = oracle::to_clip_case(*subject.source, "");

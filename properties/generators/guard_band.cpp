@@ -16,8 +16,8 @@ namespace {
 
 /// Returns ± a power of two in pixels, sometimes off by up to a subpixel of 2^-8 pixels. The
 /// largest number of a bit width is one subpixel below such a power. The powers are limits of 16
-/// and 32 bits with 8 bits after the point, of 16 and 32 bits without, of 24 and 53 bits, and of
-/// half these widths, which limit products in edge functions.
+/// and 32 bits with 8 bits after the point, of 16 and 32 bits without fraction bits, of 24 and 53
+/// bits, and of half these widths, which limit products in edge functions.
 double random_limit(Draw& draw) {
   const int exponent = draw.pick(std::array{15, 15, 15, 15, 7, 11, 13, 14, 16, 23, 24, 31});
   const auto power = static_cast<double>(std::uint64_t{1} << exponent);

@@ -47,8 +47,8 @@ void add_sliver(Draw& draw, cases::Case& c) {
   const double along_u = ends[1].u - ends[0].u;
   const double along_v = ends[1].v - ends[0].v;
 
-  // The third corner lies at `t` along the line. Its distance from the line is between about a
-  // pixel and what rounding alone makes.
+  // The third corner lies at `t` along the line. Its distance from the line ranges from mere
+  // rounding error to about a pixel.
   const double place = draw.pick(std::array{0.0, 0.25, 0.5, 1.0, 2.0});
   const double t = place + double{draw.unit()} / 4;
   const double thickness =

@@ -25,8 +25,8 @@ using records::WorstError;
 /// Maximum number of values in an inspection: 16 × 16 pixels with a depth and an attribute. Forty
 /// inspections make a page of some megabytes.
 constexpr InspectOptions kOfRuns{512};
-/// Number of errors tried for a backend, kind and stratum, the largest first. An error of a law
-/// that draws something else than the case itself cannot be reproduced from the case.
+/// Number of errors tried for a backend, kind and stratum, the largest first. An error found in a
+/// law's changed version of the case cannot be reproduced from the case itself.
 constexpr std::size_t kMostTries = 4;
 
 // --- Counterexamples -----------------------------------------------------------------------------

@@ -19,8 +19,8 @@ namespace rastercheck::properties {
 /// backend, ordered by key and triangle. For the laws that judge a plain drawing (kValuesLaw,
 /// kCoverageLaw):
 ///
-///   - the first case of each stratum of their records of which a part can be shown. The case alone
-///     decides which part, so that runs of the same cases keep the same parts;
+///   - in each stratum of these laws' records, the first case of which a part can be shown. The
+///     case alone decides which part, so that runs of the same cases keep the same parts;
 ///   - the case of the largest error of each kind and stratum of fragments, around that error.
 ///
 /// Each case is drawn without its depth test. Leaves out what cannot be drawn; returns nothing for

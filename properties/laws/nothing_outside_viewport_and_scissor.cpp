@@ -80,7 +80,7 @@ class Window {
     }
   }
 
-  /// Returns the name of what the sample lies outside of; empty if the sample may be drawn.
+  /// Returns the area that the sample lies outside of, by name; empty if the sample may be drawn.
   std::string_view outside_of(std::size_t x, std::size_t y, std::size_t sample) const {
     if (scissor_ && !(is_within(x, scissor_->x, scissor_->width) &&
                       is_within(y, scissor_->y, scissor_->height))) {
@@ -116,7 +116,7 @@ class OutsideCheck {
     bool is_any_inside = false;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const cases::SamplePlace place = drawn.place_of(i);
-      // A place that the case does not have is outside of everything.
+      // If the case lacks the place, the fragment is outside the target itself.
       const std::string_view what =
           is_of_case(*case_, place) ? window_.outside_of(place.x, place.y, place.sample) : "target";
       if (what.empty()) {

@@ -57,7 +57,8 @@ bool has_one_w(const cases::Case& c, const cases::Triangle& triangle) {
   });
 }
 
-/// Those of attributes 0 and 1 that equal the window positions of the triangle's vertices.
+/// Returns which of attributes 0 and 1 equal the window position throughout the triangle; none,
+/// unless both equal it at every vertex.
 std::vector<Coordinate> coordinates_of(const cases::Case& c, const cases::Triangle& triangle) {
   if (c.attributes.size() < 2) return {};
   for (const std::uint32_t index : triangle) {

@@ -210,7 +210,7 @@ std::optional<std::vector<Edge>> outline_of(const cases::Case& c) {
 
 /// Tells if the outline runs around the viewport once without meeting it, even if the ends of edges
 /// move by up to `reach` pixels. An end counts as beyond a side if it is more than twice `reach`
-/// away from the side. The excess is far more than a few roundings in double cost.
+/// away from the side. The second `reach` far exceeds the rounding errors in double.
 class AreaOutline {
  public:
   AreaOutline(const cases::Case& c, double reach) : case_(&c) {

@@ -190,8 +190,8 @@ void measure_position_error(Subject& subject, const Sight& sight) {
 
 /// For a backend that rounds to the grid asked for: measures which grids it follows, and whether it
 /// follows the rounding asked for. If it follows all grids, the coverage term says so, with the
-/// case's rounding if that is followed, else with the measured one. If not, the term stays empty,
-/// so that the backend's own promise holds.
+/// case's rounding if that is followed, else with the measured one. If the backend does not follow
+/// all grids, the term stays empty, so that the backend's own promise holds.
 void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   const AskedDrawing as_before = asked;
   const cases::Coverage measured = subject.contract(subject.base()).coverage;

@@ -113,8 +113,8 @@ std::string subnormal_text(const ExponentRange& range) {
   return range.least < kNormal ? "kept" : "lost";
 }
 
-/// True if numbers that are promised do not come out right: a power of two within the promise lies
-/// beyond those that do.
+/// True if some promised numbers do not come out right: the declared range contains a power of two
+/// outside `range`.
 bool loses_promised(const cases::MagnitudeRange& declared, const ExponentRange& range) {
   if (range.least > range.greatest) return true;
   return (range.least > kLeast && declared.least <= std::ldexp(1.0, range.least - 1)) ||

@@ -34,7 +34,7 @@ struct BinnedTriangle {
   std::uint32_t triangle = 0;  ///< in the mesh
   PixelBox box;
   const double* numbers = nullptr;  ///< TriangleNumbers, if it is drawn from them
-  const double* covered = nullptr;  ///< [sample]: its box's covered pixels, as bits of a double
+  const double* covered = nullptr;  ///< [sample]: covered pixels of `box`, as bits of a double
   const double* planes = nullptr;   ///< TrianglePlanes; set together with `covered`
 };
 

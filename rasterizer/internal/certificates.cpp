@@ -37,7 +37,7 @@ Certificates certify(const Weights& weights, const std::array<double, 3>& w,
     depth_error += std::abs(z[i]) * edge.plane_band;
   }
   certificates.least_sum = kSmoothCertainty * plane_band_sum;
-  // Inside a triangle with all w > 0 the w_i E_i are shares of |det| T: their roundings are few.
+  // If all w > 0, each w_i E_i inside the triangle is a share of |det| T, with few roundings.
   const bool all_in_front =
       std::all_of(w.begin(), w.end(), [](double weight) { return weight > 0; });
   certificates.affine_is_certain =

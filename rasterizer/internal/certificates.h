@@ -64,7 +64,7 @@ struct Certificates {
   bool is_affine_certain(const std::array<double, 3>& e, double det_t) const;
 };
 
-/// Makes the certificates; `w` and `z` belong to the corners that the weights belong to.
+/// Makes the certificates. `w` and `z` are those of the weights' corners.
 Certificates certify(const Weights& weights, const std::array<double, 3>& w,
                      const std::array<double, 3>& z);
 

@@ -29,7 +29,7 @@ int sign(double value) { return (value > 0) - (value < 0); }
 /// and the rounding of `magnitude`, which itself is at least (1 − kUnit)^4 of the exact sum.
 double determinant_error(double magnitude) { return 8 * kUnit * magnitude; }
 
-/// Adds x y w, as many times as its sign `s` says (1 or −1).
+/// Adds s x y w; `s` is 1 or −1.
 void add_product(ExactSum& sum, float x, float y, float w, double s) {
   sum.add_product(s * double{x}, double{y} * double{w});
 }

@@ -89,10 +89,10 @@ void ExactCoverage::find_box(const InputTriangle& triangle) {
                     ndc(2, &glm::vec4::y), box_.rows);
 }
 
-/// Returns the pixels of a row whose sample no edge surely excludes, and at most one more pixel on
-/// each side. In real numbers a U + row < −2 band implies that the evaluated edge is below −band,
-/// because an evaluation's error is less than a band. Near the target the crossing itself is off by
-/// a few 2^-53 times numbers below 2^20.
+/// Returns the pixels of a row whose samples may lie inside all edges, and at most one more pixel
+/// on each side. In real numbers a U + row < −2 band implies that the evaluated edge is below
+/// −band, because an evaluation's error is less than a band. Near the target the crossing itself is
+/// off by a few 2^-53 times numbers below 2^20.
 PixelRange ExactCoverage::span(std::size_t sample, int y) const {
   const SampleFrame& frame = setting_.frame;
   const SampleOffset& offset = setting_.pattern[sample];
@@ -137,7 +137,7 @@ CoveredBlock ExactCoverage::cover(std::size_t sample, int y, int first, int coun
   return block;
 }
 
-/// A sample that is within the band of some edge and beyond that of none.
+/// Decides exactly whether a sample is inside. No edge function there may be below −band.
 bool ExactCoverage::is_inside(const BlockWeights& weights, int column, double u, double v) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const EdgeFunction& edge = edges_[i];

@@ -39,7 +39,7 @@ bool is_same_zero(float a, float b, float c) {
 double at_corner(const std::array<double, 3>& of_vertices, const GridCorner& corner) {
   double value = 0;
   for (std::size_t v = 0; v < 3; ++v) {
-    // A vertex that has no share may be no number.
+    // The value of a vertex without a share may be NaN or infinite.
     if (corner.share[v] != 0) value += corner.share[v] * of_vertices[v];
   }
   return value;

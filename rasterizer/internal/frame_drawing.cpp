@@ -277,7 +277,7 @@ class FrameDrawing {
       undrawn |= draw_sample(binned, part, worker.tile.area(s));
     }
     worker.tile.count_triangle();
-    // Samples that were drawn are drawn once more, and come out the same.
+    // Some of these samples have been drawn already; drawing them again changes nothing.
     if (undrawn != 0) draw_samples(binned.triangle, undrawn, worker);
   }
 

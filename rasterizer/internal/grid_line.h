@@ -23,8 +23,9 @@ struct GridLine {
   Wide at(const GridPoint& p) const { return Wide{a} * p.x + Wide{b} * p.y + c; }
 };
 
-/// Returns the line through two points. With `turn` 1 it is positive on the side reached by turning
-/// the direction from → to by 90 degrees from +x towards +y; with `turn` −1, on the other side.
+/// Returns the line through two points. Rotate the direction from → to by 90 degrees, in the sense
+/// from +x to +y: with `turn` 1 the line is positive on the side that the rotated direction points
+/// to; with `turn` −1, on the other side.
 inline GridLine grid_line(const GridPoint& from, const GridPoint& to, int turn) {
   const std::int64_t a = turn * (from.y - to.y);
   const std::int64_t b = turn * (to.x - from.x);

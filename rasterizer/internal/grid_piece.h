@@ -8,9 +8,10 @@
 // sample exactly on an edge is treated as if moved infinitesimally towards +x and, by even less,
 // towards the side that the fill rule names. So if two pieces or two neighbouring triangles share
 // an edge, exactly one of them owns the sample. Rounding may flip a piece if corners are closer
-// than a grid unit. Each piece therefore counts +1 or −1 by its turn, and samples are drawn if
-// their count is positive in the polygon's own sense. As a result, every sample along an edge is
-// covered by at least one of the polygons that meet there, however rounding moved them.
+// than a grid unit. Each piece therefore counts +1 if it turns like the whole polygon, else −1, and
+// a sample is drawn if the pieces that own it add up to more than 0. As a result, every sample
+// along an edge is covered by at least one of the polygons that meet there, however rounding moved
+// them.
 //
 // Along a row, an edge is one comparison of whole numbers, so finding its crossing takes one
 // division.

@@ -52,7 +52,7 @@ std::int64_t nearest_point(const GridAxis& axis, const Snapping& snapping, float
     n.error = 0x1p-51 * std::abs(n.value);
   }
   const double position = n.value / w * half_units;
-  // The division rounds once more; positions are below 2^32, so that is below 2^-20.
+  // The division also rounds, by less than 2^-20, because positions are below 2^32.
   const double error = n.error / w * half_units + 0x1p-20;
   const double below = std::floor(position);
   const double rest = position - below;

@@ -255,10 +255,10 @@ struct SmallCover {
   Mask ties;  ///< lanes with samples on edges, or next to them
 };
 
-/// Computes the coverage of the `small` triangles. Returns the triangles that it leaves out:
-/// those for whose denominator double does not suffice, and those with a sample within the band of
-/// an edge. `is_exact` tells whether the limits of edges without a band are set already. If not,
-/// sets them once they are needed, and updates `is_exact`.
+/// Computes the coverage of the `small` triangles. Returns the triangles that it leaves out,
+/// because their denominators need more than double or a sample lies within the band of an edge.
+/// `is_exact` tells whether the limits of edges without a band are set already. If not, sets them
+/// once they are needed, and updates `is_exact`.
 HWY_INLINE Mask CoverSmall(const KernelSetting& setting, const Corners& p, const Part& part,
                            const SmallBoxes& boxes, Mask small, bool& is_exact, SmallCover& out) {
   const Doubles d;

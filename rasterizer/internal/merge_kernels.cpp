@@ -46,8 +46,8 @@ HWY_INLINE hn::Vec<Floats> NearestByte(hn::Vec<Floats> held) {
   const auto product = hn::Mul(held, most);
   auto nearest = hn::Round(product);
   // Rounding is monotone, so the nearest byte can be wrong only if the product was rounded to the
-  // middle between two bytes. In that case 256 s − product − s, which is exact because the numbers
-  // are so close, shows on which side of the middle 255 s is.
+  // middle between two bytes. The difference 256 s − product − s, exact because the numbers are so
+  // close, then shows on which side of the middle 255 s is.
   const auto is_middle = hn::Eq(hn::Abs(hn::Sub(product, nearest)), half);
   if (!hn::AllFalse(d, is_middle)) {
     const auto rest = hn::Sub(hn::Sub(hn::Mul(held, hn::Set(d, 256.0F)), product), held);
@@ -119,7 +119,7 @@ HWY_INLINE hn::Vec<Pixels> SumOfBytes(hn::Vec<Pixels> a, hn::Vec<Pixels> b) {
 }
 
 /// min(255, 255 s + d), ties to even. If 255 s is halfway between two bytes, then 510 s is a whole
-/// number that 255 must divide, because s is a float; so s = 1/2. For s = 1/2 the nearest byte of
+/// number. As s is a float, 255 divides this number, so s = 1/2. For s = 1/2 the nearest byte of
 /// 255 s is 128, which is one too much if d is odd. Otherwise the nearest byte of 255 s + d is the
 /// nearest byte of 255 s, plus d.
 HWY_INLINE hn::Vec<Pixels> AddedWords(const HeldColor& color, hn::Vec<Pixels> old) {

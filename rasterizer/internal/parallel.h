@@ -2,7 +2,7 @@
 
 // Route: frames.
 //
-// Runs work on several threads. No other file deals with threads.
+// Runs work on several threads. No other file of the rasterizer starts threads.
 
 #include <cstddef>
 #include <functional>
@@ -19,7 +19,7 @@ void with_workers(std::size_t workers, const std::function<void()>& drive);
 
 /// Calls work(i, worker) for each i below `count`, in any order, on the threads of with_workers().
 /// `worker` is below `workers`, and calls with the same `worker` never overlap. If a call throws,
-/// rethrows its exception and skips the remaining calls.
+/// rethrows its exception; remaining calls may then be skipped.
 void for_each_index(std::size_t count, std::size_t workers,
                     const std::function<void(std::size_t i, std::size_t worker)>& work);
 

@@ -15,10 +15,10 @@ struct SampleOffset {
   double y = 0;
 };
 
-/// The middle of a pixel, the one sample of the pattern of one.
+/// The middle of a pixel: the only sample of the one-sample pattern.
 inline constexpr SampleOffset kPixelCenter{0.5, 0.5};
 
-/// The offsets in index order; empty where `samples` is not 1, 2, 4, 8 or 16.
+/// The offsets in index order; empty unless `samples` is 1, 2, 4, 8 or 16.
 std::span<const SampleOffset> standard_pattern(int samples);
 
 }  // namespace rastercheck::rasterizer

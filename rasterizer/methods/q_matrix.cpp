@@ -35,11 +35,12 @@
 // Range. In double no E_i overflows, because E_i is below 2^520, and none underflows, because E_i,
 // like its terms, is a multiple of 2^-602. A quotient that underflows is negligible compared with
 // M. In float32 products of clip coordinates do overflow and underflow. Scaling each vertex by a
-// power of two, with the factor put back into the E_i, does not suffice: the triangle with clip
-// positions (−2^127, 0, w), (2^127, −2w, w) and (2^127, 2w, w), w = 2^-73, covers a window of 8 by
-// 8 pixels and has K <= 3 1/4 in it, but with 2^127 scaled to 1, y and w are 0 in float32, and the
-// three vertices coincide. So q-matrix-float has float32's precision with a wider exponent
-// (internal/wide_float.h), which differs from float32 only if a product leaves float32's range.
+// power of two, with the factor put back into the E_i, does not suffice. For example, the triangle
+// with clip positions (−2^127, 0, w), (2^127, −2w, w) and (2^127, 2w, w), w = 2^-73, covers a
+// window of 8 by 8 pixels and has K <= 3 1/4 in it. But with 2^127 scaled to 1, y and w are 0 in
+// float32, and the three vertices coincide. So q-matrix-float has float32's precision with a wider
+// exponent (internal/wide_float.h), which differs from float32 only if a product leaves float32's
+// range.
 //
 // Constants and vertex values are not reproduced to the bit.
 //

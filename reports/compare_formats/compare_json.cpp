@@ -28,7 +28,7 @@
 //      "gone_laws": [], "new_laws": []}]}
 //
 // "changed" has the entries that are not the same. "stages" has the entries of laws that split
-// errors, if a stage's part grew. Optional members are left out if they do not exist: "stratum",
+// errors, if a stage's part grew. Members that do not apply are left out: "stratum",
 // "allowed_because", "name", "kind", "before", "after" and others.
 
 #include <nlohmann/json.hpp>

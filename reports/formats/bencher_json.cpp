@@ -3,8 +3,8 @@
 //   {"LAW on BACKEND: KIND, STRATUM": {"worst": {"value": 0.5, "lower_value": 0.49999999,
 //                                                "upper_value": 0.5}, "p99": {…}, …}}
 //
-// "value" is the upper end of the certified range. "lower_value" and "upper_value" are both ends of
-// that range.
+// "lower_value" and "upper_value" are the ends of the certified range; "value" is the upper end
+// again.
 
 #include <nlohmann/json.hpp>
 

@@ -57,8 +57,8 @@ struct Outcomes {
   }
 };
 
-/// The first things that a reader of a failed test needs: where it failed, by how much, and how to
-/// repeat it.
+/// What a reader of a failed test needs first: where the law failed, by how much, and how to repeat
+/// the failure.
 std::string failure_text(const Run& run, const LawSummary& row) {
   std::string text;
   for (const records::Counterexample& counterexample : run.counterexamples) {

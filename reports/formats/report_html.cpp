@@ -49,7 +49,7 @@ std::string known_of(const Run& run) {
   return text + "</tbody>\n</table>\n</section>\n";
 }
 
-/// The page's title, for a tab: what it comes to, and of whom.
+/// The page's title, for a browser's tab: the backends and the outcome.
 std::string title_of(const Run& run, const std::vector<LawSummary>& rows) {
   return html(fmt::format("{}: {}", fmt::join(run.plan.backends, ", "), headline(run, rows)));
 }

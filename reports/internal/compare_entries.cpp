@@ -16,7 +16,7 @@
 namespace rastercheck::reports {
 namespace {
 
-/// The most entries with a section, and the most with a row in the table.
+/// Maximum numbers of entries with a section, and of entries with a row in the table.
 constexpr std::size_t kMostSections = 16;
 constexpr std::size_t kMostRows = 60;
 /// The number of rows that are visible at first.

@@ -25,7 +25,7 @@ using records::Inspection;
 
 /// The number of colours per octave of the scale.
 constexpr int kStepsPerOctave = 2;
-/// The most pixels that are listed.
+/// Maximum number of pixels listed.
 constexpr std::size_t kMostListed = 5;
 
 int steps() {

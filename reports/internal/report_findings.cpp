@@ -215,8 +215,8 @@ std::string violations_of(const Counterexample& counterexample) {
   return text + "</tbody>\n</table>\n";
 }
 
-/// The picture made of characters. If the viewer shows the same, it is only for readers without
-/// scripts.
+/// The picture made of characters; only for readers without scripts if the viewer shows the same
+/// pixels.
 std::string close_up_of(const Counterexample& counterexample, bool has_viewer) {
   if (counterexample.close_up.empty()) return "";
   std::string text = has_viewer ? "<pre class=\"unscripted\">" : "<pre>";
@@ -324,7 +324,7 @@ std::string worst_section(const Shown& shown) {
   return text + inspection_of(shown) + case_of(inspection.source, "", false) + "</details>\n";
 }
 
-/// The run's inspections. Those of counterexamples in coverage show coverage: a sample that must
+/// The run's inspections. For counterexamples of coverage, they show coverage: a sample that must
 /// not be drawn may have the right values.
 std::vector<Inspection> shown_inspections(const Run& run) {
   std::vector<Inspection> all = run.inspections;

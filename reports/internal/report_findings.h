@@ -10,7 +10,7 @@ namespace rastercheck::reports {
 struct Findings {
   /// The causes, largest first, each with its counterexamples. The first counterexample is open.
   std::string counterexamples;
-  std::string worst;  ///< the largest errors, right or wrong
+  std::string worst;  ///< the largest errors, permitted or not
 };
 Findings findings_of(const records::Run& run);
 

@@ -6,7 +6,7 @@
 #include "records/run.h"
 #include "records/summary.h"
 
-// The parts of report.html that speak of the whole run.
+// The parts of report.html about the whole run.
 
 namespace rastercheck::reports {
 
@@ -19,7 +19,7 @@ std::string scene_section(const records::Run& run);
 /// How much was judged, and the largest errors, in large type.
 std::string judged_section(const records::Run& run, const std::vector<records::LawSummary>& rows);
 
-/// Lists what held on few cases or was not checked, and why.
+/// Lists the laws that held on few cases, and what was not checked, and why.
 std::string gaps_section(const records::Run& run, const std::vector<records::LawSummary>& rows);
 
 /// How to repeat the run, and what it ran on.

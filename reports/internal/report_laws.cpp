@@ -140,8 +140,8 @@ std::string number_cells(const LawSummary& row) {
          number_cell("not judged", not_judged_share(row.judged));
 }
 
-/// One property on one backend: a row of figures, and one that opens with all else. `is_first` is
-/// true for the first row of the property, which the address #law=… leads to.
+/// One property on one backend: a row of figures, and a row with everything else, which opens on
+/// demand. `is_first` is true for the property's first row, to which the address #law=… leads.
 std::string property_rows(const records::Run& run, const LawSummary& row, bool is_first) {
   const std::string& sentence = records::sentence_of(run, row.law);
   std::string text =

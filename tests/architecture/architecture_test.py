@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Holds the source tree and the build to the rules of docs/architecture.md.
+"""Checks that the source tree and the build follow the rules of docs/architecture.md.
 
 Usage: architecture_test.py SOURCE_DIR BUILD_DIR CONFIG
-Every rule is also tried on something that breaks it, so that a rule that cannot fail shows.
+Tries every rule on something that breaks it as well, to detect a rule that cannot fail.
 """
 
 import collections
@@ -18,27 +18,27 @@ from include_graph import ALLOWED, INCLUDE, folder_of, local_includes, sources  
 
 SOURCE, BUILD, CONFIG = pathlib.Path(), pathlib.Path(), ""
 
-# Headers too heavy for a public header: whoever includes it would compile them too.
+# Headers that public headers must not include: every includer would have to compile them too.
 HEAVY = re.compile(r"^(CGAL/|gmp|mpfr|Eigen/|rapidcheck|nlohmann/json\.hpp|assimp/|gtest/|epoxy/|EGL/|GL/|vulkan/)")
-# The one public header that is for users of GoogleTest, and of nothing else.
+# The one public header that may include GoogleTest: it is only for users of GoogleTest.
 FOR_GTEST = "properties/campaign/testing.h"
 # The folders whose files the documents name.
 ROOMS = {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports", "gate", "cli", "tests", "docs",
          "scripts", "cmake", ".ci"}
-# What stands for a name that the reader chooses, as in tests/mutants/NAME.patch.
+# A placeholder for a name that the reader chooses, as in tests/mutants/NAME.patch.
 PLACEHOLDER = re.compile(r"[A-Z]{4}")
-# A type, or a function or an object, that a line without indentation declares. Not what is a member of
-# something declared elsewhere, nor GoogleTest's macros, nor what a shader begins with.
+# A type, function or object that a line without indentation declares. Leaves out members of classes
+# declared elsewhere, GoogleTest's macros, and the beginnings of shaders.
 DECLARED = re.compile(r"(?:struct|class|enum class|enum|using) (?!namespace)(\w+)\b(?!::)"
                       r"|(?!using|namespace|template|return|TEST|INSTANTIATE|MATCHER|RC_|void main\()"
                       r"[\w:][\w:<>,*& ]*[ *&](\w+)(?:\(|\{| = |\[|;|$)")
-# Libraries return errors as values.
+# Symbols that libraries must not use, because they return errors as values.
 FORBIDDEN_SYMBOLS = {"abort", "exit", "_exit", "quick_exit", "printf", "puts", "putchar", "std::cout",
                      "std::cerr", "std::clog", "__assert_fail", "std::terminate()"}
 
 
 def include_faults(path, text):
-    """What is wrong with the includes of one file, as sentences."""
+    """Sentences that say what is wrong with the includes of one file."""
     faults = []
     own = folder_of(path)
     for _, system, local in INCLUDE.findall(text):
@@ -57,8 +57,8 @@ def include_faults(path, text):
         if own and local.startswith("tests/"):
             faults.append(f"{path}: includes a test's file {local}")
         private_to = local.split("/internal/")[0] if "/internal/" in local else None
-        # Fuzz targets are tests of whatever reads, wherever it is; benchmarks have drivers draw frames by
-        # the parts of their backends.
+        # Fuzz targets test readers of all folders; benchmarks draw frames with drivers through
+        # parts of their backends.
         insiders = (f"{private_to}/", f"tests/{private_to}/", "tests/fuzz/",
                     *(["tests/bench/"] if private_to in ("backends/gl", "backends/vulkan") else []))
         if private_to and not path.startswith(insiders):
@@ -67,7 +67,7 @@ def include_faults(path, text):
 
 
 def circles(graph):
-    """Every file of a graph (file -> files it includes) that includes itself by way of others."""
+    """Every file of a graph (file -> files it includes) that includes itself indirectly."""
     def reachable(start):
         seen, todo = set(), [start]
         while todo:
@@ -80,20 +80,22 @@ def circles(graph):
 
 
 def missing_places(text, exists):
-    """The files and folders that a page names in backticks or links to, and that are not there."""
+    """The files and folders that a page names in backticks or links to, but that do not exist."""
     named = re.findall(r"`((?:\.ci|\w+)/[\w./*-]*)`", text)
     named = [name for name in named if name.split("/")[0] in ROOMS and not PLACEHOLDER.search(name)]
     return [name for name in named if not exists(name)]
 
 
 def library_of(path):
-    """The nearest folder above it that CMake knows: what is compiled together is in one of these."""
+    """The nearest enclosing folder with a CMakeLists.txt. Only files below the same one are
+    compiled together."""
     return next(folder for folder in pathlib.PurePosixPath(path).parents
                 if (SOURCE / folder / "CMakeLists.txt").exists())
 
 
 def unnamed(text):
-    """(namespace, name) of whatever a file's text declares in the unnamed namespace within a namespace."""
+    """(namespace, name) of each declaration in an unnamed namespace; `namespace` is the enclosing
+    one."""
     names, outer, is_inside = set(), "", False
     for line in text.splitlines():
         if opened := re.match(r"namespace ([\w:]+) \{", line):
@@ -106,13 +108,14 @@ def unnamed(text):
 
 
 def undefined_symbols(library):
-    """The names a static library expects from elsewhere, without argument lists."""
+    """The names that a static library needs from elsewhere, without argument lists."""
     listing = subprocess.run(["nm", "--undefined-only", "--demangle", library], check=True,
                              capture_output=True, text=True).stdout
     symbols = set()
     for member in listing.split("\n\n"):
         names = {line.split(" U ", 1)[1].split("@")[0] for line in member.splitlines() if " U " in line}
-        # std::thread's destructor names it, for a thread that no one joined; std::async joins all.
+        # The destructor of std::thread refers to std::terminate(), for a thread that nobody joined;
+        # std::async joins all.
         if any(name.startswith("std::thread::_M_start_thread") for name in names):
             names.discard("std::terminate()")
         symbols |= names
@@ -159,12 +162,12 @@ class Includes(unittest.TestCase):
 
 
 class UnnamedNamespaces(unittest.TestCase):
-    """Release builds compile several files as one, in which their unnamed namespaces are one."""
+    """Release builds compile several files as one, so that their unnamed namespaces become one."""
 
     def test_of_a_folder_share_no_name(self):
         owners = collections.defaultdict(set)
         for path, text in sources(SOURCE):
-            # The rasterizer's are compiled one by one, and so are benchmarks.
+            # The rasterizer's files and the benchmarks are compiled one by one.
             if path.endswith(".cpp") and not path.startswith(("rasterizer/", "tests/bench/")):
                 for name in unnamed(text):
                     owners[library_of(path), *name].add(path)
@@ -236,8 +239,9 @@ class Flags(unittest.TestCase):
     def setUp(self):
         with open(BUILD / "compile_commands.json", encoding="utf-8") as commands:
             files = {pathlib.Path(entry["file"]): entry["command"] for entry in json.load(commands)}
-        # In the build folder lie sources that include several of the project's, in the place that their
-        # library has in the tree, and CMake's own, of headers compiled beforehand.
+        # The build folder contains sources that include several of the project's, at their
+        # library's place in the tree, and CMake's own sources for precompiled headers, which are
+        # left out.
         self.commands = {path.relative_to(BUILD if path.is_relative_to(BUILD) else SOURCE).as_posix(): command
                          for path, command in files.items() if "cmake_pch" not in path.name}
 

@@ -1,13 +1,13 @@
-"""The include graph: which file of the project includes which, and what the folders may include.
+"""The include graph: which file of the project includes which, and what each folder may include.
 
-The table ALLOWED is the one of docs/architecture.md; architecture_test.py holds the two together and the
-tree to it, and scripts/architecture-figure draws what the tree really does.
+The table ALLOWED is that of docs/architecture.md. architecture_test.py checks that the two agree
+and that the tree follows them; scripts/architecture-figure draws the actual includes.
 """
 
 import pathlib
 import re
 
-# What each folder may include, beside itself, in the order of the flow.
+# The folders that each folder may include, besides itself, in the order in which data flows.
 ALLOWED = {
     "cases": set(),
     "records": {"cases"},
@@ -31,7 +31,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")', re.MULTILINE)
 
 
 def folder_of(path):
-    """The room of a source path such as backends/cpu/draw.cpp; None outside the rooms."""
+    """The folder, as in ALLOWED, of a source path such as backends/cpu/draw.cpp; None if in
+    none."""
     parts = pathlib.PurePosixPath(path).parts
     for length in (2, 1):
         room = "/".join(parts[:length])
@@ -41,15 +42,15 @@ def folder_of(path):
 
 
 def sources(root):
-    """(path from the root, text) of every header and source file, tests too."""
+    """(path from the root, text) of every header and source file, tests included."""
     for pattern in ("*.h", "*.cpp"):
         for path in sorted(root.rglob(pattern)):
             relative = path.relative_to(root).as_posix()
-            # The examples are a project of their own, with a root of their own.
+            # The examples are a separate project with its own root.
             if not relative.startswith(("build/", "docs/examples/")):
                 yield relative, path.read_text(encoding="utf-8")
 
 
 def local_includes(text):
-    """The project's files that a file's text includes."""
+    """The project's own files that a text includes."""
     return [local for _, _, local in INCLUDE.findall(text) if local]

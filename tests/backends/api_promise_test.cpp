@@ -71,7 +71,7 @@ TEST(ApiPromise, LeavesOpenHowViewportsAreRounded) {
   EXPECT_EQ(error({0, 0.5F, 64, 63.5F, 0, 1}, 0), 2);
   EXPECT_EQ(error({0, 0.5F, 64, 63.5F, 0, 1}, 1), 0);
   EXPECT_EQ(error({0, 0.25F, 64, 64, 0, 1}, 1), 0.5);
-  // Turned, the viewport begins at 8.5.
+  // With a positive width, the same viewport begins at 8.5.
   EXPECT_EQ(error({40, 0, -31.5F, 64, 0, 1}, 0), 2);
 }
 

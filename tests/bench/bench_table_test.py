@@ -20,7 +20,7 @@ def run(name, time, **more):
 
 
 def tables_of(runs, *options):
-    """The cells of each table's rows, below its head."""
+    """For each table, the cells of its rows, without the header."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "result.json")
         file.write_text(json.dumps({"benchmarks": runs}), encoding="utf-8")
@@ -31,7 +31,7 @@ def tables_of(runs, *options):
 
 
 def table_of(runs, *options):
-    """The cells of the one table's rows."""
+    """The cells of the rows of the only table."""
     table, = tables_of(runs, *options)
     return table
 

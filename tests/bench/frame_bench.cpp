@@ -51,7 +51,7 @@ struct Mode {
   std::optional<rasterizer::Snapping> snapping = {};
   rasterizer::Precision precision = rasterizer::Precision::float64;
   bool on_avx2 = false;
-  /// True to have no kernel draw: the viewport's origin is off the grid of 1/256 pixel.
+  /// If set, no kernel draws, because the viewport's origin is off the grid of 1/256 pixel.
   bool by_fallback = false;
 };
 
@@ -151,7 +151,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The drivers that draw the scene on so many threads. The label says why other drivers do not.
+/// The drivers that draw the scene on this many threads. The label says why other drivers do not.
 std::vector<Beside> drivers_beside(benchmark::State& bench, const std::string& name,
                                    unsigned threads, const Summary& summary) {
   std::vector<Configuration> all = llvmpipe_configurations();

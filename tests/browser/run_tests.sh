@@ -3,9 +3,9 @@
 #
 #   run_tests.sh NODE_FOLDER RASTERCHECK RUN_JSON
 #
-# RUN_JSON is a run whose report is tested; a short run of RASTERCHECK's is made beside it. What npm
-# installs, and the reports, go to NODE_FOLDER. Skips with 77 where node, npm or Chromium is missing,
-# or fails where RASTERCHECK_REQUIRE_BACKENDS says that all has to be there.
+# Tests the report of RUN_JSON, and that of a short run of RASTERCHECK. NODE_FOLDER receives the
+# packages that npm installs, and the reports. Without node, npm or Chromium, skips with exit code
+# 77, or fails if RASTERCHECK_REQUIRE_BACKENDS says that everything must be present.
 set -euo pipefail
 tests=$(cd "$(dirname "$0")" && pwd)
 folder=$1 rastercheck=$2 run_json=$3
@@ -22,7 +22,7 @@ done
 chromium=${RASTERCHECK_CHROMIUM:-$(command -v chromium || true)}
 [ -n "$chromium" ] || missing "chromium is not installed"
 
-# Node looks for packages beside the files that want them.
+# Copies the tests: Node looks for packages beside the files that import them.
 mkdir -p "$folder"
 rm -f "$folder"/*.js
 cp "$tests"/*.js "$tests"/package.json "$tests"/package-lock.json "$folder"
@@ -35,10 +35,10 @@ fi
 mkdir -p "$folder/sample"
 cp "$run_json" "$folder/sample/run.json"
 "$rastercheck" report "$folder/sample" --quiet
-# Whether its laws hold is no question of this test.
+# This test does not care whether the laws hold.
 "$rastercheck" run --backend method:screen-linear --cases 30 --seed 1 --shrink-tries 20 \
   --output "$folder/run" --quiet || [ $? -eq 1 ]
-# A regression: values in float32 where they were in double.
+# Makes a regression: values in float32 instead of double.
 for backend in cpu cpu:precision=float32; do
   "$rastercheck" run --backend "$backend" --property "values-stay*" --cases 30 --seed 1 \
     --keep-cases --output "$folder/${backend//[:=]/-}" --quiet

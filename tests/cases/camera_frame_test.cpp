@@ -95,7 +95,7 @@ TEST(CameraFrame, HoweverLargeOrSmall) {
 }
 
 // These are the directions in which the sphere around a box touches the four sides of the view
-// cone. A box with a corner there has no distance to the sides but the margin that the camera adds.
+// cone. Only the margin that the camera adds separates a box with a corner there from the sides.
 // Kills: no margin for rounding.
 TEST(CameraFrame, ABoxWithACornerWhereTheSphereTouchesASideLiesInsideToo) {
   const Camera camera = frame({{-1, -1, -1}, {1, 1, 1}}, Rules::opengl, 1);

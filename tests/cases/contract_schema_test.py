@@ -1,13 +1,14 @@
 #!/usr/bin/python3
-"""Holds the contract reader and cases/schema/contract.schema.json together.
+"""Checks that the contract reader and cases/schema/contract.schema.json agree.
 
     contract_schema_test.py RASTERCHECK_BINARY SCHEMA
 
-The reader is the truth, the schema its documentation for editors: the schema is valid, closes every
-object and describes every key, and of a base file and its mutations of one step both say the same,
-but for the rules in reader_only(), each of which must have decided at least one mutation.
+The reader is authoritative; the schema documents it for editors. The schema must be valid, close
+every object and describe every key. Both must give the same verdict on a base file and on each
+one-step mutation of it, except for the rules in reader_only(), each of which must decide at least
+one mutation.
 
-The reader is asked through `rastercheck replay --contract -`, one process a file.
+Asks the reader through `rastercheck replay --contract -`, with one process per file.
 """
 
 import concurrent.futures
@@ -24,7 +25,7 @@ import jsonschema
 
 import schema_test
 
-# Every key there is, at least once.
+# Has every key at least once.
 FULL_CONTRACT = {
     "format": "rastercheck-contract",
     "version": 1,
@@ -61,7 +62,7 @@ WORDS_CONTRACT = {
     "tie_rule": "unspecified",
     "derivative_bound": 1,
 }
-# Of one law, and of nothing to draw.
+# Names one law, so that only this law is checked, and has nothing to draw.
 CASE = {
     "format": "rastercheck-case",
     "version": 1,
@@ -81,7 +82,7 @@ class ContractReader:
         self.command = [binary, "replay", "--quiet", "--contract", "-", case_file]
 
     def refusal(self, data):
-        """None if the file is accepted, what was said if refused; ValueError if neither."""
+        """None if the file is accepted, the message if refused; ValueError if neither."""
         done = subprocess.run(
             self.command,
             input=data,

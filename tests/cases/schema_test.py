@@ -1,20 +1,21 @@
 #!/usr/bin/python3
-"""Holds the case reader and cases/schema/case.schema.json together.
+"""Checks that the case reader and cases/schema/case.schema.json agree.
 
     schema_test.py RASTERCHECK_BINARY SCHEMA BROKEN_DIR VALID_DIR...
 
-The reader is the truth, the schema its documentation for editors. Four checks:
+The reader is authoritative; the schema documents it for editors. Four checks:
 
-  schema     is a valid schema (draft 2020-12), closes every object and describes every key
+  schema     the schema is valid (draft 2020-12), closes every object and describes every key
   valid      both accept every *.json under each VALID_DIR (a case, or {"case": ..., "oracle": ...})
-  broken     the reader refuses every file of BROKEN_DIR where and why expected.tsv says; the schema
-             refuses exactly those that expected.tsv gives to it
-  mutations  of two base cases, one step each: both come to the same verdict, but for the rules in
-             reader_only(), each of which must have decided at least one mutation
+  broken     the reader refuses every file of BROKEN_DIR at the place and for the reason that
+             expected.tsv gives; the schema refuses exactly those that expected.tsv assigns to it
+  mutations  both give the same verdict on every one-step mutation of two base cases, except for the
+             rules in reader_only(), each of which must decide at least one mutation
 
-The reader is asked through `rastercheck oracle --json FILE`, one process a case. Exit 0 is
-"accepted", exit 2 with one line `rastercheck: FILE: PLACE: REASON` on standard error and nothing on
-standard output is "refused", and anything else fails the test. Needs python3-jsonschema.
+Asks the reader through `rastercheck oracle --json FILE`, with one process per case. Exit code 0
+means "accepted". Exit code 2 with one line `rastercheck: FILE: PLACE: REASON` on standard error and
+nothing on standard output means "refused". Anything else fails the test. Needs
+python3-jsonschema.
 """
 
 import concurrent.futures
@@ -51,7 +52,7 @@ class Reader:
     def refusal(self, source):
         """None if the case is accepted, (place, reason) if refused; ValueError if neither.
 
-        `source` is a path, or bytes, which go to standard input.
+        `source` is a path, or bytes for standard input.
         """
         name, data = ("-", source) if isinstance(source, bytes) else (str(source), b"")
         done = subprocess.run(
@@ -78,8 +79,8 @@ class Reader:
 def parse_strictly(data):
     """The JSON value of some bytes; ValueError if there is none.
 
-    Stricter than json.loads in what JSON does not have (NaN, Infinity); like it, and like any
-    schema validator, blind for duplicate keys, of which the last counts.
+    Stricter than json.loads, as JSON has no NaN or Infinity. Like json.loads and every schema
+    validator, does not notice duplicate keys; the last one counts.
     """
 
     def no_such_number(literal):
@@ -95,7 +96,7 @@ def parse_strictly(data):
 
 
 def check_schema(schema):
-    """Failures of the schema as such, and the number of keys it describes."""
+    """Failures of the schema itself, and the number of keys that it describes."""
     jsonschema.Draft202012Validator.check_schema(schema)
     failures = []
     keys = 0
@@ -108,7 +109,7 @@ def check_schema(schema):
         if not isinstance(node, dict):
             return
         if node.get("type") == "object":
-            # A map says what its values are.
+            # A map has a schema for its values.
             is_map = isinstance(node.get("additionalProperties"), dict)
             if node.get("additionalProperties") is not False and not is_map:
                 failures.append(f"schema: {place} is open for unknown keys")
@@ -127,7 +128,7 @@ def check_schema(schema):
 
 
 def check_valid(reader, validator, pool, directories):
-    """Failures among the valid cases, and how many cases there are."""
+    """Failures among the valid cases, and the number of these cases."""
     failures = []
     files = []
     for directory in directories:
@@ -157,7 +158,7 @@ def check_valid(reader, validator, pool, directories):
 
 
 def read_expectations(table):
-    """expected.tsv as {file: (place, reason, by)}; ValueError where it is not well formed."""
+    """expected.tsv as {file: (place, reason, by)}; ValueError if it is not well formed."""
     rows = {}
     for number, line in enumerate(table.read_text(encoding="utf-8").splitlines(), start=1):
         if not line or line.startswith("#"):
@@ -172,7 +173,8 @@ def read_expectations(table):
 
 
 def check_broken(reader, validator, pool, directory):
-    """Failures among the broken files, and how many files each of the two is to refuse."""
+    """Failures among the broken files, and the numbers of files that reader and schema must
+    refuse."""
     rows = read_expectations(directory / "expected.tsv")
     files = {file.name for file in directory.glob("*.json")}
     failures = [f"broken: {name} has no row in expected.tsv" for name in sorted(files - set(rows))]
@@ -208,7 +210,8 @@ def check_broken(reader, validator, pool, directory):
 
 # --- Check 4: mutations -----------------------------------------------------------------------
 
-# Every key there is, at least once, and none at its default where that shows.
+# Has every key at least once, with values other than the default where the default would hide a
+# fault.
 FULL_CASE = {
     "format": "rastercheck-case",
     "version": 1,
@@ -260,7 +263,7 @@ FULL_CASE = {
               "kind": "coverage", "condition": "tie"},
 }
 
-# The required keys only, so without a camera.
+# Has only the required keys, so no camera.
 SMALL_CASE = {
     "format": "rastercheck-case",
     "version": 1,
@@ -281,9 +284,9 @@ REPLACEMENTS = (None, True, 0, -1, 1.5, "x", [], {}, 1e39)
 def reader_only(case):
     """Why only the reader can refuse a case that the schema accepts; None if it should not.
 
-    These rules compare one place of a case with another, which JSON Schema cannot. The other things
-    that it cannot see (which numbers are float32, duplicate keys, syntax, depth) no mutation makes.
-    """
+    These rules compare one place of a case with another, which JSON Schema cannot do. Nor can it
+    check which numbers are float32, duplicate keys, syntax or nesting depth, but no mutation breaks
+    these."""
     count = len(case["vertices"])
     if any(not 0 <= index < count for triangle in case["triangles"] for index in triangle):
         return "an index is not below the number of vertices"
@@ -400,7 +403,7 @@ def check_mutations(reader, validator, pool):
 
 
 def run_all(pool, judge, jobs):
-    """Judges (label, argument) jobs in parallel; the failures, in the order of the jobs."""
+    """Judges (label, argument) jobs in parallel; returns the failures in the order of the jobs."""
 
     def run(job):
         label, argument = job

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Runs the CI files of docs/ci as their services do, as far as that is possible on one machine.
+"""Runs the CI files of docs/ci as their services do, as far as possible on one machine.
 
 Usage: ci_examples_test.py SOURCE_DIR RASTERCHECK C_COMPILER
 
-Each is put into a repository of its own, the project that `rastercheck plugin new` writes, with a baseline. Its jobs
-run one after the other in folders of their own, `bash -e` as on the service, and hand each other their artifacts. In
-the place of Debian's packages and of downloads there are programs that note what they are asked for; `rastercheck` is
-on PATH once its package was installed in the job. First all is as in the baseline, then less precise.
+Puts each file into a repository of its own: the project that `rastercheck plugin new` writes, with
+a baseline. Runs the jobs one after the other, each in its own folder, with `bash -e` as on the
+service, and passes on their artifacts. Stand-ins for apt-get and curl record what they are asked
+for; `rastercheck` is on PATH once a job has installed its package. Runs everything twice: as in the
+baseline, and with a plugin that is less precise.
 """
 
 import json
@@ -23,16 +24,17 @@ import yaml
 
 SOURCE, RASTERCHECK, CC = pathlib.Path(), "", ""
 
-# A relative error of 2^-25 before the last rounding: constants and vertex values stay what they are.
+# Adds a relative error of 2^-25 before the last rounding, which leaves constants and vertex values
+# as they are.
 PRECISE = "(weight[0] + weight[1] + weight[2]));"
 OFF = "(weight[0] + weight[1] + weight[2]) * (1 + 0x1p-25));"
 BACKEND = "plugin:./build/plugin.so"
 PROMISES = (".smooth = {.constant = ", ".noperspective = {.constant = ")
-CASES = 5  # rather than 100: what is found shows with these
+CASES = 5  # instead of 100; enough to show the difference
 LAW = "values-stay-within-the-bound"
 PACKAGE_ADDRESS = "https://example.org/rastercheck.deb"
 
-# Programs of the machine that jobs run on, which this one is not to change.
+# Stand-ins for programs of the job's machine: the real ones would change this machine.
 STAND_INS = {
     "apt-get": """#!/bin/bash
 echo "apt-get $*" >>"$CALLS"
@@ -73,14 +75,15 @@ class Example(unittest.TestCase):
             "GIT_COMMITTER_EMAIL": "some@body"})
         self.execute([RASTERCHECK, "plugin", "new", self.repository], self.folder)
         self.execute(["git", "init", "-q", "-b", "main"], self.repository)
-        # It promises less than it keeps, so that all laws hold of what is less precise: only the gate sees it.
+        # The plugin promises less than it keeps. So all laws hold even when it is less precise, and
+        # only the gate notices.
         for promise in PROMISES:
             self.change("plugin.c", promise, promise + "1 + ")
         (self.repository / ".gitignore").write_text("build/\nrastercheck-out/\n", encoding="utf-8")
         self.commit("A plugin")
 
     def execute(self, words, folder, code=0, **more):
-        """Runs a command; its exit code is expected to be `code`."""
+        """Runs a command and checks that its exit code is `code`."""
         done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, check=False,
                               env={**self.environment, **more})
         self.assertEqual(done.returncode, code, f"{words}: {result_of(done)}")
@@ -91,7 +94,7 @@ class Example(unittest.TestCase):
         self.execute(["git", "commit", "-q", "-m", subject], self.repository)
 
     def take_baseline(self, text):
-        """As the first lines of an example say, with fewer cases."""
+        """Makes a baseline by the commands in the first lines of an example, with fewer cases."""
         commands = re.findall(r"^#   (rastercheck .*)$", text, re.MULTILINE)
         self.assertEqual([command.split()[1] for command in commands], ["run", "baseline"])
         self.assertIn(" --cases 100 ", commands[0])
@@ -114,7 +117,7 @@ class Example(unittest.TestCase):
     # --- Jobs -----------------------------------------------------------------------------------
 
     def job_folder(self, name):
-        """A machine of its own: nothing on it but the stand-ins and what any has."""
+        """Makes a folder that serves as a job's own machine, with nothing installed yet."""
         folder = self.folder / "jobs" / name
         shutil.rmtree(folder, ignore_errors=True)
         (folder / "programs").mkdir(parents=True)
@@ -122,7 +125,8 @@ class Example(unittest.TestCase):
         return folder
 
     def check_out(self, work):
-        """What actions/checkout and GitLab do: the files of the commit, and nothing that was built."""
+        """Does what actions/checkout and GitLab do: takes the files of the commit, but nothing
+        built."""
         self.execute(["git", "clone", "-q", self.repository, work.parent / "clone"], self.folder)
         for entry in (work.parent / "clone").iterdir():
             shutil.move(entry, work / entry.name)
@@ -135,7 +139,7 @@ class Example(unittest.TestCase):
                               env={**self.environment, **variables, "PATH": path, "JOB_PROGRAMS": str(programs)})
 
     def keep(self, work, name, patterns):
-        """Artifacts: files and folders that have to be there; paths are those below the first they share."""
+        """Keeps artifacts: files and folders, which must exist, under their paths within `work`."""
         found = [file for pattern in patterns for file in work.glob(pattern)]
         self.assertTrue(found, f"{name}: {patterns}")
         target = self.artifacts / name
@@ -154,7 +158,8 @@ class Example(unittest.TestCase):
             self.assertRegex(call, r"^curl |^apt-get update -q$|^apt-get install -y -q --no-install-recommends ")
 
     def check_comparison(self, folder, *texts):
-        """The report is there and names the law; each of the texts, which may be of some only, names one that grew."""
+        """Checks that the report exists and names LAW, and that each of the texts names a law that
+        got worse."""
         (comparison,) = json.loads((folder / "compare.json").read_text(encoding="utf-8"))["comparisons"]
         worse = {entry["law"] for entry in comparison["changed"] if entry["change"] == "worse"}
         self.assertIn(LAW, worse)
@@ -164,7 +169,7 @@ class Example(unittest.TestCase):
 
 
 class GitHub(Example):
-    """Jobs of steps; `${{ … }}` is filled in, and actions are done by hand."""
+    """Jobs consist of steps. Fills in `${{ … }}`, and does the work of actions itself."""
 
     ACTIONS = {
         "actions/checkout@v4": set(), "actions/upload-artifact@v4": {"name", "path"},
@@ -184,7 +189,7 @@ class GitHub(Example):
         return re.sub(r"\$\{\{ ([\w.-]+) \}\}", value, str(text))
 
     def test_is_formed_as_workflows_are(self):
-        # YAML reads the key "on" as true.
+        # YAML reads the key "on" as the value true.
         self.assertEqual(set(self.workflow), {"name", True, "permissions", "env", "defaults", "jobs"})
         self.assertEqual(set(self.workflow[True]), {"push", "pull_request"})
         self.assertEqual(self.workflow["defaults"], {"run": {"shell": "bash"}})
@@ -202,12 +207,12 @@ class GitHub(Example):
                     self.assertLessEqual(set(step.get("with", {})), self.ACTIONS[step["uses"]])
                 else:
                     self.assertLessEqual(set(step), {"name", "run", "env", "if"})
-                    # Expressions in scripts would be code of whoever names a branch.
+                    # An expression in a script would let whoever names a branch run code.
                     self.assertNotIn("${{", step["run"])
                 self.assertIn(step.get("if"), [None, "${{ !cancelled() }}"])
 
     def act(self, step, work, context):
-        """A step of the service's own."""
+        """Does the work of a step that uses one of the service's actions."""
         given = {key: self.fill_in(value, context) for key, value in step.get("with", {}).items()}
         name = step["uses"].split("@")[0]
         if name == "actions/checkout":
@@ -216,7 +221,7 @@ class GitHub(Example):
             shutil.rmtree(self.artifacts / given["name"], ignore_errors=True)
             paths = given["path"].split()
             self.keep(work, given["name"], paths)
-            if len(paths) == 1:  # what is in a folder is kept without the folder
+            if len(paths) == 1:  # the service keeps a folder's content without the folder
                 kept = self.artifacts / given["name"]
                 inner = kept / paths[0]
                 self.assertTrue(inner.is_dir())
@@ -237,7 +242,7 @@ class GitHub(Example):
             self.assertEqual(sarif["version"], "2.1.0")
 
     def run_job(self, name, matrix, outcomes):
-        """Its summary; how the steps that have a name ended goes to `outcomes`."""
+        """Runs a job and returns its summary. Adds the result of each named step to `outcomes`."""
         job = self.workflow["jobs"][name]
         context = {"vars.RASTERCHECK_DEB": PACKAGE_ADDRESS, **matrix}
         folder = self.job_folder(name)
@@ -289,7 +294,7 @@ class GitHub(Example):
 
 
 class GitLab(Example):
-    """Jobs of scripts, in the order of the stages."""
+    """Jobs consist of scripts; runs them in the order of the stages."""
 
     KEYS = {"extends", "stage", "needs", "parallel", "script", "artifacts", "when", "before_script"}
 
@@ -302,7 +307,7 @@ class GitLab(Example):
         self.take_baseline(self.text)
 
     def job(self, name):
-        """With what it extends."""
+        """The job, merged with the job that it extends."""
         job = self.jobs[name]
         return {**self.pipeline[job["extends"]], **job} if "extends" in job else job
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Has `rastercheck bisect` search small repositories of a plugin, in which it is known what is worse since when.
+"""Runs `rastercheck bisect` on small repositories of a plugin, whose first worse commit is known.
 
 Usage: bisect_test.py SOURCE_DIR RASTERCHECK C_COMPILER
 """
@@ -21,7 +21,7 @@ SOURCE, RASTERCHECK, CC = pathlib.Path(), "", ""
 
 PRECISE = "weight[i] /= t->w[i]; /* perspective */"
 IN_FLOAT = "weight[i] = (float)(weight[i] / t->w[i]); /* perspective */"
-# Few laws and cases: what is known of the repositories does not depend on how many.
+# Few laws and cases suffice: the expected results do not depend on their numbers.
 LAWS = ["--property", "@(values-stay-within-the-bound|coverage-obeys-the-contract)", "--cases", "30"]
 BUILD_SCRIPT = """set -e
 mkdir -p build
@@ -66,7 +66,8 @@ class BisectTest(unittest.TestCase):
         self.hashes.append(self.git("rev-parse", "HEAD"))
 
     def make_repository(self, worse, broken=()):
-        """Commits 0 to COMMITS: from `worse` on weights are float, and those in `broken` do not build."""
+        """Makes commits 0 to COMMITS: from `worse` on weights are float; those in `broken` do not
+        build."""
         self.hashes = []
         self.git("init", "-q", "-b", "main")
         shutil.copy(SOURCE / "backends/plugin/plugin.h", self.repository / "rastercheck")
@@ -132,7 +133,7 @@ class Finds(BisectTest):
         case = worse["case"]
         before = max(abs(end) for end in case["before"]["error"]) if case["before"] else 0
         self.assertLess(before, min(abs(end) for end in case["after"]["error"]))
-        # Of the two laws one is worse: on the way there are runs of that alone.
+        # One of the two laws is worse, so the runs in between check only that law.
         self.assertEqual({entry.split(":")[0] for entry in worse["worse"]}, {"values-stay-within-the-bound"})
 
     def test_nobody_reads_what_it_says(self):
@@ -163,7 +164,7 @@ class Finds(BisectTest):
         self.make_repository(worse=6)
         done = self.bisect(0, self.hashes[0], self.hashes[5])
         self.assertRegex(done.stdout, "^Not worse: ")
-        # Better is not worse.
+        # A better commit is not a worse one.
         self.write("plugin.c", (SOURCE / "docs/examples/plugin/little.c").read_text(encoding="utf-8"))
         self.commit(COMMITS + 1, "Weights in double")
         self.assertRegex(self.bisect(0, self.hashes[6], "main").stdout, "^Not worse: ")
@@ -186,7 +187,7 @@ class Finds(BisectTest):
         corpus = self.repository / "corpus"
         shutil.copytree(self.folder / "corpus", corpus)
         self.git("add", "-A")
-        self.git("commit", "-q", "-m", "Cases")  # GOOD has none
+        self.git("commit", "-q", "-m", "Cases")  # the good commit has no corpus
         self.git("checkout", "-q", "--detach")
         kept = self.folder / "kept"
         done = self.bisect(0, self.hashes[0], "main", "--repository", self.repository / "rastercheck", "--corpus",
@@ -194,7 +195,7 @@ class Finds(BisectTest):
         self.assertIn(f"First worse: {self.hashes[6][:10]} ", done.stdout)
         self.assertTrue((kept / self.hashes[6] / "run.json").exists())
         self.assertTrue((kept / "good/build.log").exists())
-        # The case is there, and is as bad as was said: in the commit, and not in the one before.
+        # The saved case violates its law in the reported commit, but not in the commit before.
         (replay,) = re.findall(r"^    rastercheck (replay .*)$", done.stdout, re.MULTILINE)
         for number, code in ((6, 1), (5, 0)):
             self.git("checkout", "-q", self.hashes[number])
@@ -217,7 +218,8 @@ class Refuses(BisectTest):
         self.make_repository(worse=6)
         first, last = self.hashes[0], self.hashes[-1]
         self.refuses("is not in a git work tree", first, last, "--repository", self.folder)
-        # A folder that was made for it is gone: the same words work once the commit is named right.
+        # The folder made for the output is removed again, so the same command works with a right
+        # commit.
         new = self.folder / "new/deep"
         self.refuses("nobody: is not a commit of this repository", "nobody", last, "--output", new)
         self.assertFalse(new.parent.exists())
@@ -280,10 +282,11 @@ class Refuses(BisectTest):
 
 class Interrupted(BisectTest):
     def check_interrupted(self, building, by=signal.SIGINT):
-        """Ctrl-C, or another signal, while the commit of that number is built, which takes for ever."""
+        """Sends a signal, such as Ctrl-C's, while commit number `building` is built, which never
+        ends."""
         script = (f"if tail -n 1 plugin.c | grep -q '/\\* {building} \\*/'; then touch {self.folder}/begun; sleep 1000; "
                   "fi; sh build.sh")
-        # Whatever this test was started by: nohup has SIGHUP ignored.
+        # Restores the default: a test started by nohup has SIGHUP ignored.
         before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
         self.addCleanup(signal.signal, signal.SIGHUP, before)
         program = subprocess.Popen(self.words(self.hashes[0], "main", build=("sh", "-c", script)),

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Closes the terminal on a run: it ends with its reports, and with the exit code of what was found.
+"""Closes a run's terminal: the run must end with its reports and with the exit code of its
+findings.
 
 Usage: closed_terminal_test.py RASTERCHECK
 """
@@ -21,14 +22,16 @@ RASTERCHECK = ""
 
 
 def in_terminal(terminal):
-    """Makes a terminal that of this process, which is its session's first: to close it sends SIGHUP."""
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # whatever this test was started by
+    """Makes `terminal` the controlling terminal of this process, its session's leader, so that
+    closing the terminal sends SIGHUP."""
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # nohup, if it started the test, ignores it
     fcntl.ioctl(terminal, termios.TIOCSCTTY, 0)
 
 
 class ClosedTerminal(unittest.TestCase):
     def close_on(self, *options):
-        """Closes the terminal of a run without end, once it checks; the exit code and the run's folder."""
+        """Closes the terminal of an endless run once cases are checked; returns the exit code and
+        the run's folder."""
         folder = tempfile.TemporaryDirectory(prefix="closed-")
         self.addCleanup(folder.cleanup)
         output = pathlib.Path(folder.name) / "out"

@@ -62,7 +62,7 @@ class Shard : public testing::Test {
     for (const int shard : shards) more.push_back(folder_.path("shard" + std::to_string(shard)));
     return run_damaged_program(more);
   }
-  /// Expects that both folders have the same files, the same counterexamples and, but for its
+  /// Expects that both folders have the same files, the same counterexamples and, except for its
   /// environment, the same run.json.
   void expect_same(const std::string& one, const std::string& other) const {
     EXPECT_TRUE(without_environment(folder_.content(one + "/run.json")) ==

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs in a terminal: the progress bar is gone before results are printed, and the verdict has colours.
+"""Runs in a terminal: the progress bar must vanish before results are printed; the verdict has
+colours.
 
 Usage: terminal_test.py RASTERCHECK CORPUS
 """
@@ -29,7 +30,7 @@ class Terminal(unittest.TestCase):
             try:
                 while block := os.read(outer, 65536):
                     text += block
-            except OSError:  # how Linux tells that the other side is closed
+            except OSError:  # on Linux, this means that the other side is closed
                 pass
             self.assertEqual(run.wait(), 0, text)
         os.close(outer)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Uses what is installed as its users do: the rasterizer, by the words of docs/using-the-rasterizer.md or as a
-part of another build, and the laws as tests of a rasterizer, by those of docs/using-in-googletest.md.
+"""Uses an installed RasterCheck as users do: the rasterizer, as docs/using-the-rasterizer.md says
+or as part of another build, and the laws as tests of a rasterizer, as docs/using-in-googletest.md
+says.
 
 Usage: consumer_test.py SOURCE_DIR BUILD_DIR CONFIG CMAKE COMPILER CMAKE_CXX_FLAGS=FLAGS CLASS
 """
@@ -20,19 +21,20 @@ import zlib
 
 SOURCE, BUILD, CONFIG, CMAKE, COMPILER, FLAGS, BUNNY = pathlib.Path(), pathlib.Path(), "", "", "", "", ""
 
-# What the rasterizer draws is the same to the bit with every compiler, but the examples' shader and
-# camera are compiled by their users', who may fuse products and sums: that moves a colour by far less
-# than a byte's unit, which rounding can make one.
+# The greatest permitted difference of a channel. The rasterizer draws the same bits with every
+# compiler, but users' compilers may fuse products and sums in the examples' shader and camera. That
+# changes a colour by far less than a unit of a byte, and rounding can turn this into one unit.
 MOST_DIFFERENCE = 1
-# What the component `testing` needs, and what only the project itself.
+# The packages that the component `testing` needs, and those that only the project itself needs.
 TESTING_NEEDS = ["fmt", "GTest", "nlohmann_json", "rapidcheck", "tl-expected"]
 BUILD_NEEDS = ["assimp", "CGAL", "Eigen3", "CLI11", "Boost", "PNG", "benchmark"]
-# Users' own, which headers and macros have to pass.
+# Warnings as users may set them; the project's headers and macros must not cause any.
 WARNINGS = "-Wall -Wextra -Wpedantic -Wshadow -Wold-style-cast -Werror"
 
 
 def run(*command, expected=0, **environment):
-    """What a command prints, which is the failure where it does not end as expected."""
+    """The output of a command; also the message of the failure if its exit code is not
+    `expected`."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, check=False, env={**os.environ, **environment})
     if done.returncode != expected:
@@ -56,7 +58,7 @@ def configure(source, build, *options):
 
 
 def unfiltered(kind, line, above, step):
-    """A row of a PNG as it was before its filter (the PNG specification, clause 9)."""
+    """Undoes the filter of a row of a PNG (PNG specification, clause 9)."""
     row = bytearray(line)
     for i, byte in enumerate(line):
         a = row[i - step] if i >= step else 0
@@ -90,7 +92,7 @@ def pixels(png):
 
 
 def picture_faults(drawn, approved):
-    """What is wrong with a picture, as sentences."""
+    """Sentences that say what is wrong with a picture."""
     (*size, drawn_bytes), (*approved_size, approved_bytes) = pixels(drawn), pixels(approved)
     if size != approved_size:
         return [f"it has {size} pixels, not {approved_size}"]
@@ -99,7 +101,7 @@ def picture_faults(drawn, approved):
 
 
 def code_of(text):
-    """The block of code of a page that is docs/examples/bunny.cpp, to the byte."""
+    """The block of a page that must equal docs/examples/bunny.cpp: the only one with a main()."""
     blocks = re.findall(r"^```cpp\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
     programs = [block for block in blocks if "int main(" in block]
     assert len(programs) == 1, len(programs)
@@ -107,7 +109,7 @@ def code_of(text):
 
 
 def code_lines(program):
-    """How many lines a program has besides blank ones, comments, includes and `using`."""
+    """The number of a program's lines, not counting blank lines, comments, includes and `using`."""
     return sum(1 for line in program.splitlines()
                if line.strip() and not re.match(r"\s*(//|#include|using namespace)", line))
 
@@ -132,7 +134,7 @@ class Installed(unittest.TestCase):
         self.assertNotEqual(subprocess.run([build / "bunny", "nowhere.obj", self.folder / "none.png"],
                                            check=False).returncode, 0)
 
-        # Sanitizers keep what is given back, and without optimisation 100 frames take minutes.
+        # Sanitizers keep freed memory, and without optimisation 100 frames take minutes.
         if CONFIG == "Release" and "-fsanitize" not in FLAGS:
             for threads in (1, 2):
                 print(run(build / "viewer", BUNNY, threads), end="")
@@ -153,7 +155,7 @@ class Components(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def targets(self, prefix, request, *options, expected=0):
-        """Which of the targets there are after find_package(RasterCheck REQUEST), and what CMake says."""
+        """The targets that exist after find_package(RasterCheck REQUEST), and CMake's output."""
         (self.folder / "CMakeLists.txt").write_text(f"""
             cmake_minimum_required(VERSION 3.25)
             project(Asking LANGUAGES CXX)
@@ -191,7 +193,8 @@ class Components(unittest.TestCase):
         self.assertIn("Its component testing lacks fmt, GTest.", log)
 
     def test_a_build_on_the_path_is_no_package(self):
-        # CMake looks for packages beside each bin/ of the PATH, and docs have this one there.
+        # CMake looks for packages beside each bin/ on the PATH, and the docs put the build's bin/
+        # there.
         with unittest.mock.patch.dict(os.environ, PATH=f"{BUILD}/bin:{os.environ['PATH']}"):
             self.targets("", "QUIET")
         cache = (self.folder / "build/CMakeCache.txt").read_text(encoding="utf-8")
@@ -200,7 +203,7 @@ class Components(unittest.TestCase):
 
 
 class Testing(unittest.TestCase):
-    """The laws as tests of a rasterizer of somebody's own."""
+    """The laws as tests of a user's own rasterizer."""
 
     @classmethod
     def setUpClass(cls):
@@ -242,7 +245,7 @@ class Testing(unittest.TestCase):
                       "    exactly: ", "    drawn:   ", "rastercheck replay - --backend cpu"]:
             self.assertIn(words, message)
 
-        # What the message shows is a case file, of which `cpu` makes nothing wrong.
+        # The message contains a case file, which `cpu` draws correctly.
         case = message[message.index("\n{\n"):message.index("\n}\n") + 3]
         self.assertEqual(json.loads(case)["rules"], "vulkan")
         self.assertEqual(json.loads(case)["found"]["backend"], "CarelessInVulkan")
@@ -294,7 +297,7 @@ class Docs(unittest.TestCase):
                 for kind, data in ((b"IHDR", header), (b"IDAT", body)))
 
         plain = picture([0, 1, 2, 3, 4, 5, 6, 7, 8], [0, 9, 9, 9, 9, 9, 9, 9, 9])
-        # The same by the filters Sub and Up, Average and Paeth.
+        # The same picture with the filters Sub and Up, Average and Paeth.
         for rows in [([1, 1, 2, 3, 4, 4, 4, 4, 4], [2, 8, 7, 6, 5, 4, 3, 2, 1]),
                      ([0, 1, 2, 3, 4, 5, 6, 7, 8], [3, 9, 8, 8, 7, 2, 2, 1, 1]),
                      ([0, 1, 2, 3, 4, 5, 6, 7, 8], [4, 8, 7, 6, 5, 0, 0, 0, 0])]:

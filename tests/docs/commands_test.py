@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Runs the commands of a page of docs/ as a reader would: one after the other, in one shell, in a copy of the tree.
+"""Runs the commands of a page of docs/ as a reader would: one after the other, in one shell, in a
+copy of the tree.
 
 Usage: commands_test.py SOURCE_DIR BUILD_DIR CC CXX PAGE
-What cannot be run as it stands is declared in declared.py. Every command has to end with the exit code that is
-expected of it and, unless it is declared to be run as another one, to print the lines that the page shows under it,
-in that order.
+
+declared.py lists the commands that cannot be run as they stand. Every command must end with the
+expected exit code and, unless declared.py replaces it by another one, print the lines that the page
+shows below it, in that order.
 """
 
 import os
@@ -31,14 +33,15 @@ def as_run(command):
 
 
 def codes_of(page, history):
-    """The exit codes that the last of these commands of a page may end with."""
+    """The exit codes with which the last of these commands of a page may end."""
     codes = [codes for name, pattern, codes, _ in declared.ENDS_WITH
              if name == page and re.search(pattern, "\n".join(history), re.MULTILINE)]
     return codes[0] if codes else (0,)
 
 
 def planned(page, text):
-    """What is run of a page: (command as it is run, exit codes, lines that it has to print)."""
+    """The commands to run for a page: (command as run, permitted exit codes, lines that it must
+    print)."""
     plan, history, was_run = [], [], False
     for block in pages.blocks(text):
         commands = pages.commands_of(block)
@@ -55,7 +58,7 @@ def planned(page, text):
 
 
 def tree(source, build, folder):
-    """A copy of the source tree in which the build is build/release."""
+    """Makes a copy of the source tree in which build/release is the build."""
     ours = {"build", ".git", "rastercheck-out"}
     if build.is_relative_to(source):
         ours.add(build.relative_to(source).parts[0])
@@ -74,7 +77,7 @@ def environment(folder, cc, cxx):
 
 
 def script(before, plan, logs):
-    """A shell script that runs all commands and leaves what they print, and their exit codes, in a folder."""
+    """A shell script that runs all commands and writes their output and exit codes to a folder."""
     lines = [f"{{ {before or ':'}\n}} >{logs}/before 2>&1 || exit"]
     for number, (command, _, _) in enumerate(plan):
         lines.append(f"{{ {command}\n}} >{logs}/{number}.out 2>&1\necho $? >{logs}/{number}.code")
@@ -82,7 +85,7 @@ def script(before, plan, logs):
 
 
 def faults(plan, logs):
-    """What went otherwise than planned, as sentences."""
+    """Sentences that say what went differently from the plan."""
     found = []
     for number, (command, codes, shown) in enumerate(plan):
         if not (logs / f"{number}.code").exists():
@@ -98,7 +101,7 @@ def faults(plan, logs):
 
 
 def run_page(source, build, cc, cxx, page):
-    """The faults of a page's commands."""
+    """Runs a page's commands and returns their faults."""
     plan = planned(page.name, page.read_text(encoding="utf-8"))
     if not plan:
         return []

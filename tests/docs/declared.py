@@ -1,8 +1,8 @@
-"""What is done about commands of the pages that cannot be run as they stand, and why; what they say otherwise.
+"""Commands of the pages that cannot be run as they stand: what is done instead, and why.
 
-Keys are patterns of commands. Each has to hold of some command of some page (docs.text)."""
+Keys are patterns of commands. Each must match a command of some page (docs.text)."""
 
-# Is not run at all.
+# Commands that are not run at all.
 NOT_RUN = {
     r"^\./scripts/(run|test)$": "installs packages, builds everything",
     r"^(apt|apt-get|curl|docker|dpkg|git clone|npm|sudo|wget)\b": "needs root or a network",
@@ -18,7 +18,7 @@ NOT_RUN = {
     r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",
 }
 
-# Is run as something else: a pattern, what takes its place, why.
+# Commands that are changed before they are run: a pattern, its replacement, the reason.
 INSTEAD = [
     (r"\bCASE\b", "cases/corpus/behind-the-eye.json", "the reader's own case"),
     (r"\bX,Y\b", "4,4", "a pixel of it"),
@@ -42,7 +42,8 @@ INSTEAD = [
     (r"^(.*\brastercheck-bench .*)", r"\1 --benchmark_list_tests | grep /", "takes minutes; there are such lines"),
 ]
 
-# Ends with another exit code than 0: page, pattern of the commands of that page up to this one, codes, why.
+# Commands with exit codes other than 0: page, pattern of the page's commands up to this one, codes,
+# reason.
 ENDS_WITH = [
     ("findings.md", r"^rastercheck replay .*\Z", (0, 4), "4 where the machine has no such driver"),
     ("from-formula-to-law.md", r"rastercheck_with_mutants .*\Z", (1,), "mutants"),
@@ -55,7 +56,7 @@ ENDS_WITH = [
 
 LITTLE = """mkdir -p include/rastercheck && cp backends/plugin/plugin.h include/rastercheck &&
     $CC -O1 -shared -fPIC -Iinclude docs/examples/plugin/little.c -o little.so -lm"""
-# What a page takes to be there, as shell commands.
+# Shell commands that make the files that a page assumes.
 BEFORE = {
     "judge-a-driver.md": """cat >quarter.json <<END
 {"format": "rastercheck-contract", "version": 1, "bounds": {"smooth": {"constant": 0.25}}}
@@ -71,7 +72,7 @@ END""",
         git commit -q -a -m bad && git tag BAD && git checkout -q GOOD""",
 }
 
-# Blocks of their own that show what the commands before them on the page print, by their first lines.
+# Separate blocks that show the output of the command before them, given by their first lines.
 PRINTED = {
     "judge-your-rasterizer.md": ["… counterexamples, 1 cause:"],
     "when-it-fails.md": ["a-shared-edge-covers-each-sample-once"],

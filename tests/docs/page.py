@@ -1,16 +1,16 @@
-"""What stands on a page of Markdown: commands with what they are shown to print, words in backticks, links."""
+"""Reads a page of Markdown: commands with the output shown for them, words in backticks, links."""
 
 import re
 
-# Patterns of what a block of commands begins with, behind settings of the environment and `./`. A program that is
-# not here is not seen as one.
+# Patterns of the programs with which a block of commands may begin, after environment settings and
+# `./`. A block that begins with another word does not count as commands.
 PROGRAMS = ("rastercheck", "rastercheck-bench", r"build/[\w/-]+", r"scripts/[\w-]+",
             "apt", "apt-get", "bash", "cat", "cc", "cd", "clang-format", "cmake", "cp", "cpack", "ctest", "curl",
             "docker", "dpkg", "export", r"g\+\+", "gcc", "git", "make", "mkdir", "mv", "npm", "python3", "rm", "sed",
             "sh", "sudo", "tar", "wget", "xargs")
 COMMAND = re.compile(r"\$ |[A-Z]+=\S+$|([A-Z_]+=(\"[^\"]*\"|\S+) )*(\./)?(" + "|".join(PROGRAMS) + r")( |$)")
 FENCE = re.compile(r" *```(\w*)")
-# Fenced blocks of commands; those of other languages are code.
+# The languages of fenced blocks that hold commands; blocks in other languages are code.
 SHELLS = ("", "bash", "console", "sh", "shell")
 
 
@@ -24,7 +24,7 @@ class Command:
 
 
 def blocks(text):
-    """The blocks of code of a page, each as its lines without their indentation."""
+    """The blocks of code of a page, each as a list of lines without the block's indentation."""
     lines, found, i, was_blank = text.splitlines(), [], 0, True
     while i < len(lines):
         fence = FENCE.match(lines[i])
@@ -47,9 +47,8 @@ def blocks(text):
 
 
 def commands_of(block):
-    """The commands of a block: its lines, up to a blank one, after which output follows; or those that begin with `$`.
-
-    Nothing where the block is something else."""
+    """The commands of a block: the lines that begin with `$`, or else all lines up to a blank one,
+    after which output follows. Empty if the block holds no commands."""
     if not block or not COMMAND.match(block[0]):
         return []
     found, has_prompt, are_over = [], block[0].startswith("$ "), False
@@ -75,12 +74,12 @@ def prose(text):
 
 
 def code_spans(text):
-    """What stands in backticks, in one line each."""
+    """The texts in backticks, each joined into one line."""
     return [" ".join(span.split()) for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", prose(text))]
 
 
 def links(text):
-    """The targets of a page's links and pictures that lie in this tree."""
+    """The targets, within this tree, of a page's links and pictures."""
     targets = re.findall(r"\]\(([^()\s]+)\)", re.sub(r"`[^`]*`", "", prose(text)))
     return [target for target in targets if not re.match(r"[a-z]+:", target)]
 
@@ -98,14 +97,14 @@ def anchors(text):
 
 
 def line_pattern(line):
-    """A shown line as a pattern: … stands for anything, and a time for any other."""
+    """A shown line as a pattern: … matches anything, and a time matches any other time."""
     parts = [re.escape(part.strip()) for part in line.split("…")]
     pattern = r"\s*" + ".*".join(parts) + r"\s*"
     return re.sub(r"\d+(\\\.\d+)?\\ (m?s)\b", r"[\\d.]+ \2", pattern)
 
 
 def lines_not_printed(shown, printed):
-    """The lines shown under a command that it does not print, in that order."""
+    """The lines shown below a command that are not printed, or not in that order."""
     rest, missing = iter(printed.splitlines()), []
     for line in shown:
         if line.strip(" …"):

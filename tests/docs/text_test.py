@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds what the pages say to what there is: links, options, commands, counts.
+"""Compares the text of the pages with the facts: links, options, commands, counts.
 
 Usage: text_test.py SOURCE_DIR RASTERCHECK
 """
@@ -19,14 +19,15 @@ import page as pages  # noqa: E402
 
 SOURCE, RASTERCHECK = pathlib.Path(), ""
 
-# Written for the project that `rastercheck plugin new` makes, and about the tool that other cases come from.
+# Pages about other things: the project that `rastercheck plugin new` makes, and the source of some
+# test cases.
 ELSEWHERE = ("docs/examples/plugin/starter/README.md", "tests/oracle/vectors/README.md")
-# Numbers in words.
+# Numbers that pages write as words.
 WORDS = {"six": 6, "nine": 9, "ten": 10, "twelve": 12, "thirteen": 13, "fourteen": 14, "seventeen": 17, "forty": 40, "fifty": 50, "eighty": 80}
 
 
 def texts():
-    """All pages of the tree and what stands on them."""
+    """All pages of the tree, with their texts."""
     paths = [*SOURCE.glob("*.md"), *SOURCE.glob("docs/**/*.md"), *SOURCE.glob("tests/**/*.md")]
     return {path.relative_to(SOURCE).as_posix(): path.read_text(encoding="utf-8") for path in sorted(paths)}
 
@@ -38,7 +39,7 @@ def said(*words):
 
 @functools.lru_cache(maxsize=None)
 def options_of(*words):
-    """The options that the help of a command lists, or None where there is no such command."""
+    """The options that the help of a command lists; None if the command does not exist."""
     text = said(*words, "--help") or ""
     is_its_own = f"Usage: {' '.join(['rastercheck', *words])} " in text
     return set(re.findall(r"^  (?:-\w, )?(--[\w-]+)", text, re.MULTILINE)) if is_its_own else None
@@ -51,7 +52,7 @@ def subcommands(*words):
 
 
 def command_fault(words):
-    """What is wrong with the words behind `rastercheck`, or None."""
+    """A text that says what is wrong with the words after `rastercheck`, or None."""
     words = words.split(" -- ")[0].split(" | ")[0].split()
     place = []
     while words and subcommands(*place):
@@ -65,7 +66,7 @@ def command_fault(words):
 
 
 def option_faults(text):
-    """The commands and options that a page names and that the program does not know."""
+    """The commands and options that a page names but the program does not have."""
     everywhere = set().union(*(options_of(name) for name in subcommands()),
                              *(options_of(name, inner) for name in subcommands() for inner in subcommands(name)),
                              options_of())
@@ -95,7 +96,8 @@ def link_faults(place, text, all_texts):
 
 
 def number(word):
-    """A number in digits or in a word that is known here; else one that nothing counts to."""
+    """The value of a number in digits or in words (WORDS); −1, which no count equals, for other
+    words."""
     return int(word.replace(",", "")) if word[0].isdigit() else WORDS.get(word, -1)
 
 
@@ -118,12 +120,12 @@ def defects(drivers):
 
 
 def sensitivity(pattern):
-    """A figure of the page that a script writes."""
+    """A figure from docs/gate-sensitivity.md, which a script writes."""
     return int(re.search(pattern, (SOURCE / "docs/gate-sensitivity.md").read_text(encoding="utf-8"))[1])
 
 
-# Page, what it says with a number in brackets, how many there are. “More than” is up to a fifth more, “some” within a
-# twentieth.
+# Page, pattern of a text with its number in a group, actual count. “More than” means up to a fifth
+# more, “some” within a twentieth.
 FIGURES = [
     ("README.md", r"\[(more than \w+)\]\(docs/properties.md\)", lambda: listed("properties")),
     ("README.md", r"corpus\]\(cases/corpus\) of (more than \d+) cases", lambda: of_files("cases/corpus/*.json")),
@@ -209,7 +211,8 @@ class Pages(unittest.TestCase):
 
 class Commands(unittest.TestCase):
     def every(self):
-        """Page, its commands up to one, and that one, of all pages."""
+        """For every command of all pages: the page, its commands up to this one, and the
+        command."""
         for path in [*SOURCE.glob("*.md"), *SOURCE.glob("docs/*.md")]:
             found = [command.text for command in pages.commands(path.read_text(encoding="utf-8"))]
             for i, command in enumerate(found):

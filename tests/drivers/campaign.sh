@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Every law on a driver, within the contract that its API makes, known defects aside: a campaign's
-# exit code. Of a driver that cannot run here 77, or a failure where RASTERCHECK_REQUIRE_BACKENDS
-# (tests/backends/drivers.h) names it.
+# Judges a driver by every law, within the contract of its API and apart from known defects; exits
+# with the campaign's code. If the driver cannot run here, exits with 77, or fails if
+# RASTERCHECK_REQUIRE_BACKENDS (tests/backends/drivers.h) names it.
 #   campaign.sh PROGRAM BACKEND CASES
 set -uo pipefail
 program=$1 backend=$2 cases=$3

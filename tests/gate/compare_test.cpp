@@ -415,8 +415,8 @@ TEST(CompareCases, AreOrderedByGrowthAndLimited) {
   EXPECT_EQ(comparison->grown_cases, 3U);
 }
 
-// Kills: listing a case first as the one that grew most, although its values may not have been
-// judged before. The same for a kind of value of a case.
+// Kills: listing a case, or a kind of values of a case, first as the one that grew most, although
+// its values may not have been judged before.
 TEST(CompareCases, WithoutAnErrorBeforeComeAfterThoseWithOne) {
   records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Holds the mutants' modules apart from the program that loads them: each exports its one function
-and expects nothing of the project from outside.
+"""Checks that the mutants' modules are separate from the program that loads them: each exports only
+its one function and needs no symbol of the project from outside.
 
 Usage: exports_test.py NM MODULES_DIR NAME…
 """
@@ -14,11 +14,11 @@ NM, MODULES, NAMES = "", pathlib.Path(), []
 
 
 def faults(listing):
-    """What is wrong with the dynamic symbols of a module, as `nm --dynamic --demangle` lists them."""
+    """The faults among a module's dynamic symbols, as listed by `nm --dynamic --demangle`."""
     found = []
     exported = set()
     for line in listing.splitlines():
-        # ADDRESS KIND NAME, the address missing where the symbol is expected from outside.
+        # ADDRESS KIND NAME; the address is missing if the symbol must come from outside.
         kind, name = line[16:].strip().split(" ", 1)
         if kind not in "Uwv":
             exported.add(name)

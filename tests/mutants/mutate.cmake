@@ -15,7 +15,7 @@ execute_process(
   WORKING_DIRECTORY ${TREE}
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT status EQUAL 0)
-  # Nothing is left that a later build could take for the result.
+  # Leaves nothing that a later build could take for the result.
   file(REMOVE_RECURSE ${TREE})
   message(FATAL_ERROR "${PATCH} does not fit the sources any more. Make it anew "
     "(docs/adding-a-mutant.md).\n${output}")

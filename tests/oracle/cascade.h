@@ -1,7 +1,7 @@
 #pragma once
 
-// What the judge's levels have to agree in (oracle/judge.h): everything except which level
-// answered, and how narrow its enclosures are.
+// Checks that the judge's levels agree (oracle/judge.h) in everything except which level answered
+// and how narrow its enclosures are.
 
 #include <array>
 #include <string>
@@ -33,9 +33,9 @@ std::string difference(const Outcome& a, const Outcome& b);
 /// Like difference(), for outcomes that must be equal to the last bit.
 std::string difference_in_bits(const Outcome& a, const Outcome& b);
 
-/// Checks all that must hold for a drawing, and returns in words what does not: the levels agree
-/// and answer each question once; threads and observers change nothing; only ordinary samples can
-/// be hidden.
+/// Checks all that must hold for a drawing, and describes the first failure: the levels agree and
+/// answer each question once; threads and observers change nothing; only ordinary samples can be
+/// hidden.
 std::string disagreement(const SceneTruth& scene, const cases::Fragments& drawn);
 
 /// Compares the verdicts of all samples, at each level, with TriangleTruth::judge, and those of the

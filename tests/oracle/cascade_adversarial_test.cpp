@@ -126,7 +126,7 @@ RC_GTEST_PROP(CascadeNearEdges, VerdictsAtAndBesideTiesAreTheReferees, ()) {
   tried.depth_clamp = true;
   tried.fill_rule = one_of({cases::TieRule::top_left, cases::TieRule::bottom_left});
   if (*rc::gen::arbitrary<bool>()) {
-    // The distance is zero at the origin, but for the offset.
+    // The distance is zero at the origin, except for the offset.
     tried.clip_distance_count = 1;
     const float slope = grid_float(1);
     for (const auto& p : tried.positions) tried.clip_distances.push_back(p.x + slope * p.y);
@@ -452,7 +452,7 @@ TEST(CascadeValues, AnErrorAtTheBoundIsWithinItAndOneBesideIsNot) {
   }
 }
 
-// 1/w vanishes at the sample, but for the offset, because w is 1/x. The triangle lies where w is
+// Except for the offset, 1/w vanishes at the sample, because w is 1/x. The triangle lies where w is
 // positive and covers the second of four samples, whose values are taken at the pixel centre.
 // Beyond the horizon even an affine value is undefined.
 TEST(CascadeValues, AreUndefinedFromTheHorizonOn) {

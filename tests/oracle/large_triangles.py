@@ -1,5 +1,5 @@
-"""Writes 16 cases into a folder, always the same: 26 large triangles each, in perspective, on 1024 × 1024
-pixels, some 110 million fragments in all (docs/oracle.md)."""
+"""Writes 16 cases into a folder, always the same ones. Each has 26 large triangles in perspective
+on 1024 × 1024 pixels; together they have some 110 million fragments (docs/oracle.md)."""
 
 import json
 import pathlib

@@ -219,8 +219,8 @@ TEST(OpenViewport, MovesValuesByNoMore) {
   EXPECT_NEAR(range->hi.nearest_double(), 4 + most, 1e-9);
 }
 
-// A triangle far smaller than the viewport's error is drawn somewhere, as a whole. Its values are
-// those of its vertices, however far the samples are from the requested position.
+// A triangle far smaller than the viewport's error is drawn somewhere, as a whole. Its values lie
+// between its vertices' values, however far the samples are from the requested position.
 TEST(OpenViewport, DoesNotTakeSmallTrianglesApart) {
   cases::Case c = small_case(cases::Rules::vulkan, 16, 16,
                              {{{0, 0, 0.5F, 1}, {0.0625F, 0, 0.5F, 1}, {0, 0.0625F, 0.5F, 1}}},

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Holds `rastercheck oracle` against the second opinion (second_opinion/rules.py).
+"""Compares `rastercheck oracle` with the second opinion (second_opinion/rules.py).
 
-For each random case (seeds S to S+N-1), each FILE and, with --vectors, each known answer, the program's
-fragments must equal those of rules.py: same samples, verdicts, reasons, rationals, ranges and nulls. Cases
-with a camera are compared twice, the second time with --clip. The last line counts what was compared; a run
-of 500 or more random cases that met no fragment, no permitted sample, no tie or no range fails, too.
+For each random case (seeds S to S+N-1), each FILE and, with --vectors, each known answer, the
+program's fragments must equal those of rules.py: same samples, verdicts, reasons, rationals, ranges
+and nulls. Cases with a camera are compared twice, the second time with --clip. The last line counts
+what was compared. A run of 500 or more random cases also fails if it met no fragment, no permitted
+sample, no tie or no range.
 
---self-check needs no program: it holds rules.py against the known answers alone.
+--self-check needs no program: it compares rules.py with the known answers alone.
 """
 
 import argparse
@@ -46,7 +47,7 @@ class Tally:
 
 
 def ask(binary, case, clip):
-    """The program's answer: (fragments, None), or (None, what went wrong)."""
+    """The program's answer as (fragments, None), or (None, message)."""
     command = [binary, "oracle", "--json"] + (["--clip"] if clip else []) + ["-"]
     try:
         done = subprocess.run(command, input=json.dumps(case), capture_output=True, text=True,
@@ -105,7 +106,7 @@ def vector_files(folder):
 
 
 def self_check(folder):
-    """rules.py against the known answers."""
+    """Compares rules.py with the known answers."""
     files = vector_files(folder)
     tally = Tally()
     for path in files:

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Looks at the Debian packages that `cpack -G DEB` makes, and uses them on a Debian of this machine's release with
-nothing else on it.
+"""Checks the Debian packages that `cpack -G DEB` makes, and uses them on a Debian of this machine's
+release with nothing else on it.
 
 Usage: packaging_test.py SOURCE_DIR BUILD_DIR PACKAGES CLASS
-PACKAGES is the folder they are in. Exit code 77: this machine lacks what the test needs, and the last line says
-what. The Debian is made in the build folder from the sources that apt has here, and gone with the test.
+
+PACKAGES is the packages' folder. Exit code 77: this machine lacks something that the test needs;
+the last line names it. Makes the Debian in the build folder from this machine's apt sources, and
+removes it at the end.
 """
 
 import json
@@ -22,11 +24,12 @@ SOURCE, BUILD, PACKAGES = pathlib.Path(), pathlib.Path(), pathlib.Path()
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 RELEASE = platform.freedesktop_os_release().get("VERSION_CODENAME", "")
-# What of apt's configuration says how to get at the sources.
+# The settings of apt that are needed to reach the sources.
 REACHING = re.compile(r"^Acquire::(Check-|Languages|Retries|https?::)")
 
-# What is done there, as root; its output is what the test looks at. Programs run as somebody else, whose
-# environment is that of a login: first the one package alone, then what a C++ user does with both.
+# The script that runs there as root; the test checks its output. Programs run as another user with
+# the environment of a login: first with the package rastercheck alone, then as a C++ user works
+# with both packages.
 ON_DEBIAN = """
 set -e
 apt-get install -y -q --no-install-recommends /packages/rastercheck_*.deb
@@ -43,7 +46,7 @@ echo "The tests ended with $?."
 
 
 def output(*command, **options):
-    """What a command prints, which is the failure where it fails."""
+    """The output of a command, which is also the message if the command fails."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, check=False, **options)
     if done.returncode != 0:
@@ -52,7 +55,7 @@ def output(*command, **options):
 
 
 def package(name):
-    """The one file of a package."""
+    """The only file of a package."""
     found = list(PACKAGES.glob(f"{name}_*.deb"))
     assert len(found) == 1, found
     return found[0]
@@ -70,7 +73,8 @@ def files(name):
 
 
 def dependencies(text):
-    """Debian 13 has libraries of programs that know times after 2038 under names that end with t64."""
+    """The packages that a list of dependencies names, without the suffix t64, which Debian 13 gives
+    to libraries with 64-bit times."""
     return {entry.split()[0].removesuffix("t64") for entry in text.split(", ")}
 
 
@@ -89,12 +93,13 @@ def sources_here():
 
 
 def ways_to_reach(dump):
-    """The options of an apt-config dump that say how to get at the sources; empty ones of lists aside."""
+    """The options of an apt-config dump that are needed to reach the sources, without empty
+    ones."""
     return [line for line in dump.splitlines() if REACHING.match(line) and not line.endswith(' "";')]
 
 
 def lacking():
-    """Why there can be no clean Debian here; None where there can."""
+    """The reason why no clean Debian can be made here; None if one can."""
     if not shutil.which("mmdebstrap"):
         return "there is no mmdebstrap"
     inside = [] if os.geteuid() == 0 else ["--map-auto", "--map-root-user"]
@@ -151,7 +156,7 @@ class Contents(unittest.TestCase):
         self.assertEqual(set(held) & set(files("rastercheck")), set())
         needed = field("rastercheck-dev", "Depends")
         self.assertIn(f"rastercheck (= {field('rastercheck', 'Version')})", needed)
-        # Each package of a library that find_package(RasterCheck) looks for.
+        # The packages of all libraries that find_package(RasterCheck) looks for.
         self.assertEqual(dependencies(needed) - {"rastercheck"}, {
             "libexpected-dev", "libfmt-dev", "libglm-dev", "libgmp-dev", "libgtest-dev", "libhwy-dev",
             "libmpfr-dev", "librapidcheck-dev", "libseccomp-dev", "libtbb-dev", "nlohmann-json3-dev"})
@@ -192,7 +197,7 @@ class OnCleanDebian(unittest.TestCase):
         self.assertIn("[  PASSED  ] 1 test.", log)
         self.assertIn("coverage-obeys-the-contract", log)
         self.assertIn("method:rational-linear", log)
-        # The whole corpus was checked, which is the package's: there is no source tree.
+        # The run checked the whole corpus of the package: no source tree exists there.
         run = json.loads((folder / "run.json").read_text(encoding="utf-8"))
         checked = [record["cases"]["checked"] for record in run["records"]
                    if record["law"] == "coverage-obeys-the-contract" and record["stratum"] == "corpus"]
@@ -200,7 +205,7 @@ class OnCleanDebian(unittest.TestCase):
 
 
 class Checks(unittest.TestCase):
-    """The parts of this file that decide whether the test above runs."""
+    """Tests the functions of this file that decide whether the test above runs."""
 
     def test_take_debian_and_nothing_else(self):
         self.assertEqual(sources("http://a/debian/|bookworm|main\nhttp://b/|nodistro|main\n"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Has the plugins of docs/examples/plugin judged, as a stranger would: from the command line.
+"""Judges the plugins of docs/examples/plugin as a user would: from the command line.
 
 Usage: plugins_test.py SOURCE_DIR RASTERCHECK CMAKE C_COMPILER CXX_COMPILER PATCH CASES CLASS
 
-CASES is how many random cases of each law a campaign on a right plugin has.
+CASES is the number of random cases of each law in a campaign on a correct plugin.
 """
 
 import json
@@ -21,11 +21,11 @@ SOURCE, RASTERCHECK, CMAKE, CC, CXX, PATCH, CASES = pathlib.Path(), "", "", "", 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 COVERAGE, VALUES = "coverage-obeys-the-contract", "values-stay-within-the-bound"
 VERTEX_ORDER = "vertex-order-changes-nothing-beyond-the-bound"
-# What matches just those three laws.
+# A pattern that matches exactly these three laws.
 THREE_LAWS = "[cv]*-the-[bc]o*"
 RANDOM_CASES = 5
 
-# The fault, the class of the counterexamples (None: it cannot be had at all), and what is said.
+# The fault, the class of its counterexamples (None: the plugin cannot be loaded), and the message.
 FAULTS = [
     ("crash", "crash", "its process was killed by signal Segmentation fault while drawing; its last output: "
                        "the plugin touched address 0x0, which is in none of its arrays"),
@@ -54,13 +54,14 @@ FAULTS = [
     ("null_plugin", None, "rastercheck_plugin_get() returned a null pointer"),
     ("no_function", None, "does not export the function rastercheck_plugin_get()"),
 ]
-# Those that go wrong in some draws only, or only by the values.
+# Plugins that draw narrow triangles correctly, and plugins that only draw wrong values.
 WITHOUT_FAULT_WHERE_NARROW = {"before_the_beginning", "crash", "forks", "hang", "says_and_aborts", "writes_input", "out_of_memory", "nan", "fails"}
 ONLY_VALUES = {"nan"}
 
 
 def case(corners):
-    """A case of one triangle at NDC corners in 8×8 pixels, snapping asked for, r = window x."""
+    """A case of one triangle with these NDC corners in 8×8 pixels, with snapped coverage and r =
+    window x."""
     return {"format": "rastercheck-case", "version": 1, "name": "a triangle",
             "framebuffer": {"width": 8, "height": 8}, "viewport": {"x": 0, "y": 0, "width": 8, "height": 8},
             "rules": "vulkan", "coverage": {"subpixel_bits": 8}, "basis": "snapped",
@@ -94,13 +95,13 @@ class PluginTest(unittest.TestCase):
                               text=True, check=False)
 
     def rastercheck(self, code, *arguments):
-        """What it prints, both streams of it; exit code `code` is expected."""
+        """The program's output on both streams; checks that its exit code is `code`."""
         done = self.run_command(RASTERCHECK, *arguments)
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done.stdout + done.stderr
 
     def build(self, source, name):
-        """A plugin's specification."""
+        """Builds a plugin and returns its specification."""
         is_c = source.suffix == ".c"
         done = self.run_command(CC if is_c else CXX, "-std=c11" if is_c else "-std=c++20", "-O2", *WARNINGS,
                                 "-fPIC", "-shared", "-I", self.folder / "include", source,
@@ -132,11 +133,12 @@ class Little(PluginTest):
         self.assertNotIn("Not reached", table)
         held = re.findall(r" held$", table, re.MULTILINE)
         self.assertGreater(len(held), 25, table)
-        # It lacks a part of what is asked for, and no more than that.
+        # The plugin lacks some requested features, but no more than that.
         checked = self.rows("rastercheck-out")[COVERAGE, plugin]
         self.assertGreater(checked["checked"], checked["not_applicable"])
 
-        # By hand: the pixels whose centre lies above the diagonal; a value is where its pixel is.
+        # Calculated by hand: the pixels whose centre lies above the diagonal, with r = x of the
+        # centre.
         file = self.folder / "corpus/wide.json"
         drawn = json.loads(self.rastercheck(0, "render", file, "--backend", plugin, "--json"))
         self.assertEqual([(f["triangle"], f["x"], f["y"], f["sample"], float.fromhex(f["depth"]),
@@ -166,13 +168,14 @@ class Little(PluginTest):
         far_file = self.write("far.json", json.dumps(case([(-1, -1), (65536, -1), (-1, 1)])))
         self.assertIn("draw() reported unsupported: a vertex beyond the guard band",
                       self.rastercheck(2, "render", far_file, "--backend", plugin))
-        # Laws that change the vertices have something to say of the first case.
+        # Exit code 0: laws that change the vertices do apply to the first case.
         for code, file in ((0, behind_file), (5, far_file)):
             self.assertIn(f"{COVERAGE}, {plugin}: not applicable",
                           self.rastercheck(code, "replay", file, "--backend", plugin))
 
 
-# What none of today's contracts can say: that both triangles draw a sample on their common edge.
+# Laws that a plugin violates because no contract can state its rule: that both triangles draw a
+# sample on their common edge.
 VIOLATED = {"inclusive_edges": {"a-shared-edge-covers-each-sample-once",
                                 "a-triangulation-of-the-screen-covers-each-sample-once"}}
 
@@ -193,7 +196,7 @@ class Typical(PluginTest):
                          "--output", source.stem, "--shrink-tries", 20)
         rows = self.rows(source.stem)
         self.assertEqual({law for (law, _), row in rows.items() if row["violations"] > 0}, expected)
-        # Cases fit it: of most laws that say something of it, most random cases are judged.
+        # Cases are fitted to the plugin: for most laws that apply, most random cases are judged.
         judged = [row for row in rows.values() if row["checked"] > 0]
         self.assertGreater(len(judged), 20)
         self.assertGreaterEqual(rows[COVERAGE, plugin]["checked"], 0.6 * cases)
@@ -213,7 +216,8 @@ class Faulty(PluginTest):
             "--output", name)
 
     def timeout(self, name):
-        """Short where it is waited for, so that a busy machine is no fault of the others."""
+        """Options with a short time-out for the plugin that hangs; the others keep the default, so
+        that they do not fail on a busy machine."""
         return ["--timeout", 0.2] if name == "hang" else []
 
     def test_every_fault_is_found_and_the_campaign_goes_on(self):
@@ -231,15 +235,15 @@ class Faulty(PluginTest):
                     self.assertEqual(mine["checked"] + mine["not_applicable"], 2 + RANDOM_CASES)
                     self.assertEqual((ours["checked"], ours["violations"]), (2 + RANDOM_CASES, 0))
                     self.assertGreaterEqual(mine["violations"], 1 if law in laws else 0)
-                # One fault is one cause, or two.
+                # A single fault gives one cause, or two.
                 run = json.loads((self.folder / name / "run.json").read_text(encoding="utf-8"))
                 self.assertIn(len(run["causes"]), (1, 2))
-                if name == "wrong_contract":  # shows in coverage, depth and values, and is one all the same
+                if name == "wrong_contract":  # one cause for coverage, depth and values
                     self.assertEqual(run["causes"][0]["hint"]["change"],
                                      "positions are snapped to 1/256 pixel")
                 found = self.counterexamples(name)
                 self.assertIn((verdict, plugin), [(one["verdict"], one["backend"]) for one in found.values()])
-                # What is found is found again, by the file alone.
+                # A counterexample's file alone suffices to find the fault again.
                 for file, one in found.items():
                     if one["verdict"] == verdict:
                         again = self.rastercheck(1, "replay", file, *self.timeout(name))
@@ -306,10 +310,10 @@ class Mutants(PluginTest):
                 self.assertIn("; shrunk in ", said)
                 for file in found:
                     c = json.loads(file.read_text(encoding="utf-8"))
-                    # Few are left; a condition that has to stay may take one more.
+                    # Few triangles are left; a condition that must stay may need one more.
                     self.assertLessEqual(len(c["triangles"]), 4)
                     self.assertIn("(as found)", self.rastercheck(1, "replay", file))
-                    # The rasterizer that was not damaged has no such fault.
+                    # The undamaged rasterizer does not have the fault.
                     self.assertIn(": held", self.rastercheck(0, "replay", file, "--backend", self.whole()))
         self.assertGreaterEqual(len(stages), 8)
 

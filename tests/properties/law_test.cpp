@@ -35,7 +35,8 @@ Case kept_square() {
   return c;
 }
 
-// Each law has labels that its cases must reach; otherwise nobody would notice that they do not.
+// Each law has labels that its cases must reach; without labels, nobody would notice cases that
+// test nothing.
 TEST(Laws, AreKnownByTheirIds) {
   std::vector<std::string_view> ids;
   for (const Law& law : laws()) {

@@ -1,7 +1,8 @@
-// Checks every law on every kind of `cpu`, and the laws about things that `cpu` does not promise on
-// a backend that does. Each law is one test, on the cases that a campaign with the same seed
-// checks. As in RapidCheck's own tests, the environment variable RC_PARAMS sets the number of cases
-// and the seed. Each textbook method is checked by all its laws on some of these cases.
+// Checks every law on every variant of `cpu`. Laws about things that `cpu` does not promise are
+// checked on a backend that promises them. Each law is one test, on the cases that a campaign with
+// the same seed checks. As in RapidCheck's own tests, the environment variable RC_PARAMS sets the
+// number of cases and the seed. Each textbook method is checked by all its laws on some of these
+// cases.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/detail/Configuration.h>

@@ -193,8 +193,8 @@ TEST_P(Sampling, NearestTexelsWhenMirrored) {
                  {-1e30, 0},  {1e9 + 1.25, 5}, {-0x1p-1074, 0}, {kInfinity, 0}, {kNaN, 0}});
 }
 
-// Kills: exact arithmetic that is not asked, or that is asked for helpers or where double decides;
-// a call with another lane, attribute or size; an answer that is wrapped in float32.
+// Kills: not asking exact arithmetic, or asking it for helpers or where double decides; a call with
+// another lane, attribute or size; an answer that is wrapped in float32.
 TEST_P(Sampling, DoubtsAreDecidedByExactArithmetic) {
   const OnTarget on_target(GetParam());
   const Texture texture = numbered_texture(8, 3);
@@ -228,7 +228,7 @@ TEST_P(Sampling, DoubtsAreDecidedByExactArithmetic) {
   EXPECT_EQ(number_at(out, 127), 8 + 3);
 }
 
-// Kills: exact arithmetic that is asked for every lane at the edges of a clamped texture.
+// Kills: asking exact arithmetic for every lane at the edges of a clamped texture.
 TEST_P(Sampling, WhereBothSidesAreTheSameTexelThereIsNoDoubt) {
   const OnTarget on_target(GetParam());
   const Texture texture = numbered_texture(8, 1);

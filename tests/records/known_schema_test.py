@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Holds the reader of lists of known defects and cases/schema/known.schema.json together.
+"""Checks that the reader of known-defect lists and cases/schema/known.schema.json agree.
 
     known_schema_test.py RASTERCHECK_BINARY SCHEMA LISTS_DIR
 
-The schema is valid, closed and described; both accept every LISTS_DIR/*/known.json; and of one list
-with every key, changed in one step, both come to the same verdict, but for what compares two places.
-The reader is asked through `rastercheck list known`. Needs python3-jsonschema.
+The schema must be valid, close every object and describe every key. Both must accept every
+LISTS_DIR/*/known.json, and give the same verdict on every one-step change of a list with every key,
+except for rules that compare two places. Asks the reader through `rastercheck list known`. Needs
+python3-jsonschema.
 """
 
 import concurrent.futures
@@ -82,7 +83,7 @@ WAIVERS = {
 
 
 def accepts(binary, document):
-    """Whether the program reads the list; ValueError if it says neither."""
+    """True if the program accepts the list, False if it refuses; ValueError if neither."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "known.json"
         file.write_text(json.dumps(document), encoding="utf-8")
@@ -101,13 +102,13 @@ def accepts(binary, document):
 
 
 def reader_only(document):
-    """Whether only the reader can refuse it: two places are compared."""
+    """True if only the reader can refuse the list, because the rule compares two places."""
     ids = [entry["id"] for entry in document["entries"]]
     return len(set(ids)) < len(ids)
 
 
 def check_mutations(binary, validator, pool):
-    """Failures among the mutations, and how many there are."""
+    """Failures among the mutations, and the number of mutations."""
     jobs = [("unchanged", FULL_LIST), *mutations(FULL_LIST)]
     jobs += [("unchanged waivers", WAIVERS), *mutations(WAIVERS)]
 

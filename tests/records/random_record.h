@@ -88,7 +88,8 @@ inline LevelCounts random_levels() {
   return levels;
 }
 
-/// Any sum that so many terms may have, of either sign and of all sizes.
+/// A random sum of a random number of terms, of either sign and of any size that so many terms can
+/// reach.
 inline SignedSum random_sum() {
   const auto count =
       *rc::gen::inRange<std::uint64_t>(0, SignedSum::kMostTerms) >> *rc::gen::inRange(0, 55);

@@ -92,7 +92,7 @@ TEST(ChangeOf, PutsWhatHasNoSizeFirst) {
             (SpecimenChange{1, 3, 0, std::numeric_limits<double>::infinity()}));
 }
 
-// −0 and +0 are at no distance, and yet they are different values.
+// The distance of −0 and +0 is 0, and yet they are different values.
 TEST(ChangeOf, SeesTheSignOfZero) {
   Specimen before = small();
   set(before, 0, 0);

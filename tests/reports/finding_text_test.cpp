@@ -99,7 +99,7 @@ TEST(FindingText, NamesWhatIsNoNumber) {
   v.fragment_class = FragmentClass::wrong_sign_of_zero;
   EXPECT_EQ(finding_fault(v, simple_case()),
             "attribute 'u' was drawn as the zero of the other sign");
-  // A law that compares with another drawing may expect what is no number.
+  // A law that compares with another drawing may expect NaN.
   EXPECT_EQ(finding_fault(wrong_value("nan", "1 (0x1p+0)"), simple_case()),
             "attribute 'u' was drawn as 1 and must be nan");
 }

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Holds the readers of baselines and policies and their schemas together.
+"""Checks that the readers of baselines and policies agree with their schemas.
 
     gate_schema_test.py RASTERCHECK_BINARY BASELINE_SCHEMA POLICY_SCHEMA
 
-The schemas are valid, close every object and describe every key; of a file of each kind with every
-key, changed in one step, schema and reader both come to the same verdict, but for what compares two
-places. The readers are asked through `rastercheck compare`. Needs python3-jsonschema.
+The schemas must be valid, close every object and describe every key. Schema and reader must give
+the same verdict on every one-step change of a file of each kind with every key, except for rules
+that compare two places. Asks the readers through `rastercheck compare`. Needs
+python3-jsonschema.
 """
 
 import concurrent.futures
@@ -96,7 +97,7 @@ BASELINE = {
 
 
 def with_all_names():
-    """The baseline with each kind, stratum and stage: all of them, which is not changed further."""
+    """The baseline with every kind, stratum and stage; used unchanged, without mutations."""
     document = copy.deepcopy(BASELINE)
     section = document["sections"][0]
     section["entries"][0]["stages"] = {name: SUM for name in STAGES}
@@ -159,7 +160,7 @@ def law_is_missing(document):
 
 
 def specimen_has_other_rows(document):
-    """Whether rows are not as many, or not as long, as the specimen says."""
+    """True if the number or the length of the rows differs from what the specimen says."""
 
     def is_other(one):
         words = one["attributes"] + 1
@@ -203,7 +204,7 @@ def is_out_of_order(document):
 
 
 def reader_only(document):
-    """Whether only the reader can refuse what the schema accepts: two places are compared."""
+    """True if only the reader can refuse the file, because the rule compares two places."""
     return "sections" in document and (
         sections_repeat(document)
         or law_is_missing(document)
@@ -213,7 +214,7 @@ def reader_only(document):
 
 
 def is_read(binary, document, empty):
-    """Whether the program reads the file; ValueError if it says neither."""
+    """True if the program accepts the file, False if it refuses; ValueError if neither."""
     is_policy = document is not None and isinstance(document, dict) and "allow" in document
     arguments = ["--policy", "-", empty, empty] if is_policy else ["-", empty]
     done = subprocess.run(
@@ -232,7 +233,7 @@ def is_read(binary, document, empty):
 
 
 def check(binary, validator, base, key, empty, pool):
-    # Without these keys a file is of neither kind, and nothing asks for its reader.
+    # Without these keys a file is of neither kind, so no reader is asked.
     def is_of_kind(document):
         if not isinstance(document, dict) or key not in document:
             return False

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Holds the reader of run.json and reports/schema/run.schema.json together.
+"""Checks that the reader of run.json and reports/schema/run.schema.json agree.
 
     run_schema_test.py RASTERCHECK_BINARY SCHEMA RUN_JSON
 
-The schema is valid, closes every object and describes every key. RUN_JSON, a run with every key but
-those that are added here, is accepted by both, and so is what the program itself writes. Of every
-object in it one key is left out, one that there is not is put in, and each value is replaced by one
-of another type: the schema refuses just what the reader refuses. Numbers that only the reader can
-judge, as they are compared with others, are left alone. The reader is asked through
+The schema must be valid, close every object and describe every key. Both must accept RUN_JSON, a
+run with every key except those added here, and a run that the program itself writes. In every
+object of RUN_JSON, each key is left out, an unknown key is added, and each value is replaced by one
+of another type: the schema must refuse exactly what the reader refuses. Leaves alone numbers that
+only the reader can judge, because it compares them with others. Asks the reader through
 `rastercheck report DIR`. Needs python3-jsonschema.
 """
 
@@ -26,23 +26,23 @@ import jsonschema
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cases"))
 from schema_test import TIMEOUT_SECONDS, at, check_schema, places, run_all  # noqa: E402
 
-# Of another type than any value there is, in turn.
+# Values to try in turn until one has another type than the replaced value.
 REPLACEMENTS = (None, "\u2026", [[]], {"": []})
-# Elements of an array that are looked at: others are of the same form.
+# The number of an array's elements that are tried: the others have the same form.
 SHOWN_ELEMENTS = 2
 
 
 def validator_of(schema_file, schema):
-    """Follows references to the schemas of cases and of lists of known defects."""
+    """A validator that follows references to the schemas of cases and of known-defect lists."""
     with warnings.catch_warnings():
-        # Debian 12 has no other way yet, and later versions of jsonschema warn of this one.
+        # Debian 12 has no other way yet, but later versions of jsonschema warn about this one.
         warnings.simplefilter("ignore", DeprecationWarning)
         resolver = jsonschema.RefResolver(schema_file.resolve().as_uri(), schema)
         return jsonschema.Draft202012Validator(schema, resolver=resolver)
 
 
 def accepts(binary, document):
-    """Whether the program reads the run; ValueError if it says neither."""
+    """True if the program accepts the run, False if it refuses; ValueError if neither."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "run.json"
         file.write_text(json.dumps(document), encoding="utf-8")
@@ -50,7 +50,8 @@ def accepts(binary, document):
             [binary, "report", folder, "--format", "cases", "--quiet"],
             capture_output=True, timeout=TIMEOUT_SECONDS, check=False)
     said = done.stderr.decode("utf-8", errors="replace")
-    # Of a run without cases there is no such file, which is asked for once it is read.
+    # A run without cases cannot give the requested file; the program says so only after it has read
+    # the run.
     if done.returncode == 0 or "the run kept no cases" in said:
         return True
     if done.returncode != 2 or not said.startswith(f"rastercheck: {file}: /"):
@@ -59,7 +60,7 @@ def accepts(binary, document):
 
 
 def shortened(value):
-    """The document with few elements in each array: of forms, not of sizes."""
+    """The document with only a few elements in each array: this test is about forms, not sizes."""
     if isinstance(value, dict):
         return {key: shortened(child) for key, child in value.items()}
     if isinstance(value, list):
@@ -68,7 +69,7 @@ def shortened(value):
 
 
 def is_case(path):
-    """Whether a place is in a case file or a list of known defects, which have tests of their own."""
+    """True if a place is in a case file or a known-defect list, which have tests of their own."""
     return any(key in ("case", "terms", "list", "saved") and path[:1] != ("records",) for key in path)
 
 
@@ -94,14 +95,14 @@ def mutations(base):
             yield f"{pointer} with an unknown key", changed
             for key in value:
                 if key == "shard":
-                    continue  # in two places, of which each needs the other
+                    continue  # stands in two places, each of which needs the other
                 changed = copy.deepcopy(base)
                 del at(changed, path)[key]
                 yield f"{pointer} without {key}", changed
 
 
 def complete(document):
-    """The same with the keys that it lacks."""
+    """The document with the keys that it lacks."""
     document["plan"] |= {
         "contract": {"file": "mine.json", "terms": {"format": "rastercheck-contract", "version": 1}},
         "capabilities": {"cpu": {
@@ -132,7 +133,7 @@ def complete(document):
 
 
 def written(binary):
-    """What the program writes of a small run."""
+    """The run.json that the program writes for a small run."""
     with tempfile.TemporaryDirectory() as folder:
         command = [binary, "run", "--seed", "1", "--cases", "3", "--keep-cases", "--quiet",
                    "--backend", "method:screen-linear", "--output", folder]
@@ -163,7 +164,7 @@ def main(arguments):
         is_read = accepts(binary, document)
         return None if is_valid == is_read else f"schema: {is_valid}, reader: {is_read}"
 
-    # Validators that follow references know where they are, and so are no business of threads.
+    # Validators that follow references keep their place as state, so threads must not share them.
     jobs = [(what, (document, validator.is_valid(document)))
             for what, document in (("unchanged", base), *mutations(base))]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

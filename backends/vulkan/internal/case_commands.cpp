@@ -16,7 +16,7 @@ void append_vertex(const cases::Case& c, Pass pass, const VertexLayout& layout, 
   const std::span<float> all = std::span(floats).subspan(begin);
   const cases::ClipVertex& p = c.positions[vertex];
   std::ranges::copy(std::array{p.x, p.y, p.z, p.w, static_cast<float>(number)}, all.begin());
-  // 1 keeps clip distances that the case lacks from clipping.
+  // Clip distances that the case lacks are 1, so that they clip nothing.
   std::ranges::fill(all.subspan(layout.clip_distances, layout.slots - layout.clip_distances), 1.0F);
   std::ranges::copy(c.clip_distances_of(vertex), all.subspan(layout.clip_distances).begin());
   const std::span<const float> values = c.attributes_of(vertex);
@@ -32,7 +32,7 @@ VkViewport viewport_of(const cases::Viewport& v) {
   return {v.x, v.y, v.width, v.height, v.min_depth, v.max_depth};
 }
 
-/// Clips the scissor rectangle to the framebuffer, as Vulkan allows no negative coordinates.
+/// Clips the scissor rectangle to the framebuffer, because Vulkan allows no negative coordinates.
 VkRect2D scissor_of(const cases::Case& c) {
   const int width = c.framebuffer.width;
   const int height = c.framebuffer.height;

@@ -378,8 +378,8 @@ Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, boo
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
-/// True if fragments are appended when the caller gives no way: only if layers, which are read back
-/// whole, would take more than one batch.
+/// True if fragments are appended when the caller names no way of drawing. That is the case only if
+/// layers, which are read back whole, would take more than one batch.
 bool CaseDrawing::Impl::appends(const cases::Case& c) const {
   if (!device->limits().fragment_stores || !lacks_of_appending(c).empty()) return false;
   const TargetShape one{c.framebuffer.width, c.framebuffer.height, 1,

@@ -82,7 +82,7 @@ void FragmentBuffer::show_host(VkCommandBuffer commands) {
 }
 
 std::span<const std::uint32_t> FragmentBuffer::all_words() const {
-  // The cast is safe, as memory is mapped at an address aligned for any type.
+  // The cast is safe, because memory is mapped at an address aligned for any type.
   return {reinterpret_cast<const std::uint32_t*>(buffer_.bytes.data()),
           buffer_.bytes.size() / kWord};
 }

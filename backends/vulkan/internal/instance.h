@@ -18,7 +18,8 @@ struct InstanceOptions {
 
 class Instance {
  public:
-  /// Fails with Failure::unavailable if the loader finds no driver, or not the validation layer.
+  /// Fails with Failure::unavailable if the loader finds no driver, or lacks the requested
+  /// validation layer.
   static Result<Instance> create(const InstanceOptions& options);
 
   Instance(Instance&& other) noexcept;

@@ -1,13 +1,13 @@
-// Appends a record of each fragment to a buffer (backends/appended_drawing.h) and writes nothing
-// else: with colours written as well, lavapipe loses records. SLOTS vectors are interpolated,
-// qualified as in case.frag.
+// Appends a record of each fragment to a buffer (backends/appended_drawing.h). Writes nothing else,
+// because lavapipe loses records if colours are written as well. SLOTS vectors are interpolated,
+// with qualifiers as in case.frag.
 #version 450
 layout(location = 7) flat in float number;
 layout(set = 0, binding = 0) buffer Records {
-  uint count;  // of fragments, also of those without a record
+  uint count;  // number of fragments, including those without a record
   uint words[];
 };
-layout(push_constant) uniform Room { uint room; };  // records
+layout(push_constant) uniform Room { uint room; };  // number of records that fit
 #if SLOTS > 0
 layout(location = 0) noperspective sample in vec4 slot_0;
 #endif

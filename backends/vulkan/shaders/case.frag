@@ -1,8 +1,8 @@
-// Writes SLOTS interpolated vectors and the number of the triangle. The slots are qualified in the
-// way that leaves a word for every qualifier; qualified() (spirv.h) puts in those of a case. With
-// CENTERS slots may be asked for their value at the centre of the pixel, which of several samples
-// is the one way to have it: an input without `centroid` and `sample` may be interpolated anywhere
-// in the pixel (the Vulkan specification, Interpolation Decorations).
+// Writes SLOTS interpolated vectors and the number of the triangle. The slots' qualifiers here are
+// placeholders; qualified() (spirv.h) replaces them by those of a case. With CENTERS, a slot can be
+// evaluated explicitly at the pixel's centre. With several samples there is no other way: an input
+// without `centroid` and `sample` may be interpolated anywhere in the pixel (the Vulkan
+// specification, Interpolation Decorations).
 #version 450
 layout(location = 7) flat in float number;
 layout(location = 0) out float number_out;

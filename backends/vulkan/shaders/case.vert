@@ -1,5 +1,5 @@
-// Hands everything through, CLIP_DISTANCES too. Slots that a case does not have read something that
-// nobody looks at.
+// Passes everything through, including CLIP_DISTANCES clip distances. Slots that a case does not
+// have get arbitrary values, which are never used.
 #version 450
 layout(location = 0) in vec4 position;
 layout(location = 1) in float number_in;

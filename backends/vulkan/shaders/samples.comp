@@ -1,4 +1,4 @@
-// Copies every sample of an image of several to a buffer, to the bit: [layer][y][x][sample].
+// Copies every sample of a multisampled image to a buffer, bit for bit: [layer][y][x][sample].
 #version 450
 #extension GL_EXT_samplerless_texture_functions : require
 layout(local_size_x = 64) in;

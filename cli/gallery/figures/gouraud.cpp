@@ -1,4 +1,4 @@
-// MIT 6.837 2000, lecture 18, slides 16 and 17: Gouraud shading is linear on the screen. That is
+// MIT 6.837 2000, lecture 18, slides 16 and 17: Gouraud shading is linear on the screen. This is
 // wrong, but seldom visible except where triangles meet in a "T".
 
 #include <array>

@@ -76,8 +76,7 @@ bool tells_faults_apart(std::string_view id) {
   return leaves_geometry(id) || std::find(kIds.begin(), kIds.end(), id) != kIds.end();
 }
 
-/// Minimum number of laws that must agree: so many are unlikely to need the same feature by
-/// accident.
+/// Minimum number of laws that must agree: two are unlikely to need the same feature by accident.
 constexpr std::size_t kFewestLaws = 2;
 
 /// A split into two sets, each of which needs a feature that the other does without.
@@ -97,8 +96,8 @@ Members needing_only(const Members& members, std::string_view need, std::string_
 }
 
 /// True if the member fails without this feature: its case still failed after the removal, or
-/// certainly lacks the feature. The latter is known of features that can always be removed if
-/// present.
+/// certainly lacks the feature. A case certainly lacks a feature if the feature was not removed,
+/// although it can always be removed where present.
 bool does_without(const CauseMember& member, std::string_view id) {
   if (member.indifferent.contains(id)) return true;
   const bool is_told = leaves_geometry(id) || id == "snapping" || id == "samples";

@@ -9,9 +9,9 @@
 namespace rastercheck::properties {
 
 /// Returns true if a violation of `clip`, a case without a camera, meets all conditions. Measures
-/// use doubles, as they are only compared with a list's thresholds and decide no verdict. If the
-/// violation has no place, or names a triangle that the case lacks, one triangle of the case must
-/// meet all conditions on triangles.
+/// are computed in double, because they are only compared with a list's thresholds and decide no
+/// verdict. If the violation has no place, or names a triangle that the case lacks, one triangle of
+/// the case must meet all conditions on triangles.
 bool meets(const records::KnownConditions& when, const cases::Case& clip,
            const records::Violation& violation);
 

@@ -19,8 +19,8 @@ using Distances = std::array<float, 3>;  ///< one per corner; used if the case h
 void add_with_distances(Draw& draw, cases::Case& c, const Corners& corners,
                         const Distances& distances);
 
-/// Gives all corners about the same z/w, so that no depth plane cuts the triangle unless D is close
-/// to 0.
+/// Gives all corners about the same z/w, so that no depth plane cuts the triangle unless its
+/// determinant is close to 0.
 void set_level_depths(Draw& draw, const cases::Case& c, Corners& corners);
 
 /// Gives all corners the same z/w; exact if w has at most 23 bits.

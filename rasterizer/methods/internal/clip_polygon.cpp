@@ -81,7 +81,7 @@ class ClipPlane {
       if (d_a > 0) append(result, settled(a, b, d_a, d_b));
       result.vertices[result.size - 1].closed = closed_;
     } else if (d_b > 0) {
-      // Entering: the rest of the old edge. (Where d_b = 0 that is b alone, which comes by itself.)
+      // Entering: the rest of the old edge. (If d_b = 0 that is only b, which the next edge adds.)
       ClipVertex p = settled(b, a, d_b, d_a);
       p.closed = a.closed;
       append(result, p);

@@ -5,10 +5,10 @@
 //
 // Conventions. u points right and v along window y, in pixels; whether v is displayed upwards or
 // downwards does not matter here. An edge is a left edge if the inside is to its right (its inward
-// normal has a positive u). Row v meets an edge if v_low <= v < v_high or, if the fill rule
-// includes horizontal edges of greatest v instead of least v, if v_low < v <= v_high. A span
-// includes its left end and excludes its right end, unless the edge there is closed. So a sample on
-// an edge between two polygons belongs to exactly one of them.
+// normal has a positive u). Row v meets an edge if v_low <= v < v_high. A fill rule may include
+// horizontal edges of greatest v instead of least v; then row v meets an edge if v_low < v <=
+// v_high. A span includes its left end and excludes its right end, unless the edge there is closed.
+// So a sample on an edge between two polygons belongs to exactly one of them.
 //
 // Crossings are computed from the ends in order of v, so two polygons that share an edge get
 // identical bits:

@@ -19,7 +19,7 @@
 #include "tests/bench/gl/target.h"
 #include "tests/bench/gl/texture.h"
 
-// Mesa's threads end while LeakSanitizer inspects them, and its tracer then crashes now and then.
+// LeakSanitizer's tracer sometimes crashes, because Mesa's threads end while it inspects them.
 extern "C" int __lsan_is_turned_off() { return 1; }
 
 namespace rastercheck::backends::gl::bench::gl_test {

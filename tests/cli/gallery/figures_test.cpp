@@ -107,8 +107,8 @@ double u_in_the_middle(std::string_view method, double roll) {
   return sum / 4;
 }
 
-// Kills: a strip whose frames are one picture, turned; a linear quad drawn as two triangles, which
-// a roll only turns.
+// Kills: a strip whose frames are one picture, turned; a linear quad drawn as two triangles, whose
+// picture a roll merely turns.
 TEST(CameraRoll, ChangesTheLinearQuadAndNoOther) {
   double least = 1;
   double most = 0;

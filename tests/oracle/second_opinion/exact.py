@@ -87,6 +87,6 @@ def in_convex_hull(p, points):
 
 
 def hull_of(ranges):
-    """The smallest range containing all of `ranges`; None where there is none."""
+    """The smallest range containing all of `ranges`; None if `ranges` is empty."""
     ranges = list(ranges)
     return (min(r[0] for r in ranges), max(r[1] for r in ranges)) if ranges else None

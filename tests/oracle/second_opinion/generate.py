@@ -39,7 +39,8 @@ def written(rng, x):
 
 
 class Draft:
-    """What a family fills in: clip positions as floats, triangles, and wishes for the state."""
+    """The part of a case that a family fills in: clip positions as floats, triangles, and requests
+    for the state."""
 
     def __init__(self, rng):
         self.rng = rng
@@ -157,7 +158,8 @@ def sample_offset(d):
 
 
 def on_grid(d):
-    """Vertices on the sample grid; edges along its rows, columns and diagonals, or anyhow."""
+    """Vertices on the sample grid; edges along its rows, columns and diagonals, or in any
+    direction."""
     rng = d.rng
     grid_state(d)
     for _ in range(rng.randint(1, 3)):
@@ -273,7 +275,7 @@ def degenerate(d):
 
 
 def mesh(d):
-    """Triangles with shared edges: quads with a diagonal, on the sample grid or anyhow."""
+    """Triangles with shared edges: quads with a diagonal, on the sample grid or anywhere."""
     rng = d.rng
     columns, rows = rng.randint(1, 2), rng.randint(1, 2)
     exact = rng.random() < 0.6

@@ -23,7 +23,7 @@ placements are allowed, a value is a range [lo, hi].
 Window coordinates are pixels; grid coordinates g are integers in units of 2^-subpixel_bits pixels; sample
 offsets are sixteenths of a pixel. Nothing is rounded, except clip positions to float32 with clip=True.
 
-What this does not do: check its input, draw quickly, or share code with the oracle that it is held against.
+What this does not do: check its input, draw quickly, or share code with the oracle.
 Usage: rules.py [--clip] CASE.json
 """
 
@@ -231,7 +231,7 @@ class Triangle:
         return placements
 
     def culling(self, orientation):
-        """Of an uncut placement: "kept", "culled", or "unknown"."""
+        """What culling does to an uncut placement: "kept", "culled", or "unknown"."""
         case, ideal = self.case, sign(self.ideal.det)
         if case.cull == "none":
             return "unknown" if case.basis == "ideal" and ideal == 0 else "kept"
@@ -292,7 +292,7 @@ class Triangle:
         return (REQUIRED, "tie" if tie else "inside")
 
     def judge_uncut(self, p):
-        """Over all placements, or over their corners and hull where there are too many."""
+        """Judges over all placements, or over their corners and hull if there are too many."""
         case = self.case
         h = (int(16 * p[0]), int(16 * p[1]), 16)  # the sample, homogeneous, in integers
         if self.placements is None:
@@ -333,8 +333,8 @@ class Triangle:
     def prepare_cut(self):
         """The boundaries of a cut triangle: banded functionals, and snapped edges as (lines, None).
 
-        An edge is turned where some choice of grid points lets another corner of the clipped polygon,
-        moved by rho, come to lie on it or beyond: then (lines, its exact line).
+        An edge is turned if, for some choice of grid points, another corner of the clipped polygon,
+        moved by rho, may lie on the edge or beyond it: then (lines, its exact line).
         """
         case, det = self.case, self.ideal.det
         self.snapped_edges, self.banded = [], []
@@ -370,7 +370,7 @@ class Triangle:
         self.banded += [combine(rows, d) for d in self.distances if min(d) < 0]
 
     def judge_cut(self, p):
-        """Boundary by boundary; without the test against the ideal polygon."""
+        """Judges boundary by boundary, without the test against the ideal polygon."""
         case = self.case
         cut_reason = "w <= 0" if min(self.w) <= 0 else "clip edge"
         if self.ideal.det == 0:
@@ -457,7 +457,7 @@ class Triangle:
         return value
 
     def has_one_map(self):
-        """Whether a single map gives the values: nothing about the basis is open."""
+        """True if a single map gives the values, so that nothing about the basis is open."""
         snapped_once = self.case.basis == "snapped" and not self.cut and self.placement_count == 1
         return self.case.basis == "ideal" or snapped_once
 
@@ -578,9 +578,9 @@ def printed(value, ranged):
 
 
 def depth_test_less(fragments, clear):
-    """Keep what may be nearest at its sample; what is not surely nearest is permitted.
+    """Keeps fragments that may be nearest; those not surely nearest become permitted.
 
-    clear: what the depth buffer begins with; None: 1 or anything beyond it.
+    clear: the depth buffer's initial value; None: 1 or anything beyond it.
     """
     def nearer(a, b):  # surely, in any choice of values; a tie goes to the earlier triangle
         if a["range"] is None or b["range"] is None:

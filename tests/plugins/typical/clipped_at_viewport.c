@@ -2,10 +2,10 @@
  * Clips every triangle at all six planes of the view volume (Sutherland and Hodgman 1974), in
  * double, then rounds the polygon's corners to a grid of 1/256 pixel and draws it as a fan.
  *
- * The sides are moved outwards to a point of the grid, by more than one unit: corners stay on them,
- * and no sample lies on them. Samples are tested against the viewport itself. The planes leave no
- * w < 0, so that vertices behind the eye need nothing else. Triangles with corners so near the eye
- * that few of their digits are right are refused (is_exact_enough()).
+ * The sides are moved outwards to a point of the grid, by more than one unit, so that corners stay
+ * on the sides and no sample lies on them. Samples are tested against the viewport itself. Clipping
+ * leaves no w < 0, so vertices behind the eye need no other treatment. Refuses triangles with
+ * corners so near the eye that few of their digits are right (is_exact_enough()).
  */
 #include "common.h"
 
@@ -19,7 +19,7 @@ static const rastercheck_contract contract = {
     .rounding = RASTERCHECK_ROUNDING_NEAREST_EVEN,
     .position_error = 0x1p-7F, /* see is_exact_enough() */
     .clip_tolerance = 0.5F,    /* new corners are rounded to the grid */
-    .guard_band = 0x1p-126F,   /* what is beyond the viewport is clipped, wherever that begins */
+    .guard_band = 0x1p-126F,   /* clips at the viewport itself */
     .basis = RASTERCHECK_BASIS_SNAPPED,
     .keeps = RASTERCHECK_KEEPS_CONSTANTS,
     .smooth = {.constant = 0.5F + 0x1p-6F}, /* see is_exact_enough() */
@@ -39,7 +39,7 @@ typedef struct {
   int count;
 } polygon;
 
-/* Triangle k of the fan has corners 0, k + 1 and k + 2. `area`: twice that of all. */
+/* Triangle k of the fan has corners 0, k + 1 and k + 2. `area` is twice the area of all. */
 typedef struct {
   polygon corners;
   triangle pieces[MOST_CORNERS];
@@ -57,7 +57,7 @@ static void cut(polygon* p, const double* inside, const double* outside, double 
   for (int i = 0; i < NUMBERS; ++i) c[i] = inside[i] + t * (outside[i] - inside[i]);
 }
 
-/* Clips at one plane; false if a corner is lost by no more than rounding (is_exact_enough()). */
+/* Clips at one plane; false if rounding may decide whether a corner is lost (is_exact_enough()). */
 static bool clip(polygon* p, const double plane[4], double size) {
   const polygon all = *p;
   p->count = 0;
@@ -72,12 +72,12 @@ static bool clip(polygon* p, const double plane[4], double size) {
   return true;
 }
 
-/* Tells whether rounding is below what the contract says. At one plane it changes a number by some
- * 8 u of the greatest one of the vertices, `size`, at six planes by less than 2^6 u = 2^-47. Let w
- * be that of a corner. If pixels times w are at most 2^32 w, a position is off by 2^-15 pixels or
- * 2^-7 grid units. If z and w are at most 2^16 w, the weight 1/w is off by 2^-31 of itself, a mean
- * by twice that share of the greatest value, 2^-6 of a float32 step, and z/w by 2^-30, 2^-6 of a
- * step of depth. */
+/* True if rounding errors are within the contract. Clipping at one plane changes a number by about
+ * 8 u of the vertices' greatest number, `size`; clipping at six planes, by less than 2^6 u = 2^-47.
+ * Let w be that of a corner. If pixels times w are at most 2^32 w, a position is off by 2^-15
+ * pixels, which is 2^-7 grid units. If z and w are at most 2^16 w, the weight 1/w has a relative
+ * error of 2^-31. A mean is then off by twice that share of the greatest value, 2^-6 of a float32
+ * step, and z/w by 2^-30, 2^-6 of a step of depth. */
 static bool is_exact_enough(const polygon* p, const double size[2]) {
   for (int i = 0; i < p->count; ++i) {
     const double w = p->at[i][W];
@@ -86,7 +86,7 @@ static bool is_exact_enough(const polygon* p, const double size[2]) {
   return true;
 }
 
-/* Clips a triangle; false if it is to be refused. */
+/* Clips a triangle; false if it must be refused. */
 static bool to_polygon(const rastercheck_draw* draw, const uint32_t* vertices,
                        const double planes[6][4], polygon* p) {
   const double width = draw->viewport_width, height = draw->viewport_height;
@@ -111,7 +111,8 @@ static bool to_polygon(const rastercheck_draw* draw, const uint32_t* vertices,
   return is_exact_enough(p, size);
 }
 
-/* Makes triangles of the snapped corners. One that rounding turns round is thin, and not drawn. */
+/* Makes triangles of the snapped corners. If rounding reverses a triangle, the triangle is thin and
+ * is not drawn. */
 static void set_up_fan(fan* f) {
   for (int k = 0; k + 2 < f->corners.count; ++k) {
     triangle* t = &f->pieces[k];

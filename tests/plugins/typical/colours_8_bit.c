@@ -1,9 +1,9 @@
 /*
- * Values out of an 8-bit target: each attribute is stored as a share of its range over the
- * triangle, in steps of 1/255, and made a float again. Coverage is exact on a grid of 1/256 pixel,
- * depth a float32.
+ * Draws values as an 8-bit target holds them: each attribute is stored as a share of its range over
+ * the triangle, in steps of 1/255, and then converted back to a float. Coverage is exact on a grid
+ * of 1/256 pixel; depth is a float32.
  *
- * It does not clip: triangles with some w <= 0, or farther than 32768 pixels, are left to others.
+ * Does not clip: refuses triangles with some w <= 0, or farther than 32768 pixels.
  */
 #include "common.h"
 
@@ -28,16 +28,17 @@ static const rastercheck_contract contract = {
     .sample_counts = 1 | 2 | 4,
 };
 
-/* A value as the target has it. The mean is off by 8 u of the greatest value, and so are the two
- * sums here: 2^-20 of a float32 step is more. Shares are counted from a vertex's end of the range,
- * not from the least value, so that negative values come out as positive ones do. */
+/* A value as the target holds it. The mean is off by 8 u of the greatest value, and so are the two
+ * sums here; together they are less than 2^-20 of a float32 step. Shares are counted from a
+ * vertex's end of the range, not from the least value, so that negative values behave as positive
+ * ones. */
 static float stored(const double r[3], const double weight[3]) {
   const double low = least(r), high = greatest(r);
   const double first = r[0] == low || r[0] == high ? r[0] : r[1];
   const double last = first == low ? high : low;
   if (low == high) return (float)first;
   const double share = (mean_of(r, weight) - first) / (last - first);
-  const double step = rint(fmin(fmax(share, 0), 1) * STEPS); /* what the target holds: a byte */
+  const double step = rint(fmin(fmax(share, 0), 1) * STEPS); /* the byte that the target holds */
   return (float)(first + (last - first) * (step / STEPS));
 }
 

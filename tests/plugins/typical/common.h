@@ -1,11 +1,11 @@
 /*
- * What the plugins of this folder share: from clip positions to the window, triangles on a grid,
- * loops over samples, the depth test and the output. Each plugin says for itself what it covers,
- * how it interpolates and what it promises.
+ * Code shared by the plugins of this folder: the transform from clip positions to the window,
+ * triangles on a grid, loops over samples, the depth test and the output. Each plugin says itself
+ * what it covers, how it interpolates and what it promises.
  *
- * Units: pixels, unless a name or comment says grid units. Numbers: u = 2^-53, by which an
- * operation on doubles is off, relatively. Float32 numbers have steps of more than 2^-24 of
- * themselves, so that 2^-29 of a step is less than u.
+ * Units are pixels, unless a name or comment says grid units. u = 2^-53 is the relative error of an
+ * operation on doubles. The step of float32 at a number is more than 2^-24 of the number, so that u
+ * of the number is less than 2^-29 of a step.
  */
 #ifndef RASTERCHECK_TYPICAL_COMMON_H
 #define RASTERCHECK_TYPICAL_COMMON_H
@@ -18,12 +18,12 @@
 
 #include "rastercheck/plugin.h"
 
-#define GUARD_BAND 32768. /* pixels; as contract.guard_band is where it is 0 */
+#define GUARD_BAND 32768. /* pixels; what contract.guard_band = 0 means */
 #define MOST_DEPTH 65536. /* of z/w at vertices */
 
 /* A triangle of the draw. Edge i lies opposite vertex i: e_i = a u + b v + c, in grid units, is
- * twice the area between it and (u, v). All of that is whole numbers: coordinates within 2^23 of
- * the origin give a and b within 2^24 and e within 2^50, which doubles hold exactly. */
+ * twice the area between the edge and (u, v). All these numbers are integers: coordinates within
+ * 2^23 of the origin give a and b within 2^24 and e within 2^50, which doubles hold exactly. */
 typedef struct {
   uint32_t number; /* in the draw */
   uint32_t vertex[3];
@@ -32,7 +32,8 @@ typedef struct {
   double grid, area, a[3], b[3], c[3];
 } triangle;
 
-/* A sample: its index in coverage, depth and triangle, and where it is. Exact: sixteenths. */
+/* A sample: its index in coverage, depth and triangle, and its position, which is exact because it
+ * is a multiple of 1/16. */
 typedef struct {
   size_t index;
   double u, v;
@@ -49,9 +50,9 @@ static inline uint32_t refuse(rastercheck_output* out, const char* why) {
 static inline double least(const double n[3]) { return fmin(n[0], fmin(n[1], n[2])); }
 static inline double greatest(const double n[3]) { return fmax(n[0], fmax(n[1], n[2])); }
 
-/* Takes a triangle to the window. Within the guard band, x/w half a viewport is within 2^16 pixels:
- * quotient and product are off by u 2^16 each, the middle and the sum by u 2^15 each, all of them
- * by less than 2^-35 pixels. */
+/* Transforms a triangle to the window. Within the guard band, x/w times half a viewport is within
+ * 2^16 pixels: quotient and product are off by u 2^16 each, the middle and the sum by u 2^15 each,
+ * together by less than 2^-35 pixels. */
 static inline triangle to_window(const rastercheck_draw* draw, uint32_t number) {
   const double half_width = (double)draw->viewport_width / 2;
   const double half_height = (double)draw->viewport_height / 2;
@@ -71,7 +72,7 @@ static inline triangle to_window(const rastercheck_draw* draw, uint32_t number) 
   return t;
 }
 
-/* Tells whether all vertices are within so many pixels of the origin, and z/w within MOST_DEPTH. */
+/* True if all vertices are within this many pixels of the origin, and z/w within MOST_DEPTH. */
 static inline bool is_within(const triangle* t, double pixels) {
   bool is_near = true;
   for (int i = 0; i < 3; ++i) {
@@ -81,7 +82,7 @@ static inline bool is_within(const triangle* t, double pixels) {
   return is_near;
 }
 
-/* Sets up the edges of a triangle whose vertices are on a grid of so many points per pixel. */
+/* Sets up the edges of a triangle whose vertices are on a grid of this many points per pixel. */
 static inline void set_edges(triangle* t, double grid) {
   t->grid = grid;
   for (int i = 0; i < 3; ++i) {
@@ -102,15 +103,15 @@ static inline void snap(triangle* t, double grid, double (*round_to_whole)(doubl
   set_edges(t, grid);
 }
 
-/* Tells whether a triangle of that signed area has one and is not culled. */
+/* True if a triangle with this signed area is drawn: the area is not 0, and the side not culled. */
 static inline bool is_kept(const rastercheck_draw* draw, double area) {
   const bool is_ccw = (area > 0) == (draw->rules == RASTERCHECK_RULES_OPENGL); /* y up */
   const bool is_front = is_ccw == (draw->front_face == RASTERCHECK_FRONT_FACE_CCW);
   return area != 0 && draw->cull != (is_front ? RASTERCHECK_CULL_FRONT : RASTERCHECK_CULL_BACK);
 }
 
-/* Computes the e_i at a sample, positive inside. + 0. makes 0 of -0: a weight of -0 would turn an
- * attribute's -0 into 0. */
+/* Computes the e_i at a sample, positive inside. Adding 0. turns -0 into 0: a weight of -0 would
+ * turn an attribute's -0 into 0. */
 static inline void edges_at(const triangle* t, place at, double e[3]) {
   const double turn = t->area > 0 ? 1 : -1;
   for (int i = 0; i < 3; ++i) {
@@ -118,7 +119,7 @@ static inline void edges_at(const triangle* t, place at, double e[3]) {
   }
 }
 
-/* Tells whether a sample exactly on edge i is inside, by the rule that the case asks for. */
+/* True if a sample exactly on edge i is inside, by the rule that the case asks for. */
 static inline bool owns_ties(const rastercheck_draw* draw, const triangle* t, int i) {
   const double turn = t->area > 0 ? 1 : -1;
   const bool is_top_left = draw->tie_rule == RASTERCHECK_TIE_RULE_TOP_LEFT;
@@ -127,7 +128,7 @@ static inline bool owns_ties(const rastercheck_draw* draw, const triangle* t, in
   return a > 0 || (a == 0 && (is_top_left == is_y_down ? b > 0 : b < 0));
 }
 
-/* Tells whether a sample is inside all edges, with the tie rule. */
+/* True if a sample is inside all edges, with the tie rule. */
 static inline bool covers(const rastercheck_draw* draw, const triangle* t, const double e[3]) {
   for (int i = 0; i < 3; ++i) {
     if (!(e[i] > 0 || (e[i] == 0 && owns_ties(draw, t, i)))) return false;
@@ -135,9 +136,8 @@ static inline bool covers(const rastercheck_draw* draw, const triangle* t, const
   return true;
 }
 
-/* Tells whether the near or far plane cuts a sample off. Each term is off by a few u of itself, as
- * if a vertex's distance were: the cut runs 2^-50 of the triangle's size beside where it should be.
- */
+/* True if the near or far plane cuts a sample off. Each term has a relative error of a few u, as if
+ * a vertex's distance were off by that: the cut is off by 2^-50 of the triangle's size. */
 static inline bool is_depth_clipped(const rastercheck_draw* draw, const triangle* t,
                                     const double e[3]) {
   double near_by = 0, far_by = 0;
@@ -148,11 +148,11 @@ static inline bool is_depth_clipped(const rastercheck_draw* draw, const triangle
   return !draw->depth_clamp && (near_by < 0 || far_by < 0);
 }
 
-/* Computes the mean of z/w in the depth range. It begins at a vertex and adds differences, so that
- * equal ones come out equal. With Q the greatest |z/w|, quotients are off by u Q, differences,
- * products, their sum and its quotient by 2 u Q each, the sum with the first by u Q, the depth
- * range by 3 u Q: 13 u Q of its greater end, which with Q = 2^16 is less than 2^-9 of a float32
- * step. */
+/* Computes the mean of z/w, mapped to the depth range. Starts at one vertex's depth and adds
+ * differences, so that equal depths stay equal. With Q the greatest |z/w|, quotients are off by
+ * u Q; differences, products, their sum and its quotient by 2 u Q each; the sum with the first
+ * depth by u Q; the mapping by 3 u Q. Together that is 13 u Q times the greater end of the range,
+ * which with Q = 2^16 is less than 2^-9 of a float32 step. */
 static inline float depth_at(const rastercheck_draw* draw, const double z[3], const double e[3]) {
   const double n = draw->min_depth, f = draw->max_depth;
   double depth = z[0] + ((z[1] - z[0]) * e[1] + (z[2] - z[0]) * e[2]) / (e[0] + e[1] + e[2]);
@@ -165,9 +165,9 @@ static inline float depth_at(const rastercheck_draw* draw, const double z[3], co
   return (float)depth;
 }
 
-/* Computes the mean of three values. The weights are not negative and off by 2 u of themselves;
- * with products, sums and the quotient the mean is off by 8 u of the greatest value, less than
- * 2^-25 of a float32 step. */
+/* Computes the mean of three values. The weights are not negative and have relative errors of 2 u.
+ * With products, sums and the quotient, the mean is off by 8 u of the greatest value, which is less
+ * than 2^-25 of a float32 step. */
 static inline double mean_of(const double r[3], const double weight[3]) {
   return (r[0] * weight[0] + r[1] * weight[1] + r[2] * weight[2]) /
          (weight[0] + weight[1] + weight[2]);
@@ -191,7 +191,7 @@ static inline void write_attributes(const rastercheck_draw* draw, rastercheck_ou
   }
 }
 
-/* Writes coverage, triangle and depth; false where the depth test leaves what is there. */
+/* Writes coverage, triangle and depth; false if the depth test keeps the present fragment. */
 static inline bool keep(const rastercheck_draw* draw, rastercheck_output* out, size_t index,
                         uint32_t number, float depth) {
   const float before = out->coverage[index] ? out->depth[index] : draw->depth_clear;
@@ -202,14 +202,13 @@ static inline bool keep(const rastercheck_draw* draw, rastercheck_output* out, s
   return true;
 }
 
-/* Tells whether begin + size is exact, so that the far border of the viewport is where it should
- * be. */
+/* True if begin + size is exact, so that the far border of the viewport is in the right place. */
 static inline bool is_exact_sum(double begin, double size) {
   const double end = begin + size;
   return end - begin == size && end - size == begin;
 }
 
-/* Tells whether the viewport is near the origin, and its borders are doubles. */
+/* True if the viewport is near the origin, and its borders are exact as doubles. */
 static inline bool is_viewport_usable(const rastercheck_draw* draw) {
   const double x = draw->viewport_x, width = draw->viewport_width;
   const double y = draw->viewport_y, height = draw->viewport_height;
@@ -252,8 +251,8 @@ static inline void each_sample_of(const rastercheck_draw* draw, rastercheck_outp
   each_sample(draw, out, low, high, visit, t);
 }
 
-/* Draws triangle by triangle, its vertices rounded to a grid of so many points per pixel, and calls
- * `visit` for each sample that may be in it. */
+/* Draws triangle by triangle, with vertices rounded to a grid of this many points per pixel. Calls
+ * `visit` for each sample that may be in the triangle. */
 static inline uint32_t draw_snapped(const rastercheck_draw* draw, rastercheck_output* out,
                                     double grid, double (*round_to_whole)(double), visitor* visit) {
   if (!is_viewport_usable(draw)) return refuse(out, "a viewport too far away or too fine");

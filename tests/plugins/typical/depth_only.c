@@ -1,9 +1,9 @@
 /*
  * The depth pass of an occlusion culler: OpenGL's conventions, no attributes, one sample, a grid of
- * 1/16 pixel. The depth buffer holds integers of 24 bits and begins with 1: what is stored as 1 is
- * never drawn with a depth test. Depths are handed over as they were before they were stored.
+ * 1/16 pixel. The depth buffer holds integers of 24 bits and begins with 1, so a depth that is
+ * stored as 1 never passes the depth test. The output has the depths before they were stored.
  *
- * It does not clip at the sides: vertices beyond 32768 pixels, or with w <= 0, are left to others.
+ * Does not clip at the sides: refuses vertices beyond 32768 pixels or with w <= 0.
  */
 #include "common.h"
 
@@ -27,7 +27,7 @@ static const rastercheck_contract contract = {
     .depth_format = RASTERCHECK_DEPTH_UNORM24,
 };
 
-/* A depth as the buffer holds it. */
+/* A depth as stored in the buffer. */
 static uint32_t stored(float depth) { return (uint32_t)lrint((double)depth * 0xFFFFFF); }
 
 static void visit(const rastercheck_draw* draw, rastercheck_output* out, const void* shape,

@@ -1,23 +1,23 @@
 /*
- * Edge functions in float32, as in most first rasterizers: no subpixel grid and no clipper. Values
- * come from the float positions, in double.
+ * Edge functions in float32, as in most people's first rasterizer: no subpixel grid and no clipper.
+ * Values come from the float positions, in double.
  *
- * Each edge is evaluated from the same end for both of its sides, so that two triangles that share
- * it get the same number with opposite signs: neither gaps nor doubles.
+ * Each edge is evaluated from the same end for both of its sides, so two triangles that share an
+ * edge get the same number with opposite signs: neither gaps nor samples drawn twice.
  *
- * The position error says how far off it is, on a grid of 2^-16 pixels. An operation on float32 is
- * off by h = 2^-24, vertices lie within 4096 pixels, and targets have 2048 at most:
+ * The position error is in units of a grid of 2^-16 pixels. An operation on float32 has a relative
+ * error of h = 2^-24, vertices lie within 4096 pixels, and targets have at most 2048:
  *
  * - Positions: (x/w / 2 + 1/2) width has three roundings, h (4096 + 1024), h 4096 and h 4096
  *   pixels, together 52 grid units.
  * - Edges: (v - y0)(x1 - x0) - (u - x0)(y1 - y0) is off by 3 h of each product; the subtraction
  *   keeps the sign. Moving both ends by d along both axes changes it by
  *   d (|x1 - x0| + |y1 - y0|). A sample in the triangle's box is within 6144 pixels of x0 and y0,
- *   so that d = 3 h 6144 pixels = 72 grid units make up for it. Two edges that are off by d meet
- *   within 2 d of their corner, and the box cuts sharper corners off.
+ *   so d = 3 h 6144 pixels = 72 grid units account for the error. Two edges that are off by d meet
+ *   within 2 d of their corner; the box cuts off what extends farther at sharper corners.
  * - Values: 27 grid units, see set_weights().
  *
- * That is 52 + 144 + 27 = 223.
+ * Together: 52 + 144 + 27 = 223.
  */
 #include "common.h"
 
@@ -73,7 +73,7 @@ static bool is_inside(const triangle* t, place at) {
   return true;
 }
 
-/* Takes the nearest point of the outline in place of a sample. */
+/* Replaces a sample by the nearest point of the outline. */
 static void set_weights_of_outline(const triangle* t, place at, double e[3]) {
   double nearest = INFINITY;
   for (int i = 0; i < 3; ++i) {

@@ -1,8 +1,8 @@
 /*
  * A visibility buffer: for each sample the nearest triangle, and two perspective-correct
- * barycentric coordinates b0 and b1 in float32. Values are made of them afterwards, b0 r0 + b1 r1 +
- * b2 r2 with b2 = 1 - b0 - b1, as a second pass would. Only what lies within the target is drawn:
- * nothing is clipped.
+ * barycentric coordinates b0 and b1 in float32. Values are computed from these afterwards, as a
+ * second pass would: b0 r0 + b1 r1 + b2 r2 with b2 = 1 - b0 - b1. Only triangles within the target
+ * are drawn; nothing is clipped.
  */
 #include "common.h"
 
@@ -23,12 +23,12 @@ static const rastercheck_contract contract = {
              RASTERCHECK_LACKS_CENTROID,
 };
 
-/* Grid units are below 2^23, so that the sum is off by u 2^23: less than position_error. */
+/* Grid units are below 2^23, so the sum is off by u 2^23, which is less than position_error. */
 static double half_up(double grid_units) { return floor(grid_units + 0.5); }
 
 /* b0 and b1 are at most 1 and rounded to float32: off by 2^-25 each, b2 by both together, and the
- * value by 2^-25 (|r0 - r2| + |r1 - r2|), 2^-24 of the range at most. What is done in double takes
- * a few u of the greatest value. */
+ * value by 2^-25 (|r0 - r2| + |r1 - r2|), at most 2^-24 of the range. Operations in double add a
+ * few u of the greatest value. */
 static float value_of(const double r[3], const double weight[3]) {
   const double sum = weight[0] + weight[1] + weight[2];
   const double b0 = (float)(weight[0] / sum), b1 = (float)(weight[1] / sum);

@@ -280,8 +280,8 @@ std::vector<ScenePart> parts_of(const cases::Case& c, const PartLimits& limits) 
   return parts;
 }
 
-// Kills: triangles that the backend does not draw and that take others with them; a refusal of the
-// whole case treated as a refusal of one triangle.
+// Kills: triangles that the backend refuses, and that keep others from being drawn; a refusal of
+// the whole case treated as a refusal of one triangle.
 TEST(JudgeScene, JudgesTrianglesBesideThoseThatAreNotDrawn) {
   class DrawsSome : public DamagedBackend {
    public:

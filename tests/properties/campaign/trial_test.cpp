@@ -228,7 +228,7 @@ TEST(TryLaw, SkipsWhereNothingIsChecked) {
   EXPECT_THAT(trial.text, HasSubstr("nothing was checked"));
 }
 
-// Kills: "held" for a law although its cases never were what the law is about.
+// Kills: "held" for a law although none of its cases is of the kind that the law is about.
 TEST(TryLaw, FailsWhereTheLawWasHardlyTested) {
   TrialOptions options = few_cases();
   options.cases = 200;

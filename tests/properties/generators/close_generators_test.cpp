@@ -1,5 +1,6 @@
-// The generators of decisions that depend on the last bit reach such decisions: hairline those that
-// doubles cannot make, snap-ties those of rounding to a grid. The exact oracle counts them.
+// The generators whose cases depend on the last bit reach the decisions that they are made for:
+// hairline those that doubles cannot make, snap-ties those of rounding to a grid. The exact oracle
+// counts them.
 
 #include <gtest/gtest.h>
 
@@ -45,8 +46,8 @@ struct RoughWeights {
     }
   }
 
-  /// True if an edge passes too close to decide in double arithmetic. has_close_plane() tells the
-  /// same of the plane of the distances g.
+  /// True if an edge passes too close to decide in double arithmetic. has_close_plane() does the
+  /// same for the plane of the distances g.
   bool has_close_edge() const {
     for (std::size_t i = 0; i < 3; ++i) {
       if (std::abs(e[i]) <= 0x1p-44 * size[i]) return true;

@@ -1,5 +1,5 @@
-// A probe finds what is known of a backend: of `cpu` in each of its modes, which draws what a case
-// asks for, and of `cpu` changed in one way ("bent") by hand.
+// A probe finds what is known about a backend. The backends are `cpu` in each of its modes, which
+// draws what a case asks for, and `cpu` changed on purpose in one way ("bent").
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

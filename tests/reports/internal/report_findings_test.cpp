@@ -66,7 +66,8 @@ TEST(Findings, SayWhatWasNotDrawn) {
   EXPECT_THAT(both(run), Not(HasSubstr("and was not drawn")));
 }
 
-// Kills: a page that opens with the place of a value that is right; causes without the others.
+// Kills: a heading that names a place but no fault; a cause that does not list its other
+// counterexamples.
 TEST(Findings, SayTheFaultInTheirHeading) {
   const std::string page = both(sample_run());
   EXPECT_THAT(page, HasSubstr("<h3>1. values are wrong where a pixel has several samples"));

@@ -15,7 +15,7 @@ std::string front(const records::Run& run) { return front_of(run, records::summa
 std::string judged(const records::Run& run) { return judged_section(run, records::summarize(run)); }
 std::string gaps(const records::Run& run) { return gaps_section(run, records::summarize(run)); }
 
-// Kills: a first screen that does not say of whom it speaks.
+// Kills: a first screen that does not name the backend.
 TEST(Front, SaysWhatWasJudgedAndWhatItComesTo) {
   records::Run run = sample_run();
   EXPECT_THAT(front(run),
@@ -51,7 +51,7 @@ TEST(Front, TellsBackendsApart) {
   EXPECT_THAT(front(one), Not(HasSubstr("class=\"backends\"")));
 }
 
-// Kills: known defects that are counted but not told.
+// Kills: known defects that are counted but not listed.
 TEST(Front, TellsTheKnownDefectsThatShow) {
   records::Run run = sample_run();
   EXPECT_THAT(front(run), Not(HasSubstr("Known defects")));
