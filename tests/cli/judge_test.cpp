@@ -1,0 +1,157 @@
+// `rastercheck judge` and `mask`, and the pictures of `render --picture`.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cases/picture_reader.h"
+#include "cases/picture_writer.h"
+#include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::cli::judge_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// The square case in a folder, and a picture of it by `cpu`.
+class Pictures {
+ public:
+  Pictures() : square_(folder_.put("square.json", square_case())) {}
+
+  const std::string& square() const { return square_; }
+  std::string path(const std::string& name) const { return folder_.path(name); }
+
+  /// Draws the square into a picture file and returns the file's name.
+  std::string draw(const std::string& name, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"render", square_, "--picture", path(name)};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(words);
+    EXPECT_EQ(outcome.code, 0) << outcome;
+    EXPECT_EQ(outcome.out, "");
+    return path(name);
+  }
+
+  Outcome judge(const std::string& picture, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"judge", square_, picture};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  }
+
+  /// Changes one number of a picture file.
+  void spoil(const std::string& file, std::size_t index, float value) const {
+    Result<cases::PictureFile> picture = cases::read_picture(file, cases::ArrayOrder::hwc);
+    ASSERT_TRUE(picture.has_value());
+    picture->values.at(index) = value;
+    ASSERT_TRUE(cases::write_picture(*picture, file).has_value());
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::string square_;
+};
+
+TEST(Judge, CallsPicturesOfEveryFormatRight) {
+  const Pictures pictures;
+  const std::vector<std::string> scaled{"--channels", "Y=one", "--storage", "unorm8"};
+  for (const std::string& picture :
+       {pictures.draw("a.exr"), pictures.draw("a.npy"),
+        pictures.draw("a.pfm", {"--channels", "Y=x"}), pictures.draw("a.png", scaled)}) {
+    const std::vector<std::string> layout = picture.ends_with(".png") ? scaled
+                                            : picture.ends_with(".pfm")
+                                                ? std::vector<std::string>{"--channels", "Y=x"}
+                                                : std::vector<std::string>{};
+    const Outcome outcome = pictures.judge(picture, layout);
+    EXPECT_EQ(outcome.code, 0) << outcome;
+    EXPECT_THAT(outcome.out, HasSubstr("Right: all 64 pixels.")) << outcome;
+  }
+}
+
+// Pixel (0, 0) shows the window x of its centre: 0.5.
+TEST(Judge, SaysWhichPixelIsWrongAndByHowMuch) {
+  const Pictures pictures;
+  const std::string picture = pictures.draw("a.npy");
+  pictures.spoil(picture, 0, 0.75F);
+  const Outcome outcome = pictures.judge(picture, {"--mask", pictures.path("mask.png")});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("Wrong: 1 of 64 pixels (1.56%)."));
+  EXPECT_THAT(outcome.out, HasSubstr("R 0.75, not 0.5"));
+  const auto mask = cases::read_picture(pictures.path("mask.png"), cases::ArrayOrder::hwc);
+  ASSERT_TRUE(mask.has_value());
+  EXPECT_NE(mask->values[0], mask->values[3]);
+  EXPECT_EQ(mask->values[3], mask->values[6]);
+
+  const Outcome as_json = pictures.judge(picture, {"--json"});
+  const json judged = json::parse(as_json.out);
+  EXPECT_EQ(judged.at("format"), "rastercheck-judged-picture");
+  EXPECT_EQ(judged.at("wrong"), 1);
+  EXPECT_EQ(judged.at("worst").at(0).at("x"), 0);
+  EXPECT_EQ(judged.at("worst").at(0).at("row"), 0);
+  EXPECT_EQ(judged.at("worst").at(0).at("channels").at(0).at("stored"), "0x1.8p-1");
+}
+
+TEST(Judge, JudgesByABackendsPromiseOrAContractFile) {
+  const Pictures pictures;
+  const TemporaryFolder folder;
+  const std::string picture = pictures.draw("a.npy");
+  pictures.spoil(picture, 0, 0.5000001F);
+  EXPECT_EQ(pictures.judge(picture).code, 1);
+  const std::string contract = folder.put(
+      "wide.json",
+      R"({"format": "rastercheck-contract", "version": 1, "bounds": {"smooth": {"constant": 8}}})");
+  EXPECT_EQ(pictures.judge(picture, {"--contract", contract}).code, 0);
+  EXPECT_EQ(pictures.judge(picture, {"--promised-by", "cpu"}).code, 1);
+  EXPECT_TRUE(is_failure(pictures.judge(picture, {"--promised-by", "gpu"}), 2));
+}
+
+TEST(Judge, RefusesInOneLineWhatItCannotRead) {
+  const Pictures pictures;
+  const TemporaryFolder folder;
+  const Outcome text = pictures.judge(folder.put("a.png", "no picture"));
+  EXPECT_TRUE(is_failure(text, 2)) << text;
+  EXPECT_THAT(text.err, HasSubstr("a.png: is not a picture"));
+  const Outcome missing = pictures.judge("/nowhere/a.png");
+  EXPECT_TRUE(is_failure(missing, 2)) << missing;
+  const Outcome channels = pictures.judge(pictures.draw("a.npy"), {"--channels", "R"});
+  EXPECT_TRUE(is_failure(channels, 2)) << channels;
+  EXPECT_THAT(channels.err, HasSubstr("--channels: R: is not NAME=WHAT, as R=u"));
+  const Outcome over =
+      pictures.judge(pictures.draw("b.png", {"--storage", "unorm8", "--channels", "Y=one"}),
+                     {"--mask", pictures.path("b.png"), "--channels", "Y=one"});
+  EXPECT_TRUE(is_failure(over, 2)) << over;
+}
+
+TEST(Judge, ReadsTheLayoutOfTheCase) {
+  const TemporaryFolder folder;
+  const std::string square = folder.put(
+      "square.json",
+      square_case(R"("picture": {"channels": [{"name": "Y", "shows": "one", "background": 0.5}],
+                                 "storage": "unorm8"},)"));
+  const std::string picture = folder.path("a.png");
+  ASSERT_EQ(run_program({"render", square, "--picture", picture}).code, 0);
+  EXPECT_EQ(run_program({"judge", square, picture}).code, 0);
+  EXPECT_EQ(run_program({"judge", square, picture, "--storage", "unorm16"}).code, 2);
+}
+
+TEST(Mask, SaysWhatMayDiffer) {
+  const Pictures pictures;
+  const Outcome outcome =
+      run_program({"mask", pictures.square(), "--storage", "unorm8", "--channels", "R=one", "--png",
+                   pictures.path("mask.png"), "--bounds", pictures.path("bounds.exr")});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_EQ(outcome.out, "64 pixels must have one value, 0 may differ, 0 must be background.\n");
+  const auto bounds = cases::read_picture(pictures.path("bounds.exr"), cases::ArrayOrder::hwc);
+  ASSERT_TRUE(bounds.has_value()) << to_string(bounds.error());
+  EXPECT_EQ(bounds->channels, (std::vector<std::string>{"lower.R", "upper.R"}));
+  EXPECT_EQ(bounds->values[0], 1);
+  EXPECT_EQ(bounds->values[1], 1);
+  const Outcome as_json = run_program({"mask", pictures.square(), "--json"});
+  EXPECT_EQ(json::parse(as_json.out).at("may_differ"), 64);  // floats within half an ULP
+}
+
+}  // namespace
+}  // namespace rastercheck::cli::judge_test
