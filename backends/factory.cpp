@@ -13,6 +13,18 @@ std::vector<BackendKind>& registry() {
   return kinds;
 }
 
+/// The text before the colon of a specification.
+std::string kind_of(const std::string& specification) {
+  return specification.substr(0, specification.find(':'));
+}
+
+/// Returns the kind with this name; nullptr if there is none.
+const BackendKind* find_kind(const std::string& name) {
+  const auto found = std::find_if(registry().begin(), registry().end(),
+                                  [&name](const BackendKind& other) { return other.kind == name; });
+  return found == registry().end() ? nullptr : &*found;
+}
+
 /// The text after the colon of a specification.
 std::string options_of(const std::string& specification) {
   const std::size_t colon = specification.find(':');
@@ -41,10 +53,9 @@ BackendRegistration::BackendRegistration(const BackendKind& kind) {
 }
 
 Result<std::unique_ptr<Backend>> BackendFactory::make(const std::string& specification) const {
-  const std::string kind = specification.substr(0, specification.find(':'));
-  const auto found = std::find_if(registry().begin(), registry().end(),
-                                  [&kind](const BackendKind& other) { return other.kind == kind; });
-  if (found == registry().end()) return no_such_kind(specification, kind);
+  const std::string kind = kind_of(specification);
+  const BackendKind* found = find_kind(kind);
+  if (found == nullptr) return no_such_kind(specification, kind);
   Result<std::unique_ptr<Backend>> backend = found->is_foreign && make_foreign
                                                  ? make_foreign(specification)
                                                  : found->make(options_of(specification));
@@ -68,6 +79,10 @@ std::vector<Listing> BackendFactory::list() const {
     }
   }
   return all;
+}
+
+bool names_a_kind(const std::string& specification) {
+  return find_kind(kind_of(specification)) != nullptr;
 }
 
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification) {

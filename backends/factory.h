@@ -64,6 +64,10 @@ struct BackendFactory {
   std::vector<Listing> list() const;
 };
 
+/// True if a text begins like the specification of a backend, whether this backend exists or not:
+/// "gl:typo", but not "unknown:llvmpipe".
+bool names_a_kind(const std::string& specification);
+
 /// Makes a backend in this process, held to its own promise.
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification);
 

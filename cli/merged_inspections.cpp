@@ -10,6 +10,7 @@
 #include "properties/campaign/campaign.h"
 #include "properties/campaign/checkpoint.h"
 #include "properties/campaign/corpus.h"
+#include "properties/campaign/side_by_side.h"
 #include "properties/inspect/looks.h"
 
 namespace rastercheck::cli {
@@ -39,10 +40,12 @@ Result<void> inspect_merged(MergedRun& merged) {
   Run& run = merged.run;
   const records::Plan& plan = run.plan;
   const backends::BackendFactory backends = properties::factory_for(plan, worker_program());
+  run.differences = properties::differences_of(run, {});  // those of random cases need no corpus
   const std::string folder = corpus_folder_of(plan);
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(folder);
   if (!corpus) return tl::unexpected(corpus.error());
   if (properties::digest_of(*corpus) != merged.common.corpus_digest) return is_other(folder);
+  run.differences = properties::differences_of(run, *corpus);
 
   properties::TaskRunner runner(plan, {}, known_sources_of(plan), backends);
   const Result<properties::KnownByBackend> known = runner.known();

@@ -11,6 +11,7 @@
 #include "properties/law.h"
 #include "reports/cause_text.h"
 #include "reports/commands.h"
+#include "reports/side_by_side_text.h"
 #include "reports/summary_table.h"
 
 namespace rastercheck::cli {
@@ -91,7 +92,7 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
   fmt::print("{}", reports::thin_text(rows));
   if (!run.counterexamples.empty()) fmt::print("\n{}", reports::causes_list(run, command_of));
-  fmt::print("\n");
+  fmt::print("{}\n", reports::side_by_side_text(run, output));
   print_scenes(run);
   fmt::print("{}", reports::verdict_lines(run, rows, has_color()));
   if (shown.size() < rows.size()) fmt::print("`--all` shows a row for each property.\n");

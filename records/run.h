@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "records/case_outcomes.h"
 #include "records/case_record.h"
 #include "records/cause.h"
 #include "records/counterexample.h"
@@ -60,6 +61,10 @@ struct Run {
   RecordSet records;
   /// Each case's result; empty if not kept.
   std::optional<CaseRecordSet> cases = std::nullopt;
+  /// Which cases were right, by backend; only for runs of several backends.
+  std::optional<CaseOutcomeSet> outcomes = std::nullopt;
+  /// The first case of each disagreement of two backends (properties/campaign/side_by_side.h).
+  std::vector<Difference> differences = {};
   /// Drawn parts of some cases, ordered by backend, key and triangle; only if the run keeps each
   /// case's result.
   std::vector<Specimen> specimens = {};

@@ -48,6 +48,12 @@ std::string replay_command(const records::Run& run, const std::string& file) {
   return "rastercheck replay " + shell_word(file) + words(records::replay_words(run.plan));
 }
 
+std::string replay_command(const records::Run& run, const std::string& file,
+                           const std::string& backend) {
+  return fmt::format("rastercheck replay {} --backend {}", shell_word(file), shell_word(backend)) +
+         words(records::replay_words(run.plan));
+}
+
 std::string explain_command(const records::Run& run, const std::string& file,
                             const records::WorstError& place) {
   std::string command = fmt::format(

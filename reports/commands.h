@@ -17,6 +17,11 @@ std::string run_command(const records::Run& run);
 /// counterexample must be saved as `file`.
 std::string replay_command(const records::Run& run, const std::string& file);
 
+/// The command that checks a case of the run on a backend, in the same way as the run. The case
+/// must be saved as `file`.
+std::string replay_command(const records::Run& run, const std::string& file,
+                           const std::string& backend);
+
 /// The command that explains one sample of a case, drawn as in the run. The case must be saved as
 /// `file`.
 std::string explain_command(const records::Run& run, const std::string& file,

@@ -14,6 +14,7 @@
 #include "cases/json.h"
 #include "records/enclosure_json.h"
 #include "records/share.h"
+#include "records/side_by_side.h"
 #include "reports/internal/wording.h"
 #include "reports/text_table.h"
 
@@ -88,6 +89,27 @@ fmt::text_style style_of(LawVerdict verdict) {
 
 nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
   return {{"filter", levels.filter}, {"interval", levels.interval}, {"exact", levels.exact}};
+}
+
+nlohmann::ordered_json side_by_side_json(const records::SideBySide& pair) {
+  const auto counts_json = [](const records::SideCounts& counts) {
+    return nlohmann::ordered_json{{"both_right", counts.both_right},
+                                  {"only_first_right", counts.only_first_right},
+                                  {"only_second_right", counts.only_second_right},
+                                  {"neither_right", counts.neither_right}};
+  };
+  nlohmann::ordered_json json{{"first", pair.first},
+                              {"second", pair.second},
+                              {"judged_first", pair.judged_first},
+                              {"judged_second", pair.judged_second},
+                              {"same_cases", pair.counts.cases()},
+                              {"known_first", pair.known_first},
+                              {"known_second", pair.known_second}};
+  json.update(counts_json(pair.counts));
+  json["laws"] = nlohmann::ordered_json::object();
+  for (const records::SideBySideLaw& law : pair.laws)
+    json["laws"][law.law] = counts_json(law.counts);
+  return json;
 }
 
 }  // namespace
@@ -233,6 +255,9 @@ std::string summary_json(const records::Run& run, const std::vector<records::Law
                             {"labels", row.labels},
                             {"unreached", unreached},
                             {"verdict", to_string(row.verdict)}});
+  }
+  for (const records::SideBySide& pair : records::side_by_side(run)) {
+    json["side_by_side"].push_back(side_by_side_json(pair));
   }
   if (!run.scenes.empty()) json["scenes"] = nlohmann::ordered_json::array();
   for (const records::SceneResult& scene : run.scenes) {

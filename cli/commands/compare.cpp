@@ -1,13 +1,18 @@
 // `rastercheck compare BASELINE CURRENT`: the regression gate.
 
+#include <fmt/format.h>
+
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "backends/factory.h"
 #include "cli/command.h"
 #include "cli/commit.h"
 #include "cli/gate.h"
+#include "reports/commands.h"
 
 namespace rastercheck::cli::compare_command {
 namespace {
@@ -33,10 +38,38 @@ Result<gate::Side> read_current(const Options& options) {
   return current;
 }
 
+/// True if there is no such file, and the text reads like a backend: "gl:llvmpipe".
+bool is_backend(const std::string& text) {
+  std::error_code ignored;
+  return text != "-" && !std::filesystem::exists(text, ignored) && backends::names_a_kind(text);
+}
+
+/// Says how to compare backends, if one is given in the place of a file.
+Result<void> check_no_backend(const Options& options) {
+  const bool is_first = is_backend(options.baseline);
+  const bool is_second = is_backend(options.current);
+  if (!is_first && !is_second) return {};
+  const std::string& one = is_first ? options.baseline : options.current;
+  if (is_first && is_second) {
+    return tl::unexpected(
+        Error{one, "",
+              fmt::format(
+                  "is a backend, and compare takes runs or baselines; to compare two backends: {}",
+                  reports::command_line({"rastercheck", "run", "--backend", options.baseline,
+                                         "--backend", options.current}))});
+  }
+  return tl::unexpected(
+      Error{one, "",
+            fmt::format(
+                "is a backend, and compare takes runs or baselines; to make a run of it: {}",
+                reports::command_line({"rastercheck", "run", "--backend", one, "--keep-cases"}))});
+}
+
 ExitCode run(Options options) {
   if (options.baseline == "-" && options.current == "-") {
     return fail({"-", "", "only one of BASELINE and CURRENT can be standard input"});
   }
+  if (const auto checked = check_no_backend(options); !checked) return fail(checked.error());
   Result<gate::Policy> policy = read_policy(options.policy);
   if (!policy) return fail(policy.error());
   options.gate.policy = *std::move(policy);
@@ -78,6 +111,7 @@ Action set_up(CLI::App& app) {
   app.footer(
       "Exit code 0 if nothing is worse or everything worse is allowed, 3 otherwise, 2 if the two "
       "cannot be compared because their cases or their versions of rules or records differ.\n\n"
+      "To compare two backends with each other: rastercheck run --backend A --backend B\n\n"
       "Example:\n"
       "  rastercheck run --seed 1 --keep-cases\n"
       "  rastercheck compare rastercheck-baseline.json rastercheck-out");

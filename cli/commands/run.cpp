@@ -38,6 +38,7 @@
 #include "cli/whole_number.h"
 #include "properties/campaign/corpus.h"
 #include "properties/campaign/plan_run.h"
+#include "properties/campaign/side_by_side.h"
 #include "properties/inspect/looks.h"
 #include "records/share.h"
 #include "records/summary.h"
@@ -267,6 +268,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   run.shard = shard_of(prepared->start(), prepared->promises(), work->scene);
   const bool is_whole = prepared->is_whole();
   if (run.shard) run.shard->is_whole = is_whole;
+  run.differences = properties::differences_of(run, work->corpus);
   // Draws cases once more for inspections, however long that takes. An interrupted run gets its
   // inspections when it is resumed.
   if (is_whole || !is_interrupted()) {
@@ -324,8 +326,10 @@ void add_shrinking(CLI::App& app, records::ShrinkBudget& shrinking) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   records::Plan& plan = options->plan;
-  app.add_option("--backend", plan.backends,
-                 "Backend to check (see rastercheck list backends); may be repeated")
+  app.add_option(
+         "--backend", plan.backends,
+         "Backend to check (see rastercheck list backends); may be repeated, to see several "
+         "side by side")
       ->type_name(kBackend)
       ->capture_default_str();
   app.add_option("--property", plan.properties,
@@ -411,6 +415,7 @@ Action set_up(CLI::App& app) {
       "Examples:\n"
       "  rastercheck run --backend vulkan:lavapipe --cases 100 --jobs 4\n"
       "  rastercheck run --backend plugin:./mine.so --property '*edge*' --seed 1\n"
+      "  rastercheck run --backend gl:llvmpipe --backend gl:softpipe   (side by side)\n"
       "  rastercheck run --scene bunny.obj");
   return [options, &app] { return run_campaign(*options, app); };
 }

@@ -9,6 +9,7 @@
 #include "backends/isolation.h"
 #include "properties/campaign/internal/explanation.h"
 #include "properties/campaign/power.h"
+#include "properties/campaign/side_by_side.h"
 #include "properties/draw.h"
 #include "properties/fitted_case.h"
 
@@ -253,6 +254,7 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   Findings findings;
   const bool is_frozen = task.kind == TaskKind::corpus || task.kind == TaskKind::random;
   if (plan_.keeps_cases && is_frozen) findings.cases.emplace();
+  if (plan_.backends.size() > 1 && is_frozen) findings.outcomes.emplace();
   if (task.kind == TaskKind::shrink) {
     const ShrinkLimits limits = shrink_limits(plan_.shrinking, *task.subject, is_to_end);
     shrink_counterexample(*law, backend, *task.subject, limits, findings, known);
@@ -280,6 +282,7 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
                                  held->stratum};
     measure_power(plan_, *law, backend, held->source, findings.records[key].power);
   }
+  note_unlike_cases(plan_, corpus_, findings);
   return findings;
 }
 

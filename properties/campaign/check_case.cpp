@@ -253,6 +253,25 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
                                    std::move(record));
 }
 
+/// Notes whether the case was right, if the run keeps outcomes. Says nothing about cases that were
+/// not drawn because the backend was given up.
+void keep_outcome(const Law& law, const std::string& specification, const NumberedCase& numbered,
+                  const Check& check, Findings& findings) {
+  const bool is_given_up = std::find(check.labels.begin(), check.labels.end(),
+                                     std::string(records::kGivenUp)) != check.labels.end();
+  if (!findings.outcomes || !check.is_applicable || is_given_up) return;
+  records::CaseOutcomes& outcomes =
+      (*findings.outcomes)[{std::string(law.id), specification, numbered.origin}];
+  const CaseOutcome outcome = outcome_of(check);
+  if (outcome == CaseOutcome::held) {
+    outcomes.right.add(numbered.index);
+  } else if (outcome == CaseOutcome::known) {
+    outcomes.known.add(numbered.index);
+  } else {
+    outcomes.wrong.add(numbered.index);
+  }
+}
+
 }  // namespace
 
 bool account(const Law& law, const std::string& specification, backends::Backend& backend,
@@ -262,6 +281,7 @@ bool account(const Law& law, const std::string& specification, backends::Backend
                                numbered.stratum};
   records::Record& record = findings.records[key];
   keep_case(law, specification, numbered, check, findings);
+  keep_outcome(law, specification, numbered, check, findings);
   if (!check.is_applicable) {
     count_not_applicable(reason_of(law, backend, check), record);
     return false;

@@ -7,7 +7,8 @@
 //    "records": […], "counterexamples": […], "unexpected": […]}
 //
 // "done" lists ranges of tasks, each from the first to one past the last. "known_digest", "cases"
-// (records/case_record_json.h) and "unexpected" are absent if there are none.
+// (records/case_record_json.h), "outcomes" (records/case_outcomes_json.h) and "unexpected" are
+// absent if there are none.
 
 #include "properties/campaign/checkpoint.h"
 

@@ -5,7 +5,8 @@
 // The file is replaced atomically whenever a new counterexample is found and at least once a second
 // (campaign_run.h), so a process may be killed at any moment. Findings not yet written are found
 // again, as case i of a law depends on the seed alone. The file holds merged findings, not those of
-// each task, so it does not grow with the campaign.
+// each task, so it does not grow with the campaign, except for the outcomes of cases on several
+// backends, which are ranges of numbers (records/case_outcomes.h).
 
 #include <cstddef>
 #include <string>

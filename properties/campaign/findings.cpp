@@ -118,6 +118,8 @@ void merge(Findings& into, Findings from) {
   records::merge(into.records, from.records);
   if (from.cases && !into.cases) into.cases.emplace();
   if (from.cases) into.cases->merge(*from.cases);
+  if (from.outcomes && !into.outcomes) into.outcomes.emplace();
+  if (from.outcomes) records::merge(*into.outcomes, *from.outcomes);
   for (Counterexample& one : from.counterexamples) keep(into, std::move(one));
   for (records::UnexpectedPass& pass : from.unexpected) keep(into, std::move(pass));
   if (!into.fault) into.fault = std::move(from.fault);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "records/case_outcomes.h"
 #include "records/case_record.h"
 #include "records/counterexample.h"
 #include "records/known.h"
@@ -24,6 +25,8 @@ struct Findings {
   records::RecordSet records;
   /// Only for campaigns that keep each case's result.
   std::optional<records::CaseRecordSet> cases = std::nullopt;
+  /// Only for campaigns on several backends.
+  std::optional<records::CaseOutcomeSet> outcomes = std::nullopt;
   /// One per (law, backend, verdict, kind, condition), the first by origin and index. For a backend
   /// that hangs, a single one for all laws.
   std::vector<records::Counterexample> counterexamples;

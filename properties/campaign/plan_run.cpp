@@ -103,6 +103,7 @@ Result<records::Run> PlanRun::carry_out() {
   records::Run run = planned(start_.plan, known_);
   run.records = findings.records;
   run.cases = findings.cases;
+  run.outcomes = findings.outcomes;
   run.counterexamples = findings.counterexamples;
   run.causes = causes_of(run.counterexamples);
   run.unexpected = findings.unexpected;

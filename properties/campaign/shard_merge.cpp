@@ -236,17 +236,19 @@ Result<void> ShardMerge::add(Run run, const std::string& file) {
   std::move(run.scenes.begin(), run.scenes.end(), std::back_inserter(scenes_));
   std::move(run.pictures.begin(), run.pictures.end(), std::back_inserter(pictures_));
   std::move(run.shard->saved.begin(), run.shard->saved.end(), std::back_inserter(saved_));
-  merge(all_, {std::move(run.records), std::move(run.cases), std::move(run.counterexamples),
-               std::move(run.unexpected), std::nullopt});
+  merge(all_, {std::move(run.records), std::move(run.cases), std::move(run.outcomes),
+               std::move(run.counterexamples), std::move(run.unexpected), std::nullopt});
   if (added_.size() > 1) return {};
   run.records.clear();
   run.cases.reset();
+  run.outcomes.reset();
   run.counterexamples.clear();
   run.unexpected.clear();
   run.scenes.clear();
   run.pictures.clear();
   run.inspections.clear();
   run.specimens.clear();
+  run.differences.clear();
   first_ = std::move(run);
   return {};
 }
@@ -276,6 +278,7 @@ Result<MergedRun> ShardMerge::finish() && {
   run.plan.shard.reset();
   run.records = std::move(all_.records);
   run.cases = std::move(all_.cases);
+  run.outcomes = std::move(all_.outcomes);
   run.counterexamples = std::move(all_.counterexamples);
   run.causes = causes_of(run.counterexamples);
   run.unexpected = std::move(all_.unexpected);

@@ -19,6 +19,7 @@
 #include "properties/draw.h"
 #include "properties/fitted_case.h"
 #include "records/enclosure.h"
+#include "records/summary.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -176,6 +177,22 @@ std::uint64_t checked_cases(const records::RecordSet& records) {
   return checked;
 }
 
+/// Lists why the law applied to no case, the most frequent reason first.
+std::string reasons_text(const records::RecordSet& records) {
+  records::LawSummary row;
+  for (const auto& [key, record] : records) {
+    for (const auto& [why, cases] : record.not_applicable_because) {
+      row.not_applicable_because[why] += cases;
+    }
+  }
+  std::string text;
+  for (const auto& [cases, why] : records::reasons_of(row)) {
+    text +=
+        fmt::format("  {} {}: {}\n", cases, cases == 1 ? "case" : "cases", cases::printable(why));
+  }
+  return text;
+}
+
 /// Names the labels that random cases should have reached and did not.
 std::string unreached_text(const Law& law, const std::string& name, backends::Backend& backend,
                            const records::RecordSet& records) {
@@ -220,8 +237,8 @@ Trial try_law(const Law& law, const std::string& name, const MakeTried& make,
   if (!backend) return {Trial::Outcome::failed, name + " could not be created"};
   if (!is_promised(law, *backend)) {
     return {Trial::Outcome::skipped,
-            fmt::format("{} does not promise “{}”, which does not apply to: {}", name, law.sentence,
-                        law.exceptions)};
+            fmt::format("{} does not promise “{}”: {}\n  The property does not apply to: {}", name,
+                        law.sentence, reason_of(law, *backend, {}), law.exceptions)};
   }
 
   const Findings findings = check_cases(law, name, *backend, corpus, options);
@@ -234,8 +251,8 @@ Trial try_law(const Law& law, const std::string& name, const MakeTried& make,
   }
   if (checked_cases(findings.records) == 0) {
     return {Trial::Outcome::skipped,
-            fmt::format("nothing was checked: “{}” applies to none of {} cases", law.sentence,
-                        corpus.size() + options.cases)};
+            fmt::format("nothing was checked: “{}” applies to none of {} cases\n{}", law.sentence,
+                        corpus.size() + options.cases, reasons_text(findings.records))};
   }
   std::string unreached = unreached_text(law, name, *backend, findings.records);
   if (!unreached.empty()) return {Trial::Outcome::failed, std::move(unreached)};

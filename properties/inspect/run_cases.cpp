@@ -5,9 +5,6 @@
 #include <utility>
 
 #include "properties/campaign/shrink.h"
-#include "properties/draw.h"
-#include "properties/fitted_case.h"
-#include "properties/law.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -17,18 +14,6 @@ namespace {
 constexpr std::size_t kMostTriangles = 8;
 
 }  // namespace
-
-std::optional<cases::Case> frozen_case(const records::CaseKey& key, const records::Plan& plan,
-                                       std::span<const cases::Case> corpus) {
-  if (key.origin == records::Origin::corpus) {
-    if (key.index >= corpus.size()) return std::nullopt;
-    return fitted_case(records::capabilities_of(plan, key.backend), corpus[key.index]);
-  }
-  const Law* law = key.origin == records::Origin::random ? find_law(key.law) : nullptr;
-  if (law == nullptr || law->generate == nullptr) return std::nullopt;
-  return random_case(*law, plan.seed, key.index, records::capabilities_of(plan, key.backend))
-      .source;
-}
 
 backends::Backend* MadeBackends::find(const std::string& specification) {
   const auto [made, is_new] = made_.try_emplace(specification);

@@ -13,6 +13,7 @@
 #include "backends/backend.h"
 #include "backends/factory.h"
 #include "cases/case.h"
+#include "properties/campaign/frozen_case.h"
 #include "properties/campaign/known_defects.h"
 #include "properties/inspect/focus.h"
 #include "properties/inspect/inspect.h"
@@ -29,11 +30,6 @@ struct CaseSources {
   KnownByBackend known = {};
   const cases::Case* scene = nullptr;  ///< without a camera; nullptr: none
 };
-
-/// Returns a case that every run with the same seed has: corpus or random. Empty for other origins,
-/// or if the case no longer exists.
-std::optional<cases::Case> frozen_case(const records::CaseKey& key, const records::Plan& plan,
-                                       std::span<const cases::Case> corpus);
 
 /// Backends, made on first use.
 class MadeBackends {

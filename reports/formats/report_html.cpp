@@ -16,6 +16,7 @@
 #include "reports/internal/report_front.h"
 #include "reports/internal/report_laws.h"
 #include "reports/internal/report_power.h"
+#include "reports/internal/report_side_by_side.h"
 #include "reports/internal/report_style.h"
 #include "reports/internal/viewer.h"
 #include "reports/internal/wording.h"
@@ -64,10 +65,10 @@ std::string write(const Run& run) {
       "<title>{} – RasterCheck</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
       viewer_policy(), title_of(run, rows), kReportStyle, kViewerStyle);
   const Findings findings = findings_of(run);
-  text += front_of(run, rows) + findings.counterexamples + scene_section(run) +
-          judged_section(run, rows) + properties_section(run, rows) + gaps_section(run, rows) +
-          power_of(rows) + findings.worst + pictures_of(run) + known_of(run) + again_section(run) +
-          "</main>\n";
+  text += front_of(run, rows) + side_by_side_section(run) + findings.counterexamples +
+          scene_section(run) + judged_section(run, rows) + properties_section(run, rows) +
+          gaps_section(run, rows) + power_of(rows) + findings.worst + pictures_of(run) +
+          known_of(run) + again_section(run) + "</main>\n";
   return text + viewer_scripts() + "</body>\n</html>\n";
 }
 

@@ -11,6 +11,8 @@
 //     "cases_left": 120,        only if the run was interrupted
 //     "records": […],           records/record_json.h
 //     "cases": […],             records/case_record_json.h; only if they are kept
+//     "outcomes": […],          records/case_outcomes_json.h; only for several backends
+//     "differences": […],       the same; only if two backends disagree
 //     "specimens": […],         records/specimen_json.h; only if there are any
 //     "counterexamples": […],   records/counterexample_json.h
 //     "inspections": […],       records/inspection_json.h; only if there are any
@@ -24,8 +26,8 @@
 //     "environment": {"version": "0.1.0", …}
 //   }
 //
-// Each record, case, specimen, counterexample, inspection and picture takes one line, so that a
-// text comparison of two runs shows which of them differ.
+// Each record, case, difference, specimen, counterexample, inspection and picture takes one line,
+// so that a text comparison of two runs shows which of them differ.
 
 #include <nlohmann/json.hpp>
 

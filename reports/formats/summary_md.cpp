@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "records/share.h"
+#include "records/side_by_side.h"
 #include "records/summary.h"
 #include "reports/cause_text.h"
 #include "reports/commands.h"
 #include "reports/finding_text.h"
 #include "reports/format.h"
 #include "reports/internal/markdown.h"
+#include "reports/internal/side_by_side_wording.h"
 #include "reports/internal/wording.h"
 
 namespace rastercheck::reports::summary_md_format {
@@ -95,6 +97,60 @@ std::string known_of(const Run& run) {
   return text;
 }
 
+/// The properties on which two backends differ, and how to look at the first case of each.
+std::string differences_of(const Run& run, const records::SideBySide& pair) {
+  const std::vector<records::SideBySideLaw> laws = differing_laws(pair);
+  if (laws.empty()) return pair.counts.cases() == 0 ? "" : "They agree on every property.\n";
+  std::string text = "They differ on " + counted(laws.size(), "property", "properties") + ":\n\n";
+  for (const records::SideBySideLaw& law : laws) {
+    for (const Disagreement& one : disagreements_of(pair, law)) {
+      text +=
+          fmt::format("- {}: only {} right in {} ({})\n", markdown(one.law), markdown(one.right),
+                      counted(one.cases, "case", "cases"), markdown(places_text(run, one)));
+      const records::Difference* difference = difference_of(run, one);
+      if (difference == nullptr) continue;
+      text += "\n";
+      for (const std::string& command : look_commands(run, records::file_of(*difference), one)) {
+        text += "  " + command_block(command);
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+/// Shows backends side by side; empty for a run of one backend or a shard.
+std::string side_by_side_of(const Run& run) {
+  const std::vector<records::SideBySide> pairs = records::side_by_side(run);
+  if (pairs.empty()) return "";
+  std::string text = fmt::format("\n## Side by side\n\n{}\n", kSideBySideSentence);
+  for (const records::SideBySide& pair : pairs) {
+    text += fmt::format("\n### {} and {}\n\n{}\n", markdown(pair.first), markdown(pair.second),
+                        markdown(compared_sentence(pair)));
+    if (pair.counts.cases() > 0) {
+      text += "\n| on both | cases |\n|---|--:|\n";
+      for (const auto& [term, number] : side_counts(pair)) {
+        text += fmt::format("| {} | {} |\n", markdown(term), grouped(number));
+      }
+    }
+    const std::string known = known_sentence(pair);
+    if (!known.empty()) text += "\n" + markdown(known) + "\n";
+    const std::string differences = differences_of(run, pair);
+    if (!differences.empty()) text += "\n" + differences;
+    if (pair.errors.empty()) continue;
+    text += fmt::format(
+        "\nLargest errors after allowances, of all cases of each, in scale ULP:\n\n"
+        "| kind of value | {} | {} |\n|---|--:|--:|\n",
+        markdown(pair.first), markdown(pair.second));
+    for (const records::SideErrors& errors : pair.errors) {
+      text +=
+          fmt::format("| {} | {} | {} |\n", to_string(errors.kind),
+                      markdown(number_text(errors.first)), markdown(number_text(errors.second)));
+    }
+  }
+  return text;
+}
+
 std::string counterexample_text(const Run& run, const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   std::string text = fmt::format("\n#### {} on {}, case {}\n\n", markdown(found.law),
@@ -133,6 +189,7 @@ std::string write(const Run& run) {
   }
   text += fmt::format("\n{}\n\n{}\n\n", kUnitSentence, kExcessSentence);
   text += counts_of(totals(rows)) + levels_of(totals(rows));
+  text += side_by_side_of(run);
   text += "\n## Do it again\n\n" + command_block(run_command(run));
   if (!run.counterexamples.empty())
     text += "\n## Counterexamples\n\nCommands are for the folder that this file is in.\n";

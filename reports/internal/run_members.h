@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cases/json_members.h"
+#include "records/case_outcomes_json.h"
 #include "records/case_record_json.h"
 #include "records/counterexample_json.h"
 #include "records/inspection_json.h"
@@ -112,6 +113,8 @@ void members(Archive& archive, T& run) {
   archive.optional("cases_left", run.cases_left);
   archive.required("records", run.records);
   archive.optional("cases", run.cases);
+  archive.optional("outcomes", run.outcomes);
+  archive.optional("differences", run.differences);
   archive.optional("specimens", run.specimens);
   archive.required("counterexamples", run.counterexamples);
   archive.optional("causes", run.causes);

@@ -81,5 +81,13 @@ TEST(BackendFactory, LeavesForeignBackendsToWhoMakesThem) {
   EXPECT_NE(make_backend("foreign:a").value()->picture_drawer(), nullptr);  // the backend `cpu`
 }
 
+TEST(Factory, KnowsKindsByTheirNames) {
+  EXPECT_TRUE(names_a_kind("cpu"));
+  EXPECT_TRUE(names_a_kind("cpu:nonsense"));
+  EXPECT_FALSE(names_a_kind("cpu.json"));
+  EXPECT_FALSE(names_a_kind("unknown:cpu"));
+  EXPECT_FALSE(names_a_kind(""));
+}
+
 }  // namespace
 }  // namespace rastercheck::backends::factory_test

@@ -101,6 +101,25 @@ TEST_F(Compare, PrintsJson) {
   EXPECT_EQ(json::parse(outcome.out)["format"], "rastercheck-comparison");
 }
 
+// Kills: "cannot be opened", where the command that was meant is another one.
+TEST_F(Compare, SaysHowToCompareBackends) {
+  const Outcome both = program({"compare", "gl:llvmpipe", "cpu"});
+  EXPECT_EQ(both.code, 2) << both;
+  EXPECT_EQ(both.err,
+            "rastercheck: gl:llvmpipe: is a backend, and compare takes runs or baselines; to "
+            "compare two backends: rastercheck run --backend gl:llvmpipe --backend cpu\n");
+  const Outcome one = program({"compare", path("double"), "plugin:./no such.so"});
+  EXPECT_EQ(one.code, 2) << one;
+  EXPECT_EQ(one.err,
+            "rastercheck: plugin:./no such.so: is a backend, and compare takes runs or baselines; "
+            "to make a run of it: rastercheck run --backend 'plugin:./no such.so' --keep-cases\n");
+  // A file of that name is a file.
+  folder()->put("cpu", folder()->content("baseline.json"));
+  const Outcome file = run_shell("cd " + folder()->path() + "; \"$PROGRAM\" compare cpu cpu");
+  EXPECT_EQ(file.code, 0) << file;
+  EXPECT_THAT(program({"compare", "nothing", "cpu.json"}).err, Not(HasSubstr("backend")));
+}
+
 // Kills: overwriting a baseline with the comparison, or with the run that is compared with it.
 TEST_F(Compare, WritesOverNothingItReads) {
   const std::string baseline = copy("own/compare.json");

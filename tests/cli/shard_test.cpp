@@ -69,7 +69,7 @@ class Shard : public testing::Test {
                 without_environment(folder_.content(other + "/run.json")));
     ASSERT_EQ(folder_.files(one), folder_.files(other));
     for (const std::string& file : folder_.files(one)) {
-      if (!file.starts_with("counterexamples/")) continue;
+      if (!file.starts_with("counterexamples/") && !file.starts_with("differences/")) continue;
       EXPECT_EQ(folder_.content(one + "/" + file), folder_.content(other + "/" + file));
     }
   }
@@ -136,6 +136,9 @@ TEST_P(InShards, IsTheRunThatOneProgramMakes) {
   EXPECT_THAT(document.at("counterexamples"), Not(IsEmpty()));
   EXPECT_THAT(document.at("inspections"), Not(IsEmpty()));
   EXPECT_THAT(document.at("specimens"), Not(IsEmpty()));
+  EXPECT_THAT(document.at("outcomes"), Not(IsEmpty()));
+  EXPECT_THAT(document.at("differences"), Not(IsEmpty()));
+  EXPECT_THAT(merged.out, HasSubstr("\nSide by side: damaged and cpu\n"));
   EXPECT_THAT(document.at("pictures"), SizeIs(6));
   EXPECT_EQ(document.at("environment").at("shards"), std::to_string(count));
 }

@@ -35,7 +35,7 @@ TEST(FileOf, IsTheSameWhereverItWasFound) {
   EXPECT_NE(file_of(one), file_of(other));
 }
 
-TEST(FileOf, DoesWithoutFound) { EXPECT_EQ(file_of({}), "counterexamples/--.json"); }
+TEST(FileOf, DoesWithoutFound) { EXPECT_EQ(file_of(Counterexample()), "counterexamples/--.json"); }
 
 TEST(UnreachedSentence, SaysHowOftenAndHowOftenAtLeast) {
   EXPECT_EQ(unreached_sentence({"law", "cpu", "tie", 1, 4, 9}),

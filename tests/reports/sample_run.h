@@ -171,6 +171,26 @@ inline records::CaseRecordSet sample_cases(const std::string& law, const std::st
           {{law, backend, Origin::random, 17}, random}};
 }
 
+/// Outcomes of two backends on 60 random cases of a law: the second backend is wrong in two of
+/// them, has a known defect in another, and got another case in three.
+inline records::CaseOutcomeSet sample_outcomes(const std::string& law,
+                                               const std::vector<std::string>& backends) {
+  using namespace records;
+  CaseOutcomes first;
+  first.right = IndexSet({{0, 59}});
+  CaseOutcomes second;
+  second.right = IndexSet({{0, 16}, {18, 40}, {44, 58}});
+  second.wrong = IndexSet({{17, 17}, {41, 41}});
+  second.known = IndexSet({{42, 42}});
+  second.unlike[backends[0]] = IndexSet({{3, 5}});
+  CaseOutcomes corpus;
+  corpus.wrong = IndexSet({{7, 7}});
+  return {{{law, backends[0], Origin::corpus}, corpus},
+          {{law, backends[0], Origin::random}, first},
+          {{law, backends[1], Origin::corpus}, corpus},
+          {{law, backends[1], Origin::random}, second}};
+}
+
 inline records::Run sample_run() {
   records::Run run;
   run.plan.seed = std::numeric_limits<std::uint64_t>::max();
@@ -186,6 +206,10 @@ inline records::Run sample_run() {
     add_sample_records(run.records, run.plan.laws[1], backend, backend == "cpu" ? 0 : 2);
   }
   run.cases = sample_cases(run.plan.laws[1], run.plan.backends[1]);
+  run.outcomes = sample_outcomes(run.plan.laws[1], run.plan.backends);
+  run.differences = {
+      {sample_case(run.plan.laws[1], run.plan.backends[1], 17), "cpu", records::Origin::random}};
+  run.differences[0].source.found->verdict.clear();
   run.unreached = {{run.plan.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
   run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
   run.causes = {{"cpu",

@@ -147,5 +147,24 @@ TEST(SummaryJson, HasPrecisionByKindAndStratum) {
   EXPECT_EQ(precision.at(1).at("stratum"), "near horizon");
 }
 
+TEST(SummaryJson, HasBackendsSideBySide) {
+  records::Run run = sample_run();
+  const auto document = [&run] { return json::parse(summary_json(run, records::summarize(run))); };
+  const json pairs = document().at("side_by_side");
+  ASSERT_EQ(pairs.size(), 1U);
+  const json& pair = pairs.at(0);
+  EXPECT_EQ(pair.at("first"), "cpu");
+  EXPECT_EQ(pair.at("second"), "method:float32");
+  EXPECT_EQ(pair.at("same_cases"), 56);
+  EXPECT_EQ(pair.at("both_right"), 52);
+  EXPECT_EQ(pair.at("only_first_right"), 3);
+  EXPECT_EQ(pair.at("only_second_right"), 0);
+  EXPECT_EQ(pair.at("neither_right"), 1);
+  EXPECT_EQ(pair.at("known_second"), 1);
+  EXPECT_EQ(pair.at("laws").at(run.plan.laws[1]).at("only_first_right"), 3);
+  run.outcomes.reset();
+  EXPECT_FALSE(document().contains("side_by_side"));
+}
+
 }  // namespace
 }  // namespace rastercheck::reports::summary_table_test

@@ -41,6 +41,10 @@ constexpr const char* kThird =
     "counterexamples/values-are-within-bounds-method-float32-beyond-bound.json";
 constexpr const char* kOther =
     "counterexamples/values-are-within-bounds-method-float32-missing.json";
+constexpr const char* kDifference =
+    "differences/values-are-within-bounds-method-float32-wrong-cpu-right.json";
+constexpr const char* kEarlierDifference =
+    "differences/earlier/values-are-within-bounds-method-float32-wrong-cpu-right.json";
 constexpr const char* kEarlierOther =
     "counterexamples/earlier/values-are-within-bounds-method-float32-missing.json";
 constexpr const char* kEarlierThird =
@@ -48,15 +52,26 @@ constexpr const char* kEarlierThird =
 
 TEST_F(WriteReports, WritesWhatTheContractLists) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), default_format_names()).has_value());
-  EXPECT_EQ(files(), with_reports({kThird, kOther}));
+  EXPECT_EQ(files(), with_reports({kThird, kOther, kDifference}));
   EXPECT_EQ(read_run(directory() + "/run.json").value(), sample_run());
   EXPECT_EQ(cases::read_case(directory() + "/" + kThird).value(),
             sample_run().counterexamples[0].source);
 }
 
+// Kills: a report that names a case of an earlier run.
+TEST_F(WriteReports, PutsEarlierDifferencesAside) {
+  records::Run run = sample_run();
+  ASSERT_TRUE(write_reports(run, directory(), {}));
+  EXPECT_EQ(cases::read_case(directory() + "/" + kDifference).value(), run.differences[0].source);
+  put("differences/mine.json", "{}");
+  run.differences.clear();
+  ASSERT_TRUE(write_reports(run, directory(), {}));
+  EXPECT_THAT(files(), ElementsAre(kThird, kOther, kEarlierDifference, "differences/mine.json"));
+}
+
 TEST_F(WriteReports, WritesTheFormatsAskedFor) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), std::vector<std::string>{"markdown"}));
-  EXPECT_THAT(files(), ElementsAre(kThird, kOther, "summary.md"));
+  EXPECT_THAT(files(), ElementsAre(kThird, kOther, kDifference, "summary.md"));
 }
 
 TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
@@ -77,13 +92,13 @@ TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   records::Run interrupted = later;
   interrupted.cases_left = 1;  // these cases may not have been checked
   ASSERT_TRUE(write_reports(interrupted, directory(), {}).has_value());
-  EXPECT_EQ(files(), with_reports({kThird, kOther}));
+  EXPECT_EQ(files(), with_reports({kThird, kOther, kDifference}));
   records::Run shard = later;
   shard.plan.shard = {2, 7};  // the first shard checks these cases
   ASSERT_TRUE(write_reports(shard, directory(), {}).has_value());
-  EXPECT_EQ(files(), with_reports({kThird, kOther}));
+  EXPECT_EQ(files(), with_reports({kThird, kOther, kDifference}));
   ASSERT_TRUE(write_reports(later, directory(), default_format_names()).has_value());
-  EXPECT_EQ(files(), with_reports({kEarlierThird, kOther}));
+  EXPECT_EQ(files(), with_reports({kEarlierThird, kOther, kDifference}));
 }
 
 // Kills: old counterexamples that `replay counterexamples/*.json` takes for those of this run.
@@ -93,7 +108,7 @@ TEST_F(WriteReports, PutsThoseOfOtherLawsAndBackendsAside) {
   other.plan.laws = {"values are within bounds"};
   other.plan.backends = {"cpu"};
   ASSERT_TRUE(write_reports(other, directory(), {}).has_value());
-  EXPECT_THAT(files(), ElementsAre(kEarlierThird, kEarlierOther));
+  EXPECT_THAT(files(), ElementsAre(kEarlierThird, kEarlierOther, kEarlierDifference));
 }
 
 // Kills: moving files only because of the ending of their name; moving every case file.
@@ -142,7 +157,7 @@ TEST_F(WriteReports, RefusesTwoCounterexamplesOfOneName) {
   const Result<void> done = write_reports(run, directory(), {});
   ASSERT_FALSE(done.has_value());
   EXPECT_EQ(to_string(done.error()),
-            directory() + "/" + kThird + ": two counterexamples would have this name");
+            directory() + "/" + kThird + ": two cases would have this name");
 }
 
 }  // namespace

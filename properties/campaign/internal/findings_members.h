@@ -4,6 +4,7 @@
 
 #include "cases/json_members.h"
 #include "properties/campaign/findings.h"
+#include "records/case_outcomes_json.h"
 #include "records/case_record_json.h"
 #include "records/counterexample_json.h"
 #include "records/known_json.h"
@@ -15,6 +16,7 @@ template <typename Archive, cases::Either<Findings> T>
 void members(Archive& archive, T& findings) {
   archive.required("records", findings.records);
   archive.optional("cases", findings.cases);
+  archive.optional("outcomes", findings.outcomes);
   archive.required("counterexamples", findings.counterexamples);
   archive.optional("unexpected", findings.unexpected);
   archive.check([&](const cases::JsonNode& node) {

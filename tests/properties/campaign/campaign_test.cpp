@@ -221,7 +221,8 @@ std::vector<cases::Case> small_corpus() {
 }
 
 Findings whole_campaign() {
-  TaskRunner runner({.seed = kSmall.seed, .keeps_cases = true}, small_corpus());
+  TaskRunner runner({.seed = kSmall.seed, .backends = kSmall.backends, .keeps_cases = true},
+                    small_corpus());
   const std::vector<Task> tasks = tasks_of(kSmall, 3);
   return gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
 }
@@ -242,6 +243,17 @@ TEST(Campaign, HasSomethingToFind) {
   // Two laws, two backends, three cases of the corpus and twelve random ones.
   ASSERT_TRUE(whole.cases);
   EXPECT_THAT(*whole.cases, SizeIs(4 * (3 + 12)));
+  // Kept cases and outcomes say the same.
+  ASSERT_TRUE(whole.outcomes);
+  for (const auto& [key, record] : *whole.cases) {
+    const auto outcomes = whole.outcomes->find({key.law, key.backend, key.origin});
+    ASSERT_NE(outcomes, whole.outcomes->end());
+    EXPECT_EQ(outcomes->second.right.contains(key.index),
+              record.outcome == records::CaseOutcome::held);
+    EXPECT_EQ(outcomes->second.wrong.contains(key.index),
+              record.outcome == records::CaseOutcome::violated);
+    EXPECT_TRUE(outcomes->second.unlike.empty());  // both draw everything
+  }
 }
 
 // Kills: records or counterexamples that depend on which process checked what, or which was ready
@@ -249,7 +261,8 @@ TEST(Campaign, HasSomethingToFind) {
 RC_GTEST_PROP(Campaign, IsTheSameHoweverItIsSplit, ()) {
   static const Findings kWhole = whole_campaign();
   static const std::vector<Findings> kSingle = [] {
-    TaskRunner runner({.seed = kSmall.seed, .keeps_cases = true}, small_corpus());
+    TaskRunner runner({.seed = kSmall.seed, .backends = kSmall.backends, .keeps_cases = true},
+                      small_corpus());
     std::vector<Findings> all;
     for (Task task : tasks_of(kSmall, 3)) {
       const std::uint64_t last = task.last;

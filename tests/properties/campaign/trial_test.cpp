@@ -215,7 +215,8 @@ TEST(TryLaw, SkipsWhatIsNotPromised) {
       try_law(*find_law("strips-and-fans-are-their-triangles"), "Mine", damaged({}), few_cases());
   EXPECT_EQ(trial.outcome, Outcome::skipped);
   EXPECT_THAT(trial.text,
-              AllOf(HasSubstr("Mine does not promise “strips and fans are their triangles”"),
+              AllOf(HasSubstr("Mine does not promise “strips and fans are their triangles”: the "
+                              "backend does not assemble strips and fans\n"),
                     HasSubstr("backends that assemble none")));
 }
 
@@ -226,6 +227,22 @@ TEST(TryLaw, SkipsWhereNothingIsChecked) {
   const Trial trial = try_law(law_of_squares(), "Mine", damaged({}), options);
   EXPECT_EQ(trial.outcome, Outcome::skipped);
   EXPECT_THAT(trial.text, HasSubstr("nothing was checked"));
+}
+
+// Kills: "applies to none of 3 cases", and no word why.
+TEST(TryLaw, SaysWhyNothingWasChecked) {
+  class Refusing : public DamagedBackend {
+    Result<cases::Fragments> draw_fragments(const cases::Case& /*c*/) override {
+      return tl::unexpected(Error{"", "", "no triangles yet", Failure::unsupported});
+    }
+  };
+  TrialOptions options = few_cases();
+  options.cases = 3;
+  const Trial trial = try_law(
+      law_of_squares(), "Mine", [] { return std::make_unique<Refusing>(); }, options);
+  EXPECT_EQ(trial.outcome, Outcome::skipped);
+  EXPECT_THAT(trial.text, AllOf(HasSubstr("applies to none of 3 cases\n"),
+                                HasSubstr("  3 cases: no triangles yet\n")));
 }
 
 // Kills: "held" for a law although none of its cases is of the kind that the law is about.
