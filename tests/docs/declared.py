@@ -58,6 +58,9 @@ LITTLE = """mkdir -p include/rastercheck && cp backends/plugin/plugin.h include/
     $CC -O1 -shared -fPIC -Iinclude docs/examples/plugin/little.c -o little.so -lm"""
 # Shell commands that make the files that a page assumes.
 BEFORE = {
+    "image-tests.md": """rastercheck import /usr/share/glmark2/models/bunny.obj --width 64 --height 64 --output scene.json &&
+        rastercheck render scene.json --channels R=x,G=y,B=0 --storage unorm8 --picture scene.png &&
+        sed -n '/^    import array/,/^    sys.exit/s/^    //p' docs/image-tests.md >within.py""",
     "judge-a-driver.md": """cat >quarter.json <<END
 {"format": "rastercheck-contract", "version": 1, "bounds": {"smooth": {"constant": 0.25}}}
 END""",
