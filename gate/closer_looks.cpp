@@ -75,14 +75,14 @@ std::vector<LookRequest> requests_of(const records::Comparison& comparison,
                                      std::span<const Specimen> kept,
                                      std::span<const Specimen> kept_now,
                                      std::span<const cases::Case> corpus,
-                                     const backends::BackendFactory& backends) {
+                                     properties::CaseDrawer& drawer) {
   std::vector<LookRequest> requests;
   for (const records::CaseGrowth& growth : comparison.growths) {
     if (requests.size() == kMostGrowths) break;
     if (growth.after) requests.push_back(request_of(growth, comparison.backend, kept));
   }
   std::vector<Specimen> again =
-      properties::draw_again(kept, comparison.backend, comparison.plan, corpus, backends);
+      properties::draw_again(kept, comparison.backend, comparison.plan, corpus, drawer);
   leave_out_others(again, kept_now);
   std::vector<LookRequest> parts =
       properties::changed_parts(kept, again, kMostGrowths + kMostParts);
@@ -102,10 +102,11 @@ std::vector<records::CloserLook> look_closer(const records::Comparison& comparis
                                              const records::Baseline& after,
                                              std::span<const cases::Case> corpus,
                                              const backends::BackendFactory& backends) {
+  properties::CaseDrawer drawer(backends);
   const std::vector<LookRequest> requests =
       requests_of(comparison, specimens_of(section_of_key(before, comparison.key)),
-                  specimens_of(section_of_backend(after, comparison.backend)), corpus, backends);
-  return properties::closer_looks(requests, comparison.plan, corpus, backends);
+                  specimens_of(section_of_backend(after, comparison.backend)), corpus, drawer);
+  return properties::closer_looks(requests, comparison.plan, corpus, drawer);
 }
 
 }  // namespace rastercheck::gate

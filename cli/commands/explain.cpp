@@ -17,6 +17,9 @@
 #include "cli/isolation.h"
 #include "cli/sample_limit.h"
 #include "cli/whole_number.h"
+#include "properties/drawing.h"
+#include "properties/inspect/case_to_draw.h"
+#include "properties/inspect/focus.h"
 #include "properties/inspect/inspect.h"
 #include "records/inspection_json.h"
 #include "reports/commands.h"
@@ -89,9 +92,13 @@ std::optional<std::size_t> shown_value(const properties::FocusRequest& request) 
 
 Result<records::Inspection> inspect(const cases::Case& c, const properties::FocusRequest& request,
                                     const std::string& specification, backends::Backend& backend) {
-  const Result<properties::Focus> focus = properties::find_focus(c, backend, request);
-  if (!focus) return tl::unexpected(focus.error());
-  Result<records::Inspection> inspection = properties::inspect(c, backend, *focus);
+  const Result<cases::ClipCase> clip = properties::case_to_draw(c);
+  if (!clip) return tl::unexpected(clip.error());
+  const Result<backends::Drawn> drawn = properties::draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const properties::Focus focus = properties::find_focus(*clip, *drawn, request);
+  Result<records::Inspection> inspection =
+      properties::inspect(*clip, *drawn, focus, properties::trace_sample(*clip, focus.at, backend));
   if (!inspection) return inspection;
   inspection->occasion = records::Occasion::asked_for;
   inspection->backend = specification;

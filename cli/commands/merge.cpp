@@ -6,13 +6,14 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/conduct.h"
 #include "cli/format_option.h"
 #include "cli/github.h"
-#include "cli/merged_inspections.h"
 #include "cli/output.h"
 #include "cli/run_results.h"
+#include "cli/scene.h"
 #include "properties/campaign/shard_merge.h"
-#include "properties/inspect/gathered_inspections.h"
+#include "properties/inspect/merged_inspections.h"
 #include "records/summary.h"
 #include "reports/format.h"
 #include "reports/run_reader.h"
@@ -44,15 +45,14 @@ Result<properties::MergedRun> merged_run(const Options& options) {
   return std::move(merge).finish();
 }
 
-/// Adds the results that need drawing once more. If drawing is impossible, takes them from the
-/// shards and says so.
-void add_drawn(properties::MergedRun& merged) {
-  const Result<void> inspected = inspect_merged(merged);
+/// Adds inspections; says why if they are only the shards' own.
+void add_inspections(properties::MergedRun& merged) {
+  const properties::Conduct conduct = conduct_of(merged.run.plan, "", 1);
+  const Result<void> inspected = properties::inspect_merged(merged, conduct, &read_scene);
   if (inspected) return;
   Error why = inspected.error();
   why.reason += "; using the samples that the shards inspected";
   fail(why);
-  merged.run.inspections = properties::gathered_inspections(merged.run, merged.looked_at);
 }
 
 ExitCode merge(const Options& options) {
@@ -61,7 +61,7 @@ ExitCode merge(const Options& options) {
   }
   Result<properties::MergedRun> merged = merged_run(options);
   if (!merged) return fail(merged.error());
-  add_drawn(*merged);
+  add_inspections(*merged);
   const records::Run& run = merged->run;
   const std::vector<records::LawSummary> rows = records::summarize(run);
   const Result<void> written = reports::write_reports(run, options.output, options.formats);

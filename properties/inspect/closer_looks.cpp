@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "backends/factory.h"
-#include "properties/inspect/run_cases.h"
-
 namespace rastercheck::properties {
 namespace {
 
@@ -31,15 +28,15 @@ oracle::PixelBox box_of(const Specimen& specimen) {
 }
 
 std::optional<CloserLook> look_closer(const LookRequest& request, const records::Plan& plan,
-                                      std::span<const cases::Case> corpus, MadeBackends& made) {
-  std::optional<cases::Case> c = frozen_case(request.key, plan, corpus);
+                                      std::span<const cases::Case> corpus, CaseDrawer& drawer) {
+  const std::optional<cases::Case> c = frozen_case(request.key, plan, corpus);
   if (!c) return std::nullopt;
   CloserLook look;
   look.before = kept_around(request);
   InspectOptions options{kMostValues};
   if (look.before) options.crop = box_of(*look.before);
-  std::optional<records::Inspection> inspection = inspect_part(
-      *std::move(c), request.key.backend, {request.at, request.attribute}, made, options);
+  std::optional<records::Inspection> inspection =
+      inspect_part(*c, request.key.backend, {request.at, request.attribute}, drawer, options);
   if (!inspection) return std::nullopt;
   if (request.actual && !shows(*inspection, request.attribute, *request.actual)) {
     return std::nullopt;
@@ -59,11 +56,10 @@ std::optional<CloserLook> look_closer(const LookRequest& request, const records:
 
 std::vector<CloserLook> closer_looks(std::span<const LookRequest> requests,
                                      const records::Plan& plan, std::span<const cases::Case> corpus,
-                                     const backends::BackendFactory& backends) {
-  MadeBackends made(backends);
+                                     CaseDrawer& drawer) {
   std::vector<CloserLook> looks;
   for (const LookRequest& request : requests) {
-    if (auto look = look_closer(request, plan, corpus, made)) looks.push_back(*std::move(look));
+    if (auto look = look_closer(request, plan, corpus, drawer)) looks.push_back(*std::move(look));
   }
   return looks;
 }

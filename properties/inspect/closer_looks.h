@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "backends/factory.h"
 #include "cases/case.h"
+#include "properties/inspect/run_cases.h"
 #include "records/case_record.h"
 #include "records/closer_look.h"
 #include "records/plan.h"
@@ -40,7 +40,7 @@ struct LookRequest {
 std::vector<records::CloserLook> closer_looks(std::span<const LookRequest> requests,
                                               const records::Plan& plan,
                                               std::span<const cases::Case> corpus,
-                                              const backends::BackendFactory& backends);
+                                              CaseDrawer& drawer);
 
 /// Returns up to `most` parts whose bits in `again` (draw_again) differ from the kept ones, largest
 /// change first (records::change_of), each at its most changed sample.

@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "oracle/judge.h"
-#include "oracle/transform.h"
-#include "properties/drawing.h"
 #include "records/histogram.h"
 
 namespace rastercheck::properties {
@@ -73,16 +71,11 @@ class Search {
 
 }  // namespace
 
-Result<Focus> find_focus(const cases::Case& c, backends::Backend& backend,
-                         const FocusRequest& request) {
-  Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  const oracle::SceneTruth scene(*clip, drawn->contract);
+Focus find_focus(const cases::ClipCase& c, const backends::Drawn& drawn,
+                 const FocusRequest& request) {
+  const oracle::SceneTruth scene(c, drawn.contract);
   Search search(request);
-  oracle::judge(scene, drawn->fragments, {},
+  oracle::judge(scene, drawn.fragments, {},
                 [&search](const JudgedSample& sample, const oracle::TriangleTruth* truth) {
                   if (truth != nullptr) search.see(sample);
                 });

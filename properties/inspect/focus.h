@@ -6,9 +6,8 @@
 #include <optional>
 
 #include "backends/backend.h"
-#include "cases/case.h"
-#include "cases/error.h"
-#include "records/stage_trace.h"
+#include "cases/clip_case.h"
+#include "cases/sample_place.h"
 
 namespace rastercheck::properties {
 
@@ -29,11 +28,10 @@ struct FocusRequest {
   bool is_depth = false;  ///< depth is meant, not an attribute
 };
 
-/// Draws the case without its depth test. Finds, among samples that match the request, the first
-/// violation of the backend's contract, or else the sample with the largest error, in scale ULP.
-/// Open members are 0 if no sample matches. Fails if the case cannot be drawn. Does not check that
-/// the requested sample exists: inspect() does.
-Result<Focus> find_focus(const cases::Case& c, backends::Backend& backend,
-                         const FocusRequest& request);
+/// Finds, among samples that match the request, the first violation of the drawing's contract, or
+/// else the sample with the largest error, in scale ULP. Open members are 0 if no sample matches.
+/// Does not check that the requested sample exists: inspect() does.
+Focus find_focus(const cases::ClipCase& c, const backends::Drawn& drawn,
+                 const FocusRequest& request);
 
 }  // namespace rastercheck::properties

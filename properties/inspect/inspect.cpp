@@ -12,10 +12,8 @@
 #include "cases/exact_contract.h"
 #include "cases/sample_pattern.h"
 #include "oracle/stage_split.h"
-#include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
 #include "oracle/ulp.h"
-#include "properties/drawing.h"
 #include "properties/inspect/crop.h"
 #include "properties/inspect/elided.h"
 #include "properties/inspect/outline.h"
@@ -232,20 +230,13 @@ Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
 
 /// Splits the errors of the sample in focus by the backend's trace. Without a trace of the drawn
 /// value, splits them as far as is possible for any backend.
-void add_splits(const cases::Case& given, const cases::Contract& contract,
-                backends::Backend& backend, Inspection& inspection) {
+void add_splits(const cases::ClipCase& c, const cases::Contract& contract, const TracedSample& told,
+                Inspection& inspection) {
   const auto& [triangle, y, x, number] = inspection.place;
   const InspectedSample* sample = inspected_sample(inspection);
   if (sample == nullptr) return;
-  std::optional<records::SampleTrace> trace;
-  backends::Tracer* const tracer = backend.tracer();
-  bool is_told = tracer != nullptr;
-  if (is_told) {
-    const auto told = tracer->trace(inspection.source, inspection.place);
-    is_told = told.has_value();
-    if (is_told) trace = *told;
-  }
-  const oracle::StageSplit split(given, inspection.source, contract, triangle);
+  const records::SampleTrace* const trace = told && *told ? &**told : nullptr;
+  const oracle::StageSplit split(c.given(), c, contract, triangle);
   for (const InspectedValue& value : sample->values) {
     if (!value.actual) continue;
     std::optional<oracle::ExactSplit> parts;
@@ -253,9 +244,7 @@ void add_splits(const cases::Case& given, const cases::Contract& contract,
     if (!parts) parts = split.untraced(value.attribute, x, y, number, *value.actual);
     if (parts) inspection.splits.push_back(oracle::enclose(*parts));
   }
-  if (!is_told) return;
-  inspection.coverage_stage =
-      split.coverage_stage(x, y, number, sample->is_drawn, trace ? &*trace : nullptr);
+  if (told) inspection.coverage_stage = split.coverage_stage(x, y, number, sample->is_drawn, trace);
 }
 
 /// True if a crop lies inside the framebuffer and contains the focus.
@@ -295,28 +284,22 @@ Result<void> check_focus(const cases::Case& c, const Focus& focus, const Inspect
 
 }  // namespace
 
-Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, const Focus& focus,
+Result<Inspection> inspect(const cases::ClipCase& c, const backends::Drawn& drawn,
+                           const Focus& focus, const TracedSample& trace,
                            const InspectOptions& options) {
   if (const Result<void> is_there = check_focus(c, focus, options); !is_there) {
     return tl::unexpected(is_there.error());
   }
-  Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-
-  const SceneTruth exact_scene(*clip, cases::exact_contract(cases::contract_of(*clip)));
-  const cases::Contract& contract = drawn->contract;
-  const SceneTruth promised_scene(*clip, contract);
+  const SceneTruth exact_scene(c, cases::exact_contract(cases::contract_of(c)));
+  const SceneTruth promised_scene(c, drawn.contract);
   const TriangleTruth exact(exact_scene, focus.at.triangle);
   const TriangleTruth promised(promised_scene, focus.at.triangle);
-  const InspectedDrawing subject{&*clip, &exact, &promised, &drawn->fragments,
-                                 fragments_of(drawn->fragments, focus.at.triangle)};
+  const InspectedDrawing subject{&c, &exact, &promised, &drawn.fragments,
+                                 fragments_of(drawn.fragments, focus.at.triangle)};
   Inspection inspection = begin_inspection(exact_scene, focus, exact);
   const PixelBox crop = options.crop ? *options.crop : crop_of(subject, focus.at, options);
   inspect_crop(subject, crop, inspection);
-  add_splits(c, contract, backend, inspection);
+  add_splits(c, drawn.contract, trace, inspection);
   return inspection;
 }
 

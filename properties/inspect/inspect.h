@@ -7,9 +7,10 @@
 #include <optional>
 
 #include "backends/backend.h"
-#include "cases/case.h"
+#include "cases/clip_case.h"
 #include "cases/error.h"
 #include "oracle/pixel_box.h"
+#include "properties/inspect/case_to_draw.h"
 #include "properties/inspect/focus.h"
 #include "records/inspection.h"
 
@@ -24,11 +25,11 @@ struct InspectOptions {
   std::optional<oracle::PixelBox> crop = std::nullopt;
 };
 
-/// Draws the case's clip positions (oracle/transform.h) without the depth test, which does not
-/// affect how a single triangle is drawn, and judges the triangle in focus by the backend's
-/// contract. The caller fills in occasion, law and names. Fails, with a reason of one line, if the
-/// case cannot be drawn or has no such triangle, pixel, sample or attribute.
-Result<records::Inspection> inspect(const cases::Case& c, backends::Backend& backend,
-                                    const Focus& focus, const InspectOptions& options = {});
+/// Judges the triangle in focus by the drawing's contract. `c` is the case as drawn (case_to_draw),
+/// `trace` the trace of the sample in focus. The caller fills in occasion, law and names. Fails,
+/// with a reason of one line, if the case has no such triangle, pixel, sample or attribute.
+Result<records::Inspection> inspect(const cases::ClipCase& c, const backends::Drawn& drawn,
+                                    const Focus& focus, const TracedSample& trace,
+                                    const InspectOptions& options = {});
 
 }  // namespace rastercheck::properties

@@ -7,8 +7,9 @@ namespace rastercheck::properties {
 
 void look_closely(records::Run& run, const CaseSources& sources,
                   const backends::BackendFactory& backends) {
-  run.inspections = inspect_run(run, sources, backends);
-  run.specimens = make_specimens(run, sources, backends);
+  CaseDrawer drawer(backends);
+  run.inspections = inspect_run(run, sources, drawer);
+  run.specimens = make_specimens(run, sources, drawer);
 }
 
 }  // namespace rastercheck::properties

@@ -1,10 +1,12 @@
 #include "properties/inspect/run_cases.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <utility>
 
 #include "properties/campaign/shrink.h"
+#include "properties/drawing.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -12,10 +14,12 @@ namespace {
 /// Maximum number of triangles of a case that is kept whole. From a larger case one triangle is
 /// taken.
 constexpr std::size_t kMostTriangles = 8;
+/// Maximum number of fragments in kept drawings, some 40 bytes each.
+constexpr std::size_t kMostFragments = std::size_t{1} << 20;
 
 }  // namespace
 
-backends::Backend* MadeBackends::find(const std::string& specification) {
+backends::Backend* CaseDrawer::find(const std::string& specification) {
   const auto [made, is_new] = made_.try_emplace(specification);
   if (is_new) {
     auto backend = factory_.make(specification);
@@ -25,21 +29,44 @@ backends::Backend* MadeBackends::find(const std::string& specification) {
   return backend == nullptr || backend->is_lost() ? nullptr : backend;
 }
 
-std::optional<CasePart> part_of(cases::Case c, std::uint32_t triangle) {
-  if (triangle >= c.triangles.size()) return std::nullopt;
-  if (c.triangles.size() <= kMostTriangles) return CasePart{std::move(c), triangle};
-  return CasePart{with_triangles(c, {{triangle}}), 0};
+const backends::Drawn* CaseDrawer::draw(const cases::ClipCase& c,
+                                        const std::string& specification) {
+  backends::Backend* const backend = find(specification);
+  if (backend == nullptr) return nullptr;
+  const auto same = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) {
+    return one.specification == specification && one.source.given() == c.given();
+  });
+  if (same != kept_.end()) return &same->drawn;
+  Result<backends::Drawn> drawn = properties::draw(c, *backend);
+  if (!drawn) return nullptr;
+  fragments_ += drawn->fragments.size();
+  if (fragments_ > kMostFragments) {
+    kept_.clear();
+    fragments_ = drawn->fragments.size();
+  }
+  kept_.push_back({specification, c, *std::move(drawn)});
+  return &kept_.back().drawn;
 }
 
-std::optional<records::Inspection> inspect_part(cases::Case c, const std::string& specification,
-                                                Focus focus, MadeBackends& made,
-                                                const InspectOptions& options) {
-  backends::Backend* backend = made.find(specification);
-  if (backend == nullptr) return std::nullopt;
-  const std::optional<CasePart> part = part_of(std::move(c), focus.at.triangle);
-  if (!part) return std::nullopt;
+std::optional<CasePart> part_of(const cases::Case& c, std::uint32_t triangle) {
+  if (triangle >= c.triangles.size()) return std::nullopt;
+  const bool is_large = c.triangles.size() > kMostTriangles;
+  Result<cases::ClipCase> source = case_to_draw(is_large ? with_triangles(c, {{triangle}}) : c);
+  if (!source) return std::nullopt;
+  return CasePart{*std::move(source), is_large ? 0 : triangle};
+}
+
+std::optional<records::Inspection> inspect_part(const cases::Case& c,
+                                                const std::string& specification, Focus focus,
+                                                CaseDrawer& drawer, const InspectOptions& options) {
+  backends::Backend* const backend = drawer.find(specification);
+  const std::optional<CasePart> part = part_of(c, focus.at.triangle);
+  if (backend == nullptr || !part) return std::nullopt;
+  const backends::Drawn* const drawn = drawer.draw(part->source, specification);
+  if (drawn == nullptr) return std::nullopt;
   focus.at.triangle = part->triangle;
-  Result<records::Inspection> inspection = inspect(part->source, *backend, focus, options);
+  const TracedSample trace = trace_sample(part->source, focus.at, *backend);
+  Result<records::Inspection> inspection = inspect(part->source, *drawn, focus, trace, options);
   if (!inspection) return std::nullopt;
   inspection->backend = specification;
   return *std::move(inspection);

@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "backends/factory.h"
 #include "properties/campaign/check_case.h"
 #include "properties/inspect/inspect.h"
 #include "records/histogram.h"
@@ -33,7 +32,8 @@ constexpr std::size_t kMostTries = 4;
 
 /// Returns where to inspect a counterexample: at its violation, if the case has this place, else
 /// where the case itself is worst. The violation may belong to a drawing of another size.
-std::optional<Focus> focus_of(const records::Counterexample& found, backends::Backend& backend) {
+std::optional<Focus> focus_of(const records::Counterexample& found,
+                              const std::string& specification, CaseDrawer& drawer) {
   const cases::Case& c = found.source;
   if (found.violations.empty() || !found.violations.front().has_place()) return std::nullopt;
   const records::Violation& v = found.violations.front();
@@ -43,22 +43,22 @@ std::optional<Focus> focus_of(const records::Counterexample& found, backends::Ba
       std::cmp_less(v.place.y, size.height) && std::cmp_less(v.place.sample, size.samples) &&
       (!v.attribute || *v.attribute < c.attributes.size());
   if (is_there) return Focus{v.place, v.attribute};
-  const Result<Focus> worst = find_focus(c, backend, {});
-  return worst ? std::optional(*worst) : std::nullopt;
+  const Result<cases::ClipCase> clip = case_to_draw(c);
+  const backends::Drawn* const drawn = clip ? drawer.draw(*clip, specification) : nullptr;
+  if (drawn == nullptr) return std::nullopt;
+  return find_focus(*clip, *drawn, {});
 }
 
-void inspect_counterexamples(const records::Run& run, MadeBackends& made,
+void inspect_counterexamples(const records::Run& run, CaseDrawer& drawer,
                              std::vector<Inspection>& inspections) {
   for (std::size_t i = 0; i < run.counterexamples.size(); ++i) {
     if (inspections.size() == records::kMostInspections) return;
     const records::Counterexample& one = run.counterexamples[i];
     const cases::Found found = one.source.found.value_or(cases::Found());
-    backends::Backend* backend = made.find(found.backend);
-    if (backend == nullptr) continue;
-    const std::optional<Focus> focus = focus_of(one, *backend);
+    const std::optional<Focus> focus = focus_of(one, found.backend, drawer);
     if (!focus) continue;
     std::optional<Inspection> inspection =
-        inspect_part(one.source, found.backend, *focus, made, kOfRuns);
+        inspect_part(one.source, found.backend, *focus, drawer, kOfRuns);
     if (!inspection) continue;
     inspection->occasion = records::Occasion::counterexample;
     inspection->law = found.law;
@@ -137,13 +137,13 @@ std::optional<cases::Case> case_of(const Candidate& candidate, const records::Pl
 }
 
 std::optional<Inspection> inspect_candidate(const Candidate& candidate, const records::Plan& plan,
-                                            const CaseSources& sources, MadeBackends& made) {
-  std::optional<cases::Case> c = case_of(candidate, plan, sources);
+                                            const CaseSources& sources, CaseDrawer& drawer) {
+  const std::optional<cases::Case> c = case_of(candidate, plan, sources);
   if (!c) return std::nullopt;
   const WorstError& worst = *candidate.worst;
   const Focus focus{worst.place, worst.attribute};
   std::optional<Inspection> inspection =
-      inspect_part(*std::move(c), candidate.key->backend, focus, made, kOfRuns);
+      inspect_part(*c, candidate.key->backend, focus, drawer, kOfRuns);
   if (!inspection || !shows(*inspection, worst.attribute, worst.actual)) return std::nullopt;
   inspection->occasion = records::Occasion::worst;
   inspection->law = candidate.key->law;
@@ -151,7 +151,7 @@ std::optional<Inspection> inspect_candidate(const Candidate& candidate, const re
   return inspection;
 }
 
-void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBackends& made,
+void inspect_worst(const records::Run& run, const CaseSources& sources, CaseDrawer& drawer,
                    std::vector<Inspection>& inspections) {
   const Candidates candidates = candidates_of(run);
   std::vector<Candidates::const_iterator> largest_first;
@@ -167,7 +167,8 @@ void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBack
     if (worst.size() == room) break;
     const std::vector<Candidate>& errors = group->second;
     for (std::size_t i = 0; i < std::min(errors.size(), kMostTries); ++i) {
-      std::optional<Inspection> inspection = inspect_candidate(errors[i], run.plan, sources, made);
+      std::optional<Inspection> inspection =
+          inspect_candidate(errors[i], run.plan, sources, drawer);
       if (!inspection) continue;
       inspection->stratum = std::get<Stratum>(group->first);
       worst.push_back(*std::move(inspection));
@@ -184,11 +185,10 @@ void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBack
 }  // namespace
 
 std::vector<Inspection> inspect_run(const records::Run& run, const CaseSources& sources,
-                                    const backends::BackendFactory& backends) {
-  MadeBackends made(backends);
+                                    CaseDrawer& drawer) {
   std::vector<Inspection> inspections;
-  inspect_counterexamples(run, made, inspections);
-  inspect_worst(run, sources, made, inspections);
+  inspect_counterexamples(run, drawer, inspections);
+  inspect_worst(run, sources, drawer, inspections);
   return inspections;
 }
 

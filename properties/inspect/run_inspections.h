@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "backends/factory.h"
 #include "properties/inspect/run_cases.h"
 #include "records/inspection.h"
 #include "records/run.h"
@@ -18,6 +17,6 @@ namespace rastercheck::properties {
 /// drawings that the backend no longer reproduces, and errors from a law's changed version of the
 /// case.
 std::vector<records::Inspection> inspect_run(const records::Run& run, const CaseSources& sources,
-                                             const backends::BackendFactory& backends);
+                                             CaseDrawer& drawer);
 
 }  // namespace rastercheck::properties

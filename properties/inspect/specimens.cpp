@@ -10,12 +10,9 @@
 #include <tuple>
 #include <utility>
 
-#include "backends/factory.h"
 #include "cases/exact_contract.h"
-#include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
 #include "properties/campaign/findings.h"
-#include "properties/drawing.h"
 #include "properties/inspect/crop.h"
 #include "records/histogram.h"
 
@@ -43,14 +40,6 @@ bool draws_cases_as_they_stand(std::string_view law) {
 }
 
 // --- Where to look -------------------------------------------------------------------------------
-
-/// Returns the case as it is drawn, or only the triangle in question if the case is large.
-std::optional<CasePart> drawn_part(const cases::Case& c, std::uint32_t triangle) {
-  Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
-  if (!clip) return std::nullopt;
-  clip->depth_test = cases::DepthTest::none;
-  return part_of(*std::move(clip), triangle);
-}
 
 /// Returns the pixels that the exact triangle may cover; does not depend on the backend.
 PixelBox pixels_of(const CasePart& part) {
@@ -90,7 +79,7 @@ std::optional<cases::SamplePlace> covered_place(const CasePart& part, std::uint3
 std::optional<cases::SamplePlace> covered_place(const cases::Case& c) {
   for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostSpecimenTriangles); ++i) {
     const auto triangle = static_cast<std::uint32_t>(i);
-    const std::optional<CasePart> part = drawn_part(c, triangle);
+    const std::optional<CasePart> part = part_of(c, triangle);
     if (!part) continue;
     if (const auto place = covered_place(*part, triangle)) return place;
   }
@@ -118,7 +107,7 @@ void fill(Specimen& specimen, const cases::Fragments& drawn, std::uint32_t trian
 }
 
 /// Draws the crop that `specimen` describes; empty if that is impossible.
-std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends::Backend& backend) {
+std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, CaseDrawer& drawer) {
   const cases::FramebufferSize& size = part.source.framebuffer;
   const bool is_there =
       std::cmp_equal(specimen.samples, size.samples) &&
@@ -126,8 +115,8 @@ std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends:
       std::cmp_less_equal(std::uint64_t{specimen.left} + specimen.width, size.width) &&
       std::cmp_less_equal(std::uint64_t{specimen.top} + specimen.height, size.height);
   if (!is_there) return std::nullopt;
-  const Result<backends::Drawn> framebuffer = draw(part.source, backend);
-  if (!framebuffer) return std::nullopt;
+  const backends::Drawn* const framebuffer = drawer.draw(part.source, specimen.key.backend);
+  if (framebuffer == nullptr) return std::nullopt;
   fill(specimen, framebuffer->fragments, part.triangle);
   return specimen;
 }
@@ -141,10 +130,8 @@ struct SpecimenSubject {
 
 /// Draws the pixels around the sample; empty if that is impossible.
 std::optional<Specimen> specimen_of(const SpecimenSubject& subject, const cases::Case& c,
-                                    MadeBackends& made) {
-  backends::Backend* backend = made.find(subject.key.backend);
-  if (backend == nullptr) return std::nullopt;
-  const std::optional<CasePart> part = drawn_part(c, subject.at.triangle);
+                                    CaseDrawer& drawer) {
+  const std::optional<CasePart> part = part_of(c, subject.at.triangle);
   if (!part) return std::nullopt;
   const auto x = static_cast<int>(subject.at.x);
   const auto y = static_cast<int>(subject.at.y);
@@ -160,7 +147,7 @@ std::optional<Specimen> specimen_of(const SpecimenSubject& subject, const cases:
   specimen.height = static_cast<std::uint32_t>(crop.y1 - crop.y0);
   specimen.samples = static_cast<std::uint32_t>(part->source.framebuffer.samples);
   specimen.attributes = static_cast<std::uint32_t>(part->source.attributes.size());
-  return drawn(std::move(specimen), *part, *backend);
+  return drawn(std::move(specimen), *part, drawer);
 }
 
 // --- The choice ----------------------------------------------------------------------------------
@@ -169,8 +156,8 @@ std::optional<Specimen> specimen_of(const SpecimenSubject& subject, const cases:
 class Choice {
  public:
   Choice(const records::Run& run, const CaseSources& sources, std::string backend,
-         MadeBackends& made)
-      : run_(&run), sources_(&sources), backend_(std::move(backend)), made_(&made) {}
+         CaseDrawer& drawer)
+      : run_(&run), sources_(&sources), backend_(std::move(backend)), drawer_(&drawer) {}
 
   void add_firsts();
   void add_worst();
@@ -208,7 +195,7 @@ class Choice {
   const records::Run* run_;
   const CaseSources* sources_;
   std::string backend_;
-  MadeBackends* made_;
+  CaseDrawer* drawer_;
   std::vector<Specimen> kept_;
 };
 
@@ -226,7 +213,7 @@ bool Choice::add_first(const CaseKey& key, const CaseRecord& record) {
   const std::optional<cases::SamplePlace> place = c ? covered_place(*c) : std::nullopt;
   if (!place) return false;
   // If the backend cannot draw it, do not try another case instead.
-  if (std::optional<Specimen> one = specimen_of({key, record.name, *place}, *c, *made_)) {
+  if (std::optional<Specimen> one = specimen_of({key, record.name, *place}, *c, *drawer_)) {
     keep(*std::move(one));
   }
   return true;
@@ -251,7 +238,7 @@ bool Choice::add(const Candidate& candidate) {
   const std::optional<cases::Case> c = case_of(*candidate.key);
   if (!c) return false;
   std::optional<Specimen> one =
-      specimen_of({*candidate.key, candidate.record->name, at}, *c, *made_);
+      specimen_of({*candidate.key, candidate.record->name, at}, *c, *drawer_);
   if (!one) return false;
   const auto value = one->value_at(at.x, at.y, at.sample, worst.attribute);
   const bool is_it =
@@ -283,12 +270,11 @@ void Choice::add_worst() {
 }  // namespace
 
 std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources& sources,
-                                     const backends::BackendFactory& backends) {
+                                     CaseDrawer& drawer) {
   std::vector<Specimen> all;
   if (!run.cases) return all;
-  MadeBackends made(backends);
   for (const std::string& backend : run.plan.backends) {
-    Choice choice(run, sources, backend, made);
+    Choice choice(run, sources, backend, drawer);
     choice.add_firsts();
     choice.add_worst();
     std::vector<Specimen> kept = std::move(choice).take();
@@ -299,20 +285,15 @@ std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources&
 
 std::vector<Specimen> draw_again(std::span<const Specimen> kept, const std::string& backend,
                                  const records::Plan& plan, std::span<const cases::Case> corpus,
-                                 const backends::BackendFactory& backends) {
+                                 CaseDrawer& drawer) {
   std::vector<Specimen> again;
-  MadeBackends made(backends);
   for (const Specimen& one : kept) {
-    backends::Backend* const drawing = made.find(backend);
-    CaseKey key = one.key;
-    key.backend = backend;  // a baseline may name it otherwise
-    const std::optional<cases::Case> c = frozen_case(key, plan, corpus);
-    if (drawing == nullptr || !c) continue;
-    const std::optional<CasePart> part = drawn_part(*c, one.triangle);
-    if (!part) continue;
     Specimen specimen = one;
-    specimen.key.backend = backend;
-    if (auto redrawn = drawn(std::move(specimen), *part, *drawing)) {
+    specimen.key.backend = backend;  // a baseline may name it otherwise
+    const std::optional<cases::Case> c = frozen_case(specimen.key, plan, corpus);
+    const std::optional<CasePart> part = c ? part_of(*c, one.triangle) : std::nullopt;
+    if (!part) continue;
+    if (auto redrawn = drawn(std::move(specimen), *part, drawer)) {
       again.push_back(*std::move(redrawn));
     }
   }

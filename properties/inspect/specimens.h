@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "backends/factory.h"
 #include "properties/inspect/run_cases.h"
 #include "records/plan.h"
 #include "records/run.h"
@@ -26,13 +25,12 @@ namespace rastercheck::properties {
 /// Each case is drawn without its depth test. Leaves out what cannot be drawn; returns nothing for
 /// a run that kept no cases.
 std::vector<records::Specimen> make_specimens(const records::Run& run, const CaseSources& sources,
-                                              const backends::BackendFactory& backends);
+                                              CaseDrawer& drawer);
 
 /// Draws the same parts of the same cases with another backend, or with the same backend at another
 /// time. `plan` and `corpus` must be those of the parts' run. Leaves out what cannot be drawn.
 std::vector<records::Specimen> draw_again(std::span<const records::Specimen> kept,
                                           const std::string& backend, const records::Plan& plan,
-                                          std::span<const cases::Case> corpus,
-                                          const backends::BackendFactory& backends);
+                                          std::span<const cases::Case> corpus, CaseDrawer& drawer);
 
 }  // namespace rastercheck::properties

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "properties/drawing.h"
+#include "properties/inspect/case_to_draw.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties::focus_test {
@@ -16,13 +18,18 @@ void make_off(const cases::Case& /*c*/, cases::Fragments& d) {
   d.depth[find(d, 1, 6, 6)] = 0x1.000002p-2F;
 }
 
+Focus focus_of(const FocusRequest& request, const cases::Case& c, backends::Backend& backend) {
+  const cases::ClipCase clip = case_to_draw(c).value();
+  return find_focus(clip, draw(clip, backend).value(), request);
+}
+
 Focus focus_of(const FocusRequest& request, const Damage& damage) {
   DamagedBackend backend(damage, "cpu");
   // Large bounds, so that small errors are not violations.
   backend.promised = cases::contract_of(square());
   backend.promised->bounds.smooth.constant = 100;
   backend.promised->bounds.depth.constant = 100;
-  return find_focus(square(), backend, request).value();
+  return focus_of(request, square(), backend);
 }
 
 Focus at(std::uint32_t triangle, std::uint32_t x, std::uint32_t y,
@@ -91,7 +98,7 @@ TEST(Focus, DrawsEachTriangleAlone) {
   c.triangles = {{0, 1, 2}, {0, 1, 2}};
   DamagedBackend backend(
       [](const cases::Case& /*c*/, cases::Fragments& d) { value(d, 1, 2, 1, 0) = 100; }, "cpu");
-  EXPECT_EQ(find_focus(c, backend, {})->at, (cases::SamplePlace{1, 1, 2, 0}));
+  EXPECT_EQ(focus_of({}, c, backend).at, (cases::SamplePlace{1, 1, 2, 0}));
 }
 
 }  // namespace

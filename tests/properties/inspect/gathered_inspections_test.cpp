@@ -30,7 +30,8 @@ records::Run run_of(const std::optional<records::ShardNumber>& shard) {
   const std::vector<cases::Case> corpus{square()};
   CaseSources sources;
   sources.corpus = corpus;
-  run.inspections = inspect_run(run, sources, {});
+  CaseDrawer drawer({});
+  run.inspections = inspect_run(run, sources, drawer);
   return run;
 }
 

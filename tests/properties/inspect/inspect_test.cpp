@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "properties/drawing.h"
+#include "properties/inspect/case_to_draw.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties::inspect_test {
@@ -40,10 +42,17 @@ std::array<std::uint32_t, 4> crop_of(const Inspection& inspection) {
   return {inspection.left, inspection.top, inspection.width, inspection.height};
 }
 
+Result<Inspection> inspected(const cases::Case& c, backends::Backend& backend, const Focus& focus,
+                             const InspectOptions& options = {}) {
+  const cases::ClipCase clip = case_to_draw(c).value();
+  return inspect(clip, draw(clip, backend).value(), focus, trace_sample(clip, focus.at, backend),
+                 options);
+}
+
 Inspection inspection_of(const Focus& focus, const Damage& damage, const cases::Case& c = square(),
                          const InspectOptions& options = {}) {
   DamagedBackend backend(damage, "cpu");
-  return inspect(c, backend, focus, options).value();
+  return inspected(c, backend, focus, options).value();
 }
 
 // The scale ULP of x is ulp(8) = 2^-20, its local ULP ulp(5/2) = 2^-22.
@@ -95,7 +104,7 @@ TEST(Inspect, TellsErrorFromExcess) {
   c.coverage = open.coverage;
   c.basis = open.basis;
   for (cases::ClipVertex& p : c.positions) p.x -= 0.125F;  // half a pixel: between grid points
-  const Inspection found = inspect(c, backend, {{0, 1, 2, 0}, 0}).value();
+  const Inspection found = inspected(c, backend, {{0, 1, 2, 0}, 0}).value();
   const InspectedValue x = sample_of(found, 2, 1).values.at(1);
   EXPECT_EQ(x.exact, "3");
   // The value was drawn half a pixel from there, where snapping moved the vertices, and is 1/4 off.
@@ -210,7 +219,7 @@ TEST(Inspect, HasNoMapOfATriangleSeenEdgeOn) {
 TEST(Inspect, RefusesWhatIsNotThere) {
   DamagedBackend backend({}, "cpu");
   const auto reason = [&backend](const Focus& focus) {
-    return inspect(square(), backend, focus).error().reason;
+    return inspected(square(), backend, focus).error().reason;
   };
   EXPECT_EQ(reason({{2, 0, 0, 0}}), "triangle 2 does not exist; the case has 2");
   EXPECT_EQ(reason({{0, 0, 8, 0}}), "pixel (8, 0) lies outside the framebuffer of 8 × 8 pixels");

@@ -40,7 +40,8 @@ std::vector<Inspection> inspections_of(const records::Run& run) {
   const std::vector<cases::Case> corpus{square()};
   CaseSources sources;
   sources.corpus = corpus;
-  return inspect_run(run, sources, {});
+  CaseDrawer drawer({});
+  return inspect_run(run, sources, drawer);
 }
 
 /// An upper bound on the error of the inspected sample, in scale ULP.

@@ -55,11 +55,13 @@ records::Plan plan_of_seed(std::uint64_t seed) {
 std::vector<Specimen> specimens_of(const records::Run& run) {
   CaseSources sources;
   sources.corpus = corpus();
-  return make_specimens(run, sources, {});
+  CaseDrawer drawer({});
+  return make_specimens(run, sources, drawer);
 }
 
 std::vector<Specimen> again(const std::vector<Specimen>& kept, const std::string& backend) {
-  return draw_again(kept, backend, plan_of_seed(1), corpus(), {});
+  CaseDrawer drawer({});
+  return draw_again(kept, backend, plan_of_seed(1), corpus(), drawer);
 }
 
 using Stratum = std::tuple<std::string, std::string>;  ///< law and stratum of its records
@@ -208,11 +210,15 @@ TEST(ChangedParts, PointAtThePixelThatChangedMost) {
   EXPECT_THAT(changed_parts(kept, {}, 4), IsEmpty());
 }
 
+std::vector<records::CloserLook> looks_at(const std::vector<LookRequest>& requests) {
+  CaseDrawer drawer({});
+  return closer_looks(requests, plan_of_seed(1), corpus(), drawer);
+}
+
 TEST(CloserLooks, ShowThePartThatWasKept) {
-  std::vector<LookRequest> requests = lost_pixel();
+  const std::vector<LookRequest> requests = lost_pixel();
   ASSERT_THAT(requests, SizeIs(1));
-  const std::vector<records::CloserLook> looks =
-      closer_looks(requests, plan_of_seed(1), corpus(), {});
+  const std::vector<records::CloserLook> looks = looks_at(requests);
   ASSERT_THAT(looks, SizeIs(1));
   EXPECT_EQ(looks[0].before, requests[0].before);
   EXPECT_EQ(looks[0].inspection.width, requests[0].before->width);
@@ -230,14 +236,13 @@ TEST(CloserLooks, LeaveOutWhatIsNotWhatWasAskedFor) {
   request.attribute = 0;
   request.actual = 2.5F;
   request.before = specimens_of(run_of({"cpu"}, 0)).at(0);
-  EXPECT_THAT(closer_looks({{request}}, plan_of_seed(1), corpus(), {}), SizeIs(1));
+  EXPECT_THAT(looks_at({request}), SizeIs(1));
   request.before->triangle = 1;
-  const std::vector<records::CloserLook> other =
-      closer_looks({{request}}, plan_of_seed(1), corpus(), {});
+  const std::vector<records::CloserLook> other = looks_at({request});
   ASSERT_THAT(other, SizeIs(1));
   EXPECT_FALSE(other[0].before);
   request.actual = 2.25F;
-  EXPECT_THAT(closer_looks({{request}}, plan_of_seed(1), corpus(), {}), IsEmpty());
+  EXPECT_THAT(looks_at({request}), IsEmpty());
 }
 
 }  // namespace
