@@ -27,7 +27,8 @@ constexpr const char* kCoverage = "coverage-obeys-the-contract";
 const records::Plan kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
 
 /// The part of kSmall's plan that a worker needs.
-constexpr const char* kPlan = R"({"seed": 7, "cases_per_law": 25, "backends": ["cpu", "damaged"], "laws":
+constexpr const char* kPlan =
+    R"({"seed": 7, "cases_per_law": 25, "backends": ["cpu", "damaged"], "laws":
     ["coverage-obeys-the-contract", "constants-stay-constant"]})";
 
 /// True if all child processes are gone and none is left as a zombie.
