@@ -100,10 +100,11 @@ TEST(PictureReader, ReadsHalfFloats) {
 }
 
 TEST(PictureReader, ReadsArraysWithTheChannelFirst) {
-  std::string bytes("\x93NUMPY\x01\x00\x3b\x00", 10);
-  bytes += "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 1, 3)}";
-  bytes.resize(10 + 0x3b - 1, ' ');
-  bytes += '\n';
+  const std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 1, 3)}\n";
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  bytes += static_cast<char>(header.size());
+  bytes += '\0';
+  bytes += header;
   bytes += "\x01\x02\x03\x04\x05\x06";
   const Result<PictureFile> read = parse_picture(bytes, "a.npy", ArrayOrder::chw);
   ASSERT_TRUE(read.has_value()) << to_string(read.error());
@@ -135,7 +136,9 @@ TEST(PictureReader, RefusesTruncatedFilesInOneLine) {
       EXPECT_EQ(refused.find('\n'), std::string::npos);
       // libpng needs no more than the picture's data.
       const bool is_png_end = file.starts_with("\x89PNG") && length + 12 >= file.size();
-      if (!is_png_end) EXPECT_THAT(refused, HasSubstr("a.file: ")) << length;
+      if (!is_png_end) {
+        EXPECT_THAT(refused, HasSubstr("a.file: ")) << length;
+      }
     }
   }
 }

@@ -79,7 +79,7 @@ TEST(Judge, SaysWhichPixelIsWrongAndByHowMuch) {
   const Outcome outcome = pictures.judge(picture, {"--mask", pictures.path("mask.png")});
   EXPECT_EQ(outcome.code, 1) << outcome;
   EXPECT_THAT(outcome.out, HasSubstr("Wrong: 1 of 64 pixels (1.56%)."));
-  EXPECT_THAT(outcome.out, HasSubstr("R 0.75, not 0.5"));
+  EXPECT_THAT(outcome.out, HasSubstr("R 0.75, not 0.499999"));
   const auto mask = cases::read_picture(pictures.path("mask.png"), cases::ArrayOrder::hwc);
   ASSERT_TRUE(mask.has_value());
   EXPECT_NE(mask->values[0], mask->values[3]);
@@ -98,7 +98,7 @@ TEST(Judge, JudgesByABackendsPromiseOrAContractFile) {
   const Pictures pictures;
   const TemporaryFolder folder;
   const std::string picture = pictures.draw("a.npy");
-  pictures.spoil(picture, 0, 0.5000001F);
+  pictures.spoil(picture, 0, 0.5F + 0x1p-18F);  // four scale ULP of values up to 8
   EXPECT_EQ(pictures.judge(picture).code, 1);
   const std::string contract = folder.put(
       "wide.json",
