@@ -28,7 +28,7 @@ Field fraction_of(long numerator, long denominator) {
   return quotient(Ring(static_cast<double>(numerator)), Ring(static_cast<double>(denominator)));
 }
 
-Field power(Field base, int exponent) {
+Field power(const Field& base, int exponent) {
   Field product(1);
   for (; exponent > 0; --exponent) product *= base;
   return product;
@@ -217,7 +217,8 @@ std::optional<StoredNumbers> numbers_stored_as(Storage storage, StoreRounding ro
     return numbers_of_half(rounding, value);
   }
   const auto greatest = static_cast<float>(greatest_code(storage));
-  if (!(value >= 0 && value <= greatest) || value != std::floor(value)) return std::nullopt;
+  const bool is_code_of_it = value >= 0 && value <= greatest && value == std::floor(value);
+  if (!is_code_of_it) return std::nullopt;
   return numbers_of(storage, rounding, static_cast<int>(value));
 }
 
@@ -248,6 +249,18 @@ float stored_near(Storage storage, double number) {
   return static_cast<float>(std::clamp(std::round(encoded * greatest), 0.0, greatest));
 }
 
+/// The first stored value that is not beyond a range's end, found by steps from a value near it:
+/// `up` if the values beyond it are the lesser ones.
+template <typename IsBeyond>
+float first_not(const IsBeyond& is_beyond, Storage storage, float value, bool up) {
+  while (is_beyond(value)) value = next_stored(storage, value, up);
+  while (true) {
+    const float outer = next_stored(storage, value, !up);
+    if (outer == value || is_beyond(outer)) return value;
+    value = outer;
+  }
+}
+
 }  // namespace
 
 StoredNumbers values_stored_of(Storage storage, StoreRounding rounding,
@@ -262,23 +275,10 @@ StoredNumbers values_stored_of(Storage storage, StoreRounding rounding,
     return {least, greatest};
   }
   const auto numbers = [&](float value) { return *numbers_stored_as(storage, rounding, value); };
-  float least = stored_near(storage, range.lo);
-  while (double{numbers(least).greatest} < range.lo) least = next_stored(storage, least, true);
-  for (float next = next_stored(storage, least, false);
-       next != least && double{numbers(next).greatest} >= range.lo;
-       next = next_stored(storage, least, false)) {
-    least = next;
-  }
-  float greatest = stored_near(storage, range.hi);
-  while (double{numbers(greatest).least} > range.hi) {
-    greatest = next_stored(storage, greatest, false);
-  }
-  for (float next = next_stored(storage, greatest, true);
-       next != greatest && double{numbers(next).least} <= range.hi;
-       next = next_stored(storage, greatest, true)) {
-    greatest = next;
-  }
-  return {least, greatest};
+  const auto is_below = [&](float value) { return double{numbers(value).greatest} < range.lo; };
+  const auto is_above = [&](float value) { return double{numbers(value).least} > range.hi; };
+  return {first_not(is_below, storage, stored_near(storage, range.lo), true),
+          first_not(is_above, storage, stored_near(storage, range.hi), false)};
 }
 
 double steps_between(Storage storage, float from, float to) {

@@ -26,7 +26,7 @@ IndexSet same_cases(const Sides& sides, const std::string& first, SideBySide& pa
   if (sides.first != nullptr) pair.judged_first += judged_of(*sides.first).count();
   if (sides.second != nullptr) pair.judged_second += judged_of(*sides.second).count();
   if (sides.first == nullptr || sides.second == nullptr) return {};
-  const IndexSet judged = common(judged_of(*sides.first), judged_of(*sides.second));
+  IndexSet judged = common(judged_of(*sides.first), judged_of(*sides.second));
   const auto unlike = sides.second->unlike.find(first);
   if (unlike == sides.second->unlike.end()) return judged;
   pair.unlike += common(judged, unlike->second).count();

@@ -74,8 +74,9 @@ std::string permitted_text(const records::WrongChannel& channel) {
 }
 
 bool is_wrong(const records::WrongChannel& channel) {
-  return !channel.is_free &&
-         !(channel.actual >= channel.least && channel.actual <= channel.greatest);
+  // NaN lies in no range.
+  const bool is_within = channel.actual >= channel.least && channel.actual <= channel.greatest;
+  return !channel.is_free && !is_within;
 }
 
 /// The channels of a wrong pixel that are wrong: "R 133, not 128 to 129".

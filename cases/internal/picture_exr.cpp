@@ -9,7 +9,6 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfVersion.h>
 #include <fmt/format.h>
 #include <half.h>
 
@@ -126,7 +125,7 @@ PictureOrReason read_exr_file(std::string_view bytes) {
 
 }  // namespace
 
-bool is_exr(std::string_view bytes) { return bytes.size() >= 4 && Imf::isImfMagic(bytes.data()); }
+bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
 
 PictureOrReason read_exr(std::string_view bytes) {
   try {
