@@ -15,7 +15,7 @@ namespace {
 using cases::Storage;
 using cases::StoreRounding;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
 constexpr float kGreatestHalf = 65504;
 
 bool is_code(Storage storage) {
@@ -72,7 +72,7 @@ float float_within(Storage storage, const Field& limit, Side side, bool is_stric
                       : encoded <= 0.04045      ? encoded / 12.92
                                                 : std::pow((encoded + 0.055) / 1.055, 2.4);
   auto f = static_cast<float>(near);
-  const float inwards = side == Side::upper ? -kInfinity : kInfinity;
+  const float inwards = side == Side::upper ? -kInfiniteFloat : kInfiniteFloat;
   const int inner = side == Side::upper ? -1 : 1;
   const auto is_within = [&](float one) {
     const int sign = compare_with_limit(storage, one, limit);
@@ -85,7 +85,7 @@ float float_within(Storage storage, const Field& limit, Side side, bool is_stric
 
 StoredNumbers numbers_of_code(Storage storage, StoreRounding rounding, int code) {
   const bool is_strict = rounding == StoreRounding::either;
-  StoredNumbers numbers{-kInfinity, kInfinity};
+  StoredNumbers numbers{-kInfiniteFloat, kInfiniteFloat};
   if (code > 0) {
     numbers.least = float_within(storage, limit_of_code(storage, rounding, code, Side::lower),
                                  Side::lower, is_strict);
@@ -133,7 +133,7 @@ StoredNumbers numbers_of_unorm16(StoreRounding rounding, int code) {
   const double half = is_strict ? 1 : 0.5 + 0x1p-23 * (code + 1);
   const auto within = [&](Side side) {
     const double limit = side == Side::upper ? code + half : code - half;
-    const float inwards = side == Side::upper ? -kInfinity : kInfinity;
+    const float inwards = side == Side::upper ? -kInfiniteFloat : kInfiniteFloat;
     const auto is_within = [&](float f) {
       const double product = double{f} * kGreatest;
       if (product == limit) return !is_strict;
@@ -144,8 +144,8 @@ StoredNumbers numbers_of_unorm16(StoreRounding rounding, int code) {
     while (is_within(std::nextafter(f, -inwards))) f = std::nextafter(f, -inwards);
     return f;
   };
-  return {code > 0 ? within(Side::lower) : -kInfinity,
-          code < kGreatest ? within(Side::upper) : kInfinity};
+  return {code > 0 ? within(Side::lower) : -kInfiniteFloat,
+          code < kGreatest ? within(Side::upper) : kInfiniteFloat};
 }
 
 StoredNumbers numbers_of(Storage storage, StoreRounding rounding, int code) {
@@ -170,7 +170,8 @@ bool is_half(float value) {
 
 float next_half(float half, bool up) {
   if (std::isinf(half)) return (half > 0) == up ? half : std::copysign(kGreatestHalf, half);
-  if (std::abs(half) == kGreatestHalf && (half > 0) == up) return std::copysign(kInfinity, half);
+  if (std::abs(half) == kGreatestHalf && (half > 0) == up)
+    return std::copysign(kInfiniteFloat, half);
   if (half == 0) return up ? 0x1p-24F : -0x1p-24F;
   const bool grows = (half > 0) == up;
   // Below a power of two the step is that of the exponent below.
@@ -184,8 +185,8 @@ StoredNumbers numbers_of_half(StoreRounding rounding, float half) {
   const float above = next_half(half, true);
   if (rounding == StoreRounding::either) {
     // An overflow may be rounded to the greatest number or to infinity.
-    return {std::isinf(below) ? -kInfinity : std::nextafter(below, kInfinity),
-            std::isinf(above) ? kInfinity : std::nextafter(above, -kInfinity)};
+    return {std::isinf(below) ? -kInfiniteFloat : std::nextafter(below, kInfiniteFloat),
+            std::isinf(above) ? kInfiniteFloat : std::nextafter(above, -kInfiniteFloat)};
   }
   const auto middle = [](float a, float b) {
     constexpr float kOverflow = 65520;
@@ -201,7 +202,7 @@ StoredNumbers numbers_of_half(StoreRounding rounding, float half) {
 float half_below(float f) {
   if (std::isinf(f)) return f;
   if (f > kGreatestHalf) return kGreatestHalf;
-  if (f < -kGreatestHalf) return -kInfinity;
+  if (f < -kGreatestHalf) return -kInfiniteFloat;
   const float step = 2 * half_step(f);
   return std::floor(f / step) * step;
 }
@@ -230,7 +231,8 @@ double number_of_stored(Storage storage, float value) {
 }
 
 float next_stored(Storage storage, float value, bool up) {
-  if (storage == Storage::float32) return std::nextafter(value, up ? kInfinity : -kInfinity);
+  if (storage == Storage::float32)
+    return std::nextafter(value, up ? kInfiniteFloat : -kInfiniteFloat);
   if (storage == Storage::float16) return next_half(value, up);
   return std::clamp(value + (up ? 1.0F : -1.0F), 0.0F, static_cast<float>(greatest_code(storage)));
 }
@@ -268,8 +270,8 @@ StoredNumbers values_stored_of(Storage storage, StoreRounding rounding,
   if (storage == Storage::float32) {
     auto least = static_cast<float>(range.lo);
     auto greatest = static_cast<float>(range.hi);
-    if (double{least} < range.lo) least = std::nextafter(least, kInfinity);
-    if (double{greatest} > range.hi) greatest = std::nextafter(greatest, -kInfinity);
+    if (double{least} < range.lo) least = std::nextafter(least, kInfiniteFloat);
+    if (double{greatest} > range.hi) greatest = std::nextafter(greatest, -kInfiniteFloat);
     // No float lies in a range that is too narrow: the neighbours then count.
     if (least > greatest) std::swap(least, greatest);
     return {least, greatest};

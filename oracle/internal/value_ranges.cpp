@@ -15,22 +15,22 @@ namespace {
 using records::Enclosure;
 
 constexpr double kEverything = std::numeric_limits<double>::infinity();
-constexpr double kUp = 1 + 0x1p-40;  // more than the few roundings of a bound can take away
+constexpr double kRoundedUp = 1 + 0x1p-40;  // more than the few roundings of a bound can take away
 /// A bound in ULP that leaves no digit.
 constexpr double kNoDigit = 0x1p24;
 
 /// The exponent of the scale ULP of a value of this magnitude.
-double ulp_of(double magnitude) {
+double scale_ulp_of(double magnitude) {
   if (!(magnitude > 0)) return std::ldexp(1.0, kLeastUlpExponent);
   return std::ldexp(1.0, static_cast<int>(ulp_exponent_at(std::ilogb(magnitude))));
 }
 
 /// Widens a range by a bound in scale ULP, which refer to this magnitude or the range's greater
 /// one.
-ValueSpan widened(const Enclosure& range, double ulps, double magnitude) {
+ValueSpan widened_span(const Enclosure& range, double ulps, double magnitude) {
   if (ulps == 0) return {range.lo, range.hi, false};
   const double greatest = std::max({magnitude, std::abs(range.lo), std::abs(range.hi)});
-  const double slack = ulps * ulp_of(greatest);
+  const double slack = ulps * scale_ulp_of(greatest);
   return {std::nextafter(range.lo - slack, -kEverything),
           std::nextafter(range.hi + slack, kEverything), false};
 }
@@ -76,8 +76,9 @@ ValueRanges::Bound ValueRanges::make_bound(std::optional<std::size_t> attribute)
   bound.magnitude = std::max(std::abs(least), std::abs(greatest));
   if (bound.terms.constant >= kNoDigit) return bound;
   double fixed{bound.terms.constant};
-  if (attribute) fixed += bound.terms.range_share * (greatest - least) / ulp_of(bound.magnitude);
-  bound.fixed = fixed * kUp;
+  if (attribute)
+    fixed += bound.terms.range_share * (greatest - least) / scale_ulp_of(bound.magnitude);
+  bound.fixed = fixed * kRoundedUp;
   bound.varies = attribute && !bound.terms.is_uniform() && setup.ideal.orientation() != 0;
   return bound;
 }
@@ -172,11 +173,11 @@ std::optional<Enclosure> ValueRanges::spread(const PreparedValue& prepared, std:
     const double change =
         *radius_ * (std::abs(divisor_x) + std::abs(divisor_y) + divisor_sizes * 0x1p-45);
     // The reciprocal is within 2^-20 of the sum's (BatchWeights).
-    divisor = (1 - 0x1p-18) / at_sample_.reciprocal[lane] - change * kUp;
+    divisor = (1 - 0x1p-18) / at_sample_.reciprocal[lane] - change * kRoundedUp;
   }
   // Written so that NaN fails.
   if (!(divisor > 0)) return ends_alone;
-  const double move = *radius_ * slope / divisor * kUp;
+  const double move = *radius_ * slope / divisor * kRoundedUp;
   return Enclosure{std::max(ends.lo, exact.lo - move), std::min(ends.hi, exact.hi + move)};
 }
 
@@ -232,7 +233,7 @@ std::optional<double> ValueRanges::varying_bound(const PreparedValue& prepared, 
   const double horizon =
       is_affine ? 1 : condition_->determinant / condition_->least_w * reciprocal * kRoundings;
   if (lost >= kNoDigit) return std::nullopt;
-  return (*bound.fixed + lost + bound.terms.per_horizon * horizon) * kUp;
+  return (*bound.fixed + lost + bound.terms.per_horizon * horizon) * kRoundedUp;
 }
 
 std::optional<double> ValueRanges::bound_at(const PreparedValue& prepared, const Bound& bound,
@@ -259,7 +260,7 @@ void ValueRanges::find(std::span<const SampleAt> places, std::span<ValueSpan> sp
       std::optional<Enclosure> range = by_doubles(prepared, k);
       if (!range) range = exactly(prepared, places[k]);
       const std::optional<double> ulps = bound_at(prepared, bounds_[v], k, places[k]);
-      if (range && ulps) span = widened(*range, *ulps, bounds_[v].magnitude);
+      if (range && ulps) span = widened_span(*range, *ulps, bounds_[v].magnitude);
     }
   }
 }
