@@ -38,7 +38,9 @@ Box sum_of(const Box& a, const Box& b) {
   Box sum(a.size());
   for (std::size_t c = 0; c < a.size(); ++c) {
     sum[c] = {a[c].lo + b[c].lo, a[c].hi + b[c].hi, a[c].is_free || b[c].is_free};
-    if (sum[c].is_free) sum[c] = {};
+    // Infinities of both signs make NaN.
+    const bool is_nan = std::isnan(sum[c].lo) || std::isnan(sum[c].hi);
+    if (sum[c].is_free || is_nan) sum[c] = {};
   }
   return sum;
 }
@@ -53,6 +55,19 @@ Box hull_of(const std::vector<Box>& boxes) {
     }
   }
   return hull;
+}
+
+/// The mean that a program may compute of `count` numbers with this sum. `magnitude`: the greatest
+/// sum of their magnitudes.
+ValueSpan mean_of(const ValueSpan& sum, double count, double magnitude) {
+  if (sum.is_free) return {};
+  if (std::isinf(magnitude)) {
+    return {sum.lo == kUnlimited ? kUnlimited : -kUnlimited,
+            sum.hi == -kUnlimited ? -kUnlimited : kUnlimited, false};
+  }
+  // n roundings, each divided by n; below the normal numbers, of 2^-150 each.
+  const double slack = magnitude * 0x1p-24 + 0x1p-149;
+  return {sum.lo / count - slack, sum.hi / count + slack, false};
 }
 
 void add_once(std::vector<Box>& boxes, Box box) {
@@ -173,13 +188,7 @@ void PictureOptions::mix(std::span<const SampleAnswer> samples) {
   for (const Box& sum : sums) {
     triangles_.emplace_back(std::nullopt);
     for (std::size_t c = 0; c < channels; ++c) {
-      if (sum[c].is_free) {
-        spans_.emplace_back();
-        continue;
-      }
-      // n roundings, each divided by n; below the normal numbers, of 2^-150 each.
-      const double slack = magnitudes[c] * 0x1p-24 + 0x1p-149;
-      spans_.push_back({sum[c].lo / count - slack, sum[c].hi / count + slack, false});
+      spans_.push_back(mean_of(sum[c], count, magnitudes[c]));
     }
   }
 }

@@ -215,5 +215,24 @@ TEST(PictureJudge, ResolvesSamples) {
   EXPECT_EQ(judge_picture(scene, shown.view, shown.file).wrong(), 0U);
 }
 
+// Numbers beyond 65520 are infinite in float16, and so is a mean with one of them. Kills: a range
+// that becomes NaN, and a search in it that does not end.
+TEST(PictureJudge, ResolvesInfiniteSamples) {
+  for (const float value : {1e30F, -1e30F}) {
+    cases::Case c = small_case(cases::Rules::vulkan, 1, 1,
+                               {{{-1, -1, 0.5F, 1}, {0, -1, 0.5F, 1}, {-1, 15, 0.5F, 1}}},
+                               {{{value}, {value}, {value}}});
+    c.framebuffer.samples = 4;
+    const SceneTruth scene(c, cases::contract_of(c));
+    PictureLayout layout;
+    layout.storage = Storage::float16;
+    Shown shown = perfect_picture(scene, layout);
+    EXPECT_TRUE(std::isinf(shown.file.values.front()));
+    EXPECT_EQ(judge_picture(scene, shown.view, shown.file).wrong(), 0U);
+    shown.file.values.front() = 17;
+    EXPECT_EQ(judge_picture(scene, shown.view, shown.file).wrong(), 1U);
+  }
+}
+
 }  // namespace
 }  // namespace rastercheck::oracle::picture_judge_test
