@@ -107,7 +107,7 @@ Action set_up(CLI::App& app) {
       "Exit codes: 0 all pixels are right, 1 some are wrong, 2 usage or unreadable input, 5 "
       "nothing could be judged.\n\n"
       "Example:\n"
-      "  rastercheck judge scene.json scene.png --channels R=u,G=v,B=0 --promised-by gl:llvmpipe");
+      "  rastercheck judge scene.json scene.png --promised-by gl:llvmpipe");
   return [options] { return run(*options); };
 }
 

@@ -98,7 +98,7 @@ Action set_up(CLI::App& app) {
       "A picture is right if every pixel is; a picture within the bounds may still be wrong, as "
       "they do not say which values of several channels belong together.\n\n"
       "Example:\n"
-      "  rastercheck mask scene.json --storage unorm8 --png mask.png --bounds bounds.exr");
+      "  rastercheck mask scene.json --storage unorm8 --png mask.png");
   return [options] { return run(*options); };
 }
 
