@@ -41,7 +41,7 @@ float stored(Storage storage, double number) {
   return std::isnan(number) ? 0 : code_of(encoded_srgb(number), 255);
 }
 
-/// What the mean over samples is taken of, for a stored value.
+/// Returns the number that the mean over samples is taken of.
 double averaged(Storage storage, ResolveOf resolve, float value) {
   switch (storage) {
     case Storage::float32:
@@ -57,7 +57,7 @@ double averaged(Storage storage, ResolveOf resolve, float value) {
   return resolve == ResolveOf::linear ? decoded_srgb(double{value} / 255) : double{value} / 255;
 }
 
-/// What a channel shows of a fragment, before it is stored.
+/// Returns the number that a channel shows of a fragment, before it is stored.
 double shown_number(const ShownChannel& channel, const Fragments& drawn, std::size_t fragment) {
   switch (channel.shows) {
     case Shown::attribute:

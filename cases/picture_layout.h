@@ -1,6 +1,6 @@
 #pragma once
 
-// What the channels of a picture file show of a case, and how a program stored them (RULES §12).
+// The channels of a picture file: what they show of a case, how numbers are stored (RULES §12).
 
 #include <cstddef>
 #include <optional>
@@ -23,11 +23,12 @@ enum class StoreRounding { nearest, either };
 /// Which rows a picture begins with: the uppermost or the lowest as displayed.
 enum class FirstRow { top, bottom };
 
-/// What the mean over a pixel's samples is taken of; matters only for several samples. `linear`:
-/// the numbers that stored values stand for; `stored`: the stored values, which differ for srgb8.
+/// The numbers that are averaged over a pixel's samples; matters only for several samples.
+/// `linear`: the numbers that stored values stand for; `stored`: the stored values, which differ
+/// for srgb8.
 enum class ResolveOf { linear, stored };
 
-/// What a channel shows where a triangle is drawn.
+/// The kinds of things that a channel shows where a triangle is drawn.
 enum class Shown { attribute, depth, triangle, coverage, constant, nothing };
 
 /// One channel. `shows` is `depth`, `triangle` (the index of the triangle, plus 1), `coverage` (1),

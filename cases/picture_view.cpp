@@ -29,7 +29,7 @@ std::optional<std::uint32_t> attribute_named(const Case& c, std::string_view nam
   return static_cast<std::uint32_t>(found - c.attributes.begin());
 }
 
-/// What a word shows; empty if it is no attribute of the case.
+/// Finds the thing that a word names; empty if the case has no such attribute.
 std::optional<ShownChannel> shown_by(const Case& c, std::string_view word) {
   ShownChannel channel;
   if (word == "-") return channel;

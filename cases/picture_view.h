@@ -15,7 +15,7 @@
 
 namespace rastercheck::cases {
 
-/// What one channel shows.
+/// One channel of a file, and the part of the case that it shows.
 struct ShownChannel {
   std::string name;
   Shown shows = Shown::nothing;

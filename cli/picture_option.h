@@ -16,7 +16,7 @@
 
 namespace rastercheck::cli {
 
-/// What the user says of a picture. Every option overrides the case's key `picture`.
+/// The options that describe a picture. Each overrides the case's key `picture`.
 struct PictureFlags {
   std::vector<std::string> channels;  ///< NAME=WHAT
   std::vector<float> background;      ///< [channel]

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a finished picture of a case may show (RULES §12): at each sample, the triangles that may be
-// seen there, each with the values that may be drawn, or nothing.
+// Finds what a finished picture of a case may show (RULES §12): at each sample, the triangles that
+// may be seen there, each with the values that may be drawn, or nothing.
 //
 // With the case's depth test, the candidates are those that may be the nearest (oracle/judge.h);
 // without it, those that may have been drawn last. The ranges of values are outer ranges: they
@@ -28,7 +28,7 @@ struct ValueSpan {
   bool operator==(const ValueSpan&) const = default;
 };
 
-/// What one sample may show.
+/// Lists the triangles that one sample may show.
 struct SampleAnswer {
   /// A triangle that may be seen, and its depth and attributes.
   struct Candidate {

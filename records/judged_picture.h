@@ -13,7 +13,7 @@
 
 namespace rastercheck::records {
 
-/// What is wrong with a pixel.
+/// Says whether a pixel is right, and if not, in which way it is wrong.
 enum class PixelVerdict {
   right,           ///< as some permitted drawing shows it
   wrong_value,     ///< no triangle that may be seen there has this colour
@@ -60,14 +60,14 @@ struct PictureFreedom {
   std::uint64_t widened = 0;     ///< resolved pixels with more mixtures than are told apart
 };
 
-/// What a pixel of a case's pictures may show.
+/// Says how many answers a pixel has.
 enum class PixelFreedom {
   background,  ///< nothing may be drawn there
   one_value,   ///< one triangle, with one stored value in each channel
   may_differ,  ///< several values
 };
 
-/// What pictures of a case may show.
+/// Holds the range of permitted values for each pixel and channel.
 struct PictureMask {
   int width = 0;
   int height = 0;

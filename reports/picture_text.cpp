@@ -173,8 +173,7 @@ json pixel_to_json(const records::WrongPixel& pixel) {
 
 }  // namespace
 
-std::string picture_text(const JudgedPicture& judged, const cases::PictureView& /*view*/,
-                         bool is_brief) {
+std::string picture_text(const JudgedPicture& judged, bool is_brief) {
   if (is_brief) return counts_table(judged);
   const std::uint64_t wrong = judged.wrong();
   const std::uint64_t all = pixel_count(judged);

@@ -2,7 +2,6 @@
 
 // How a judged picture looks as text, and as pictures.
 
-#include <span>
 #include <string>
 
 #include "cases/picture_view.h"
@@ -13,8 +12,7 @@ namespace rastercheck::reports {
 
 /// For a terminal: the verdict, a table of what is wrong, the pixels that are farthest off, and how
 /// much the case leaves open. `is_brief`: the table's rows only.
-std::string picture_text(const records::JudgedPicture& judged, const cases::PictureView& view,
-                         bool is_brief);
+std::string picture_text(const records::JudgedPicture& judged, bool is_brief);
 
 /// As JSON, "rastercheck-judged-picture", version 1 (README, Commands).
 std::string picture_json(const records::JudgedPicture& judged, const cases::PictureView& view);

@@ -35,7 +35,7 @@ void read_bytes(png_structp png, png_bytep to, std::size_t count) {
 
 void ignore_warning(png_structp /*png*/, png_const_charp /*reason*/) {}
 
-/// What libpng and the decoder share. It outlives every jump out of libpng.
+/// Shared by libpng and the decoder; outlives every jump out of libpng.
 struct PngDecoder {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -133,7 +133,7 @@ PictureOrReason read_png(std::string_view bytes) {
 
 namespace {
 
-/// What libpng and the encoder share.
+/// Shared by libpng and the encoder; outlives every jump out of libpng.
 struct PngEncoder {
   png_structp png = nullptr;
   png_infop info = nullptr;

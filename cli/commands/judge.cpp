@@ -73,7 +73,7 @@ ExitCode run(const Options& options) {
   const oracle::SceneTruth scene(*c, *contract);
   const records::JudgedPicture judged = oracle::judge_picture(scene, *view, *picture);
   fmt::print("{}", options.json ? reports::picture_json(judged, *view) + "\n"
-                                : reports::picture_text(judged, *view, options.quiet));
+                                : reports::picture_text(judged, options.quiet));
   if (!options.mask.empty()) {
     if (const auto written = write_mask(judged, options.mask); !written) {
       return fail(written.error());

@@ -27,7 +27,7 @@ class LatestBand {
  private:
   using Candidate = NearestBand::Candidate;
 
-  /// What may be left at a sample.
+  /// The triangles that may be left at a sample.
   struct Sample {
     std::optional<Candidate> required;  ///< the last triangle that must be drawn there
     std::vector<Candidate> permitted;   ///< later ones that may be drawn

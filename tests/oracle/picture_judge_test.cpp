@@ -182,7 +182,7 @@ TEST(PictureJudge, TellsKindsOfWrongPixelsApart) {
   EXPECT_EQ(spoiled(1, 1, 0x1p-148F).steps, 2);
 }
 
-// Nothing is promised about a triangle with a huge attribute... position: any pixel may show it.
+// A triangle without a promise may be drawn anywhere, so no pixel can be called wrong.
 TEST(PictureJudge, DoesNotJudgeWhereATriangleWithoutPromiseMayBe) {
   const cases::Case c = near_and_far();
   cases::Contract contract = cases::contract_of(c);
