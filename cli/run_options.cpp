@@ -27,9 +27,9 @@ std::vector<std::string> without_repetitions(const std::vector<std::string>& all
 
 /// Sets one option to the baseline's value; fails if the user gave a different one.
 template <typename Value>
-Result<void> settle(const CLI::App& app, const char* name, const std::string& section,
+Result<void> settle(const IsGiven& is_given, const char* name, const std::string& section,
                     Value& option, const Value& in_baseline) {
-  if (app.count(name) > 0 && option != in_baseline) {
+  if (is_given(name) && option != in_baseline) {
     return tl::unexpected(Error{
         name, "",
         fmt::format("differs from the baseline's section {}; omit {} to use the baseline's value",
@@ -65,22 +65,22 @@ Result<records::Plan> make_plan(const RunOptions& options) {
   });
 }
 
-Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOptions& options) {
+Result<void> take_case_set(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options) {
   const records::Plan& then = set.plan;
   records::Plan& plan = options.plan;
-  if (app.count("--corpus") == 0) plan.corpus = then.corpus;
+  if (!is_given("--corpus")) plan.corpus = then.corpus;
   std::optional<std::uint64_t> seed = then.seed;
   // check_contract() compares the file's content with the baseline's, wherever the file lies.
-  const bool is_told = then.contract && app.count("--contract") > 0;
+  const bool is_told = then.contract && is_given("--contract");
   const std::string file = then.contract ? then.contract->file : "";
   const std::string contract = is_told ? options.contract : file;
   plan.keeps_cases = true;
   const auto settled = [&](const char* name, auto& option, const auto& in_baseline) {
-    return [&app, &set, name, &option, &in_baseline] {
-      return settle(app, name, set.section, option, in_baseline);
+    return [&is_given, &set, name, &option, &in_baseline] {
+      return settle(is_given, name, set.section, option, in_baseline);
     };
   };
-  return settle(app, "--seed", set.section, options.seed, seed)
+  return settle(is_given, "--seed", set.section, options.seed, seed)
       .and_then(settled("--cases", plan.cases_per_law, then.cases_per_law))
       .and_then(settled("--property", plan.properties, then.properties))
       .and_then(settled("--contract", options.contract, contract))

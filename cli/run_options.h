@@ -2,8 +2,8 @@
 
 // The options of `rastercheck run`, and the plan made from them.
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,10 +40,13 @@ struct RunOptions {
 /// shard's number and the contract read from its file.
 Result<records::Plan> make_plan(const RunOptions& options);
 
+/// True if the user gave a value for an option, such as "--seed".
+using IsGiven = std::function<bool(const char* option)>;
+
 /// Adopts the baseline's seed, cases and every other setting that affects the findings; fails if
 /// the user gave a different value. If the corpus or contract has moved, compares digests to tell
 /// whether the content is the same.
-Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOptions& options);
+Result<void> take_case_set(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options);
 
 /// Adopts, from the run in the folder `rerun_failed`, the violated laws and backends and every
 /// setting that affects the findings: the same cases fail again unless something has changed. Fails
