@@ -60,6 +60,7 @@ Result<std::unique_ptr<Backend>> BackendFactory::make(const std::string& specifi
                                                  ? make_foreign(specification)
                                                  : found->make(options_of(specification));
   if (backend) {
+    if (wrap) backend = wrap(*std::move(backend));
     (*backend)->hold_to(terms);
     (*backend)->prefer(draw_by);
   }

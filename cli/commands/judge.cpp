@@ -1,16 +1,21 @@
-// `rastercheck judge CASE PICTURE`: which pixels of a finished picture are wrong.
+// `rastercheck judge CASE PICTURE`: which pixels of a finished picture are wrong; and
+// `rastercheck judge --drawn DIR`: a campaign whose drawings another machine made.
 
 #include <fmt/format.h>
 
 #include <memory>
 #include <string>
 
+#include "backends/drawn/folder.h"
 #include "cases/case_reader.h"
 #include "cases/files.h"
 #include "cases/picture_writer.h"
+#include "cli/campaign.h"
 #include "cli/command.h"
+#include "cli/format_option.h"
 #include "cli/output.h"
 #include "cli/picture_option.h"
+#include "cli/run_options.h"
 #include "cli/sample_limit.h"
 #include "oracle/picture_judge.h"
 #include "oracle/transform.h"
@@ -26,6 +31,8 @@ struct Options {
   PicturePromise promise;
   std::string mask;
   bool is_chw = false;
+  std::string drawn;  ///< folder of a campaign's drawings
+  RunOptions run;     ///< for `drawn`
   bool all = false;
   bool json = false;
   bool quiet = false;
@@ -49,7 +56,37 @@ ExitCode exit_code_of(const records::JudgedPicture& judged) {
   return right == 0 ? ExitCode::nothing_checked : ExitCode::ok;
 }
 
-ExitCode run(const Options& options) {
+ExitCode judge_drawn(const Options& options) {
+  const Result<backends::DrawnCampaign> campaign = backends::read_drawn_campaign(options.drawn);
+  if (!campaign) return fail(campaign.error());
+  const Result<backends::DrawnCount> count = backends::count_drawn(options.drawn);
+  if (!count) return fail(count.error());
+  if (count->drawn < count->cases) {
+    print_problem(
+        fmt::format("rastercheck: {}: {} of {} cases have no drawing and are not judged\n",
+                    options.drawn, count->cases - count->drawn, count->cases));
+  }
+  if (campaign->program != RASTERCHECK_VERSION) {
+    print_problem(
+        fmt::format("rastercheck: {}: the cases were made by version {}; properties may "
+                    "have changed since, and cases that they ask for now have no drawing\n",
+                    options.drawn, campaign->program));
+  }
+  RunOptions run = options.run;
+  run.plan = campaign->plan;
+  run.plan.backends = {"drawn:" + options.drawn};
+  run.plan.keeps_cases = options.run.plan.keeps_cases;
+  // Smaller cases would have to be drawn.
+  run.plan.shrinking.tries = 0;
+  run.seed = campaign->plan.seed;
+  run.json = options.json;
+  run.quiet = options.quiet;
+  run.all = options.all;
+  // The folder has settled what is drawn, so a baseline of something else is refused.
+  return run_campaign(run, [](const char* /*option*/) { return true; });
+}
+
+ExitCode judge_one_picture(const Options& options) {
   Result<cases::Case> c = cases::read_case(options.file);
   if (c) c = oracle::to_clip_case(*c, options.file);
   if (!c) return fail(c.error());
@@ -82,32 +119,75 @@ ExitCode run(const Options& options) {
   return exit_code_of(judged);
 }
 
+ExitCode run(const Options& options) {
+  if (!options.drawn.empty()) return judge_drawn(options);
+  if (options.picture.empty()) {
+    return fail(
+        {"", "", "needs a case and a picture, or --drawn DIR (see rastercheck judge --help)"});
+  }
+  return judge_one_picture(options);
+}
+
+/// Adds the options for a folder of drawings.
+void add_drawn(CLI::App& app, Options& options) {
+  CLI::Option* drawn = app.add_option("--drawn", options.drawn,
+                                      "Judge the drawings in this folder, which rastercheck cases "
+                                      "filled with cases, as rastercheck run judges a backend")
+                           ->type_name(kFolder);
+  for (const char* other :
+       {"CASE", "PICTURE", "--channels", "--background", "--storage", "--rounding", "--first-row",
+        "--resolve", "--chw", "--contract", "--promised-by", "--mask"}) {
+    drawn->excludes(other);
+  }
+  app.add_option("--output", options.run.output, "With --drawn: folder for the results")
+      ->type_name(kFolder)
+      ->needs(drawn)
+      ->capture_default_str();
+  add_formats(app, options.run.formats);
+  app.add_flag("--keep-cases", options.run.plan.keeps_cases,
+               "With --drawn: keep the result of each case in run.json, for a baseline")
+      ->needs(drawn);
+  CLI::Option* baseline = app.add_option("--baseline", options.run.baseline,
+                                         "With --drawn: compare the results with this baseline")
+                              ->type_name(kFile)
+                              ->needs(drawn);
+  app.add_option("--policy", options.run.policy,
+                 "With --baseline: file that says what may be worse, why and until when")
+      ->type_name(kFile)
+      ->needs(baseline);
+  app.add_option("--jobs", options.run.jobs, "With --drawn: number of parallel processes")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N")
+      ->needs(drawn)
+      ->capture_default_str();
+}
+
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("CASE", options->file, "Case file; - reads standard input")
-      ->type_name(kFile)
-      ->required();
+  app.add_option("CASE", options->file, "Case file; - reads standard input")->type_name(kFile);
   app.add_option("PICTURE", options->picture,
                  "OpenEXR, PNG, NPY or PFM file; - reads standard input")
-      ->type_name(kFile)
-      ->required();
+      ->type_name(kFile);
   add_picture_flags(app, options->flags);
   app.add_flag("--chw", options->is_chw,
                "An NPY array's axes are channel, height, width; default: height, width, channel");
   add_picture_promise(app, options->promise);
   app.add_option("--mask", options->mask, "Write the verdict of each pixel to this PNG file")
       ->type_name(kFile);
-  app.add_flag("--all", options->all, "Allow more than 2^26 samples");
+  app.add_flag("--all", options->all,
+               "Allow more than 2^26 samples; with --drawn: print a row for each property");
   app.add_flag("--json", options->json, "Print the verdict as JSON");
   app.add_flag("-q,--quiet", options->quiet, "Print only the table's rows");
+  add_drawn(app, *options);
   app.footer(
       "A pixel is right if a drawing that the contract permits shows it so. The judge calls no "
       "right pixel wrong; where the contract leaves open where vertices are placed, it may miss a "
       "wrong one.\n\n"
       "Exit codes: 0 all pixels are right, 1 some are wrong, 2 usage or unreadable input, 5 "
       "nothing could be judged.\n\n"
-      "Example:\n"
-      "  rastercheck judge scene.json scene.png --promised-by gl:llvmpipe");
+      "Examples:\n"
+      "  rastercheck judge scene.json scene.png --promised-by gl:llvmpipe\n"
+      "  rastercheck judge --drawn drawn");
   return [options] { return run(*options); };
 }
 

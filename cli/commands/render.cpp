@@ -13,7 +13,7 @@
 #include "cases/case_reader.h"
 #include "cases/drawn_picture.h"
 #include "cases/files.h"
-#include "cases/float_text.h"
+#include "cases/fragments_json.h"
 #include "cases/json.h"
 #include "cases/picture_writer.h"
 #include "cli/backend_failure.h"
@@ -41,23 +41,6 @@ struct Options {
   bool json = false;
   bool quiet = false;
 };
-
-/// Scripts rely on this output (README, Commands).
-void print_json(const std::string& backend, const cases::Fragments& drawn) {
-  fmt::print(R"({{"format": "rastercheck-fragments", "version": 1, "backend": {}, "fragments": [)",
-             cases::json_string(backend));
-  for (std::size_t i = 0; i < drawn.size() && std::ferror(stdout) == 0; ++i) {
-    std::string attributes;
-    for (const float value : drawn.attributes_of(i)) {
-      attributes += fmt::format("{}\"{}\"", attributes.empty() ? "" : ", ", cases::to_hex(value));
-    }
-    fmt::print(
-        R"({}{{"triangle": {}, "x": {}, "y": {}, "sample": {}, "depth": "{}", "attributes": [{}]}})",
-        i == 0 ? "\n  " : ",\n  ", drawn.triangle[i], drawn.x[i], drawn.y[i], drawn.sample[i],
-        cases::to_hex(drawn.depth[i]), attributes);
-  }
-  fmt::print("\n]}}\n");
-}
 
 void print_table(const cases::Case& c, const cases::Fragments& drawn, bool quiet) {
   constexpr std::string_view kRow = "{:>8} {:>5} {:>5} {:>3}  {:<15}";
@@ -134,7 +117,10 @@ ExitCode run(const Options& options) {
     return ExitCode::ok;
   }
   if (options.json) {
-    print_json(options.backend, drawn->fragments);
+    cases::write_fragments(drawn->fragments, options.backend, [](std::string_view text) {
+      fmt::print("{}", text);
+      return std::ferror(stdout) == 0;
+    });
   } else {
     print_table(*c, drawn->fragments, options.quiet);
   }

@@ -1,0 +1,28 @@
+#pragma once
+
+// A case as a file of 32-bit numbers, little-endian, for programs that read no JSON: the members
+// and arrays of rastercheck_draw (plugin.h), one after the other.
+//
+//   8 bytes   "RCDRAW1\n"
+//   28 words  rules, width, height, samples; viewport_x, viewport_y, viewport_width,
+//             viewport_height, min_depth, max_depth (floats); scissor_x, scissor_y, scissor_width,
+//             scissor_height (signed); cull, front_face, depth_test, depth_clamp; coverage,
+//             subpixel_bits, rounding, tie_rule, basis; vertex_count V, attribute_count A,
+//             clip_distance_count D, triangle_count T; depth_clear (float)
+//   arrays    sample_positions [samples][2], positions [V][4] (floats), attributes [A][2],
+//             attribute_values [V][A], clip_distances [V][D] (floats), indices [T][3]
+//
+// The triangles are those of the whole case. Without a depth test, each is drawn alone.
+
+#include <string>
+
+#include "cases/case.h"
+#include "cases/contract.h"
+
+namespace rastercheck::backends {
+
+/// The file's bytes for a case without a camera. `promised` is the promise for the case of whoever
+/// draws it.
+std::string draw_file(const cases::Case& c, const cases::Contract& promised);
+
+}  // namespace rastercheck::backends

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "backends/backend.h"
+#include "backends/drawn/folder.h"
+
+namespace rastercheck::backends {
+
+/// Wraps a backend and adds every case that it is asked to draw to a folder, even if it refuses the
+/// case: the other machine may draw it. Draws only fragments, as that machine does.
+class RecordingBackend : public Backend {
+ public:
+  /// The folder must outlive the backend.
+  RecordingBackend(std::unique_ptr<Backend> inner, CaseFolder& folder)
+      : inner_(std::move(inner)), folder_(folder) {}
+
+  About about() const override { return drawn_about(inner_->about()); }
+  cases::Contract promise(const cases::Case& c) const override { return inner_->promise(c); }
+
+  /// Why a case could not be written; empty if all were.
+  const std::optional<Error>& failure() const { return failure_; }
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    if (!failure_) {
+      const Result<void> added = folder_.add(c, contract(c));
+      if (!added) failure_ = added.error();
+    }
+    return inner_->draw_unjudged(c);
+  }
+
+  std::unique_ptr<Backend> inner_;
+  CaseFolder& folder_;
+  std::optional<Error> failure_;
+};
+
+}  // namespace rastercheck::backends
