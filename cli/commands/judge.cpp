@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cases/case_reader.h"
 #include "cases/files.h"
@@ -13,7 +16,10 @@
 #include "cli/picture_option.h"
 #include "cli/sample_limit.h"
 #include "oracle/picture_judge.h"
+#include "oracle/picture_parts.h"
 #include "oracle/transform.h"
+#include "properties/inspect/outline.h"
+#include "reports/judged_page.h"
 #include "reports/picture_text.h"
 
 namespace rastercheck::cli::judge_command {
@@ -25,6 +31,7 @@ struct Options {
   PictureFlags flags;
   PicturePromise promise;
   std::string mask;
+  std::string html;
   bool is_chw = false;
   bool all = false;
   bool json = false;
@@ -43,6 +50,71 @@ Result<void> write_mask(const records::JudgedPicture& judged, const std::string&
   return cases::write_picture(mask, file, {{"Comment", reports::verdict_legend()}});
 }
 
+/// The outlines of the triangles that some pixel of a part may show, in pixels of the file.
+std::vector<records::TriangleOutline> outlines_of(const oracle::SceneTruth& scene,
+                                                  const cases::PictureView& view,
+                                                  const records::PicturePart& part) {
+  std::set<std::uint32_t> triangles;
+  for (const records::DetailedPixel& pixel : part.pixels) {
+    for (const records::PermittedAnswer& answer : pixel.answers) {
+      if (answer.triangle) triangles.insert(*answer.triangle);
+    }
+  }
+  std::vector<records::TriangleOutline> outlines;
+  for (const std::uint32_t triangle : triangles) {
+    outlines.push_back({triangle, properties::outline_of(scene, triangle)});
+    if (!view.is_flipped) continue;
+    for (records::WindowPoint& point : outlines.back().points) point.y = view.size.height - point.y;
+  }
+  return outlines;
+}
+
+/// The words that judge the picture again.
+std::vector<std::string> judge_words(const Options& options) {
+  std::vector<std::string> words{"rastercheck", "judge", options.file, options.picture};
+  const auto add = [&words](const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
+  add(words_of(options.flags));
+  if (options.is_chw) add({"--chw"});
+  add(words_of(options.promise));
+  return words;
+}
+
+/// The words of `explain` for the case, without a pixel; empty for standard input, which cannot be
+/// read twice.
+std::vector<std::string> explain_words(const Options& options) {
+  if (options.file == "-") return {};
+  std::vector<std::string> words{"rastercheck", "explain", options.file, "--backend",
+                                 options.promise.backend.empty() ? "cpu" : options.promise.backend};
+  if (!options.promise.contract.empty()) {
+    words.insert(words.end(), {"--contract", options.promise.contract});
+  }
+  return words;
+}
+
+/// Writes the report of a judged picture.
+Result<void> write_page(const Options& options, const oracle::SceneTruth& scene,
+                        const cases::PictureView& view, const cases::PictureFile& picture,
+                        const records::JudgedPicture& judged) {
+  reports::JudgedPage page;
+  page.parts = oracle::choose_parts(judged);
+  oracle::detail_parts(scene, view, picture, judged, page.parts);
+  for (records::PicturePart& part : page.parts) part.outlines = outlines_of(scene, view, part);
+  page.source = scene.source();
+  page.view = view;
+  page.picture = picture;
+  page.contract = scene.contract();
+  page.judged = judged;
+  page.case_file = options.file;
+  page.picture_file = options.picture;
+  page.judged_by = promise_text(options.promise);
+  page.command = judge_words(options);
+  page.explain = explain_words(options);
+  return reports::judged_html(page).and_then(
+      [&](const std::string& text) { return cases::write_file(options.html, text); });
+}
+
 ExitCode exit_code_of(const records::JudgedPicture& judged) {
   if (judged.wrong() > 0) return ExitCode::violated;
   const std::uint64_t right = judged.count(records::PixelVerdict::right);
@@ -56,9 +128,10 @@ ExitCode run(const Options& options) {
   if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
     return fail(few.error());
   }
-  if (!options.mask.empty()) {
-    const auto is_free = check_output_file(options.mask, options.picture).and_then([&] {
-      return check_output_file(options.mask, options.file);
+  for (const std::string& output : {options.mask, options.html}) {
+    if (output.empty()) continue;
+    const auto is_free = check_output_file(output, options.picture).and_then([&] {
+      return check_output_file(output, options.file);
     });
     if (!is_free) return fail(is_free.error());
   }
@@ -79,6 +152,11 @@ ExitCode run(const Options& options) {
       return fail(written.error());
     }
   }
+  if (!options.html.empty()) {
+    if (const auto written = write_page(options, scene, *view, *picture, judged); !written) {
+      return fail(written.error());
+    }
+  }
   return exit_code_of(judged);
 }
 
@@ -96,6 +174,10 @@ Action set_up(CLI::App& app) {
                "An NPY array's axes are channel, height, width; default: height, width, channel");
   add_picture_promise(app, options->promise);
   app.add_option("--mask", options->mask, "Write the verdict of each pixel to this PNG file")
+      ->type_name(kFile);
+  app.add_option("--html", options->html,
+                 "Write the report to this HTML file: verdicts, differences, and for each pixel "
+                 "that is worth a look what it may show")
       ->type_name(kFile);
   app.add_flag("--all", options->all, "Allow more than 2^26 samples");
   app.add_flag("--json", options->json, "Print the verdict as JSON");
