@@ -100,7 +100,7 @@ TEST(JudgedPage, SaysWhatWasNotJudgedAndWhy) {
 TEST(JudgedPage, LetsNoTextBecomeMarkup) {
   const std::string text = without_viewer(page_of(sample_judged()));
   EXPECT_THAT(text, HasSubstr("“a &lt;case&gt;”"));
-  for (const std::string& raw : {"a <case>", "<somebody>", "a <picture>", "u<v"}) {
+  for (const char* raw : {"a <case>", "<somebody>", "a <picture>", "u<v"}) {
     EXPECT_THAT(text, Not(HasSubstr(raw))) << raw;
   }
 }
