@@ -1,6 +1,7 @@
 #include "cli/picture_option.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 
@@ -23,6 +24,10 @@ void add_names(CLI::App& app, const std::string& option, std::string& word, cons
   app.add_option(option, word, help)
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
       ->type_name("NAME");
+}
+
+void add_words(std::vector<std::string>& words, const char* option, const std::string& value) {
+  if (!value.empty()) words.insert(words.end(), {option, value});
 }
 
 template <typename Enum>
@@ -54,6 +59,30 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
   add_names(app, "--resolve", flags.resolve,
             "What the mean over a pixel's samples is taken of; default: linear",
             cases::ResolveOf{});
+}
+
+std::vector<std::string> words_of(const PictureFlags& flags) {
+  std::vector<std::string> words;
+  add_words(words, "--channels", fmt::format("{}", fmt::join(flags.channels, ",")));
+  add_words(words, "--background", fmt::format("{}", fmt::join(flags.background, ",")));
+  add_words(words, "--storage", flags.storage);
+  add_words(words, "--rounding", flags.rounding);
+  add_words(words, "--first-row", flags.first_row);
+  add_words(words, "--resolve", flags.resolve);
+  return words;
+}
+
+std::vector<std::string> words_of(const PicturePromise& promise) {
+  std::vector<std::string> words;
+  add_words(words, "--promised-by", promise.backend);
+  add_words(words, "--contract", promise.contract);
+  return words;
+}
+
+std::string promise_text(const PicturePromise& promise) {
+  const std::string who =
+      promise.backend.empty() ? "what the case asks for" : "what " + promise.backend + " promises";
+  return promise.contract.empty() ? who : who + ", with the terms of " + promise.contract;
 }
 
 Result<cases::PictureLayout> layout_of(const cases::Case& c, const PictureFlags& flags) {

@@ -28,6 +28,9 @@ struct PictureFlags {
 
 void add_picture_flags(CLI::App& app, PictureFlags& flags);
 
+/// The words that give these options again.
+std::vector<std::string> words_of(const PictureFlags& flags);
+
 /// The layout of a case's pictures; fails if an option makes no sense.
 Result<cases::PictureLayout> layout_of(const cases::Case& c, const PictureFlags& flags);
 
@@ -39,6 +42,11 @@ struct PicturePromise {
   std::string contract;  ///< a contract file
   std::string backend;   ///< a backend whose promise counts
 };
+
+/// The words that give these options again.
+std::vector<std::string> words_of(const PicturePromise& promise);
+/// Says for people who makes the promise: "what gl:llvmpipe promises".
+std::string promise_text(const PicturePromise& promise);
 
 void add_picture_promise(CLI::App& app, PicturePromise& promise);
 

@@ -38,6 +38,7 @@ class PictureJudge {
     judged_.channels = picture.channels;
     judged_.pixels.resize(static_cast<std::size_t>(view.size.width) *
                           static_cast<std::size_t>(view.size.height));
+    judged_.steps.resize(judged_.pixels.size());
   }
 
   JudgedPicture run() && {
@@ -57,14 +58,20 @@ class PictureJudge {
     const std::span<const float> stored(picture_->pixel(x, row), view_->channels.size());
     options_.set_stored(stored);
     count_freedom();
+    const std::size_t place =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(judged_.width) +
+        static_cast<std::size_t>(x);
     PixelVerdict verdict = PixelVerdict::right;
     if (!options_.explain_any()) {
       verdict = kind_of_wrong(x, y);
-      if (verdict != PixelVerdict::not_judged) keep(wrong_pixel(x, row, verdict, stored));
+      if (verdict != PixelVerdict::not_judged) {
+        WrongPixel wrong = wrong_pixel(x, row, verdict, stored);
+        judged_.steps[place] = static_cast<float>(wrong.steps);
+        keep(std::move(wrong));
+      }
     }
     ++judged_.counts[static_cast<std::size_t>(verdict)];
-    judged_.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(judged_.width) +
-                   static_cast<std::size_t>(x)] = verdict;
+    judged_.pixels[place] = verdict;
   }
 
   void count_freedom() {

@@ -143,12 +143,15 @@ PictureTruth::PictureTruth(const SceneTruth& scene, std::vector<bool> is_wanted)
 }
 
 void PictureTruth::for_each_pixel(const TakePixel& take) const {
+  for_each_pixel_of_rows(0, scene_->source().framebuffer.height, take);
+}
+
+void PictureTruth::for_each_pixel_of_rows(int y0, int y1, const TakePixel& take) const {
   const DefaultFloatingPoint floating_point;
-  const cases::FramebufferSize& size = scene_->source().framebuffer;
   const std::vector<PixelBox> boxes = boxes_of_triangles(*scene_);
-  const int height = rows_of_band(size);
-  for (int y0 = 0; y0 < size.height; y0 += height) {
-    BandAnswers band(*scene_, y0, std::min(y0 + height, size.height));
+  const int height = rows_of_band(scene_->source().framebuffer);
+  for (int y = y0; y < y1; y += height) {
+    BandAnswers band(*scene_, y, std::min(y + height, y1));
     band.find_candidates(boxes);
     band.find_values(is_wanted_);
     band.for_each_pixel(take);

@@ -51,6 +51,8 @@ class PictureTruth {
 
   /// Calls take for each pixel, ordered by window y, then x.
   void for_each_pixel(const TakePixel& take) const;
+  /// Calls take for each pixel with y0 <= y < y1, in the same order.
+  void for_each_pixel_of_rows(int y0, int y1, const TakePixel& take) const;
 
   /// Triangles that the contract promises nothing about: they may be drawn anywhere, and are left
   /// out of the answers.

@@ -86,7 +86,8 @@ struct JudgedPicture {
   std::vector<std::string> channels;
   std::array<std::uint64_t, kPixelVerdicts> counts{};  ///< [PixelVerdict]
   std::vector<PixelVerdict> pixels;                    ///< [row][x] of the file
-  std::vector<WrongPixel> worst;                       ///< the farthest off first
+  std::vector<float> steps;       ///< [row][x] of the file: WrongPixel::steps, 0 if not wrong
+  std::vector<WrongPixel> worst;  ///< the farthest off first
   PictureFreedom freedom;
   std::uint64_t unpromised_triangles = 0;  ///< nothing is promised about them
   /// Wrong pixels beyond the number that is compared with hidden triangles, called wrong value.

@@ -22,22 +22,6 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Violation;
 
-/// The fewest digits that tell the drawn number from the right numbers, and the right numbers from
-/// each other.
-int distinct_digits(double drawn, const NumberRange& right) {
-  constexpr int kFewest = 3;
-  constexpr int kMost = 17;  // these tell any two doubles apart
-  const auto text = [](double value, int digits) { return fmt::format("{:.{}g}", value, digits); };
-  for (int digits = kFewest; digits < kMost; ++digits) {
-    const std::string lo = text(right.lo, digits);
-    const std::string hi = text(right.hi, digits);
-    const std::string actual = text(drawn, digits);
-    const bool is_range_told = right.lo == right.hi || lo != hi;
-    if (actual != lo && actual != hi && is_range_told) return digits;
-  }
-  return kMost;
-}
-
 /// "0.161 to 0.164", or the text of an answer that is not a number.
 std::string right_text(const Violation& violation, const std::optional<NumberRange>& right,
                        int digits) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "cases/float_text.h"
 #include "cases/json.h"
 #include "cases/names.h"
+#include "reports/internal/picture_wording.h"
 #include "reports/internal/wording.h"
 #include "reports/text_table.h"
 #include "reports/wrapped_text.h"
@@ -21,48 +21,6 @@ using nlohmann::json;
 using records::JudgedPicture;
 using records::PixelVerdict;
 
-/// What a kind of wrong pixel is, for people.
-std::string_view meaning_of(PixelVerdict verdict) {
-  switch (verdict) {
-    case PixelVerdict::right:
-      return "as some permitted drawing shows them";
-    case PixelVerdict::wrong_value:
-      return "in a colour of no triangle that may be seen there";
-    case PixelVerdict::wrong_triangle:
-      return "in the colour of a triangle that must not be seen there";
-    case PixelVerdict::extra:
-      return "drawn where nothing may be drawn";
-    case PixelVerdict::missing:
-      return "background where a triangle must be seen";
-    case PixelVerdict::not_a_number:
-      return "NaN";
-    case PixelVerdict::not_judged:
-      break;
-  }
-  return "nothing is promised about some triangles, which may be seen here";
-}
-
-/// The colour of a verdict in verdict_image().
-std::array<std::uint8_t, 3> color_of(PixelVerdict verdict) {
-  switch (verdict) {
-    case PixelVerdict::right:
-      return {64, 64, 64};
-    case PixelVerdict::wrong_value:
-      return {230, 159, 0};
-    case PixelVerdict::wrong_triangle:
-      return {86, 180, 233};
-    case PixelVerdict::extra:
-      return {240, 228, 66};
-    case PixelVerdict::missing:
-      return {213, 94, 0};
-    case PixelVerdict::not_a_number:
-      return {204, 121, 167};
-    case PixelVerdict::not_judged:
-      break;
-  }
-  return {128, 128, 128};
-}
-
 std::string stored_text(float value) {
   return std::isnan(value) ? "NaN" : fmt::format("{:.9g}", value);
 }
@@ -71,12 +29,6 @@ std::string permitted_text(const records::WrongChannel& channel) {
   if (channel.is_free) return "any";
   if (channel.least == channel.greatest) return stored_text(channel.least);
   return fmt::format("{} to {}", stored_text(channel.least), stored_text(channel.greatest));
-}
-
-bool is_wrong(const records::WrongChannel& channel) {
-  // NaN lies in no range.
-  const bool is_within = channel.actual >= channel.least && channel.actual <= channel.greatest;
-  return !channel.is_free && !is_within;
 }
 
 /// The channels of a wrong pixel that are wrong: "R 133, not 128 to 129".
@@ -96,10 +48,6 @@ std::string percent_of(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? "0%"
                     : fmt::format("{:.3g}%",
                                   100.0 * static_cast<double>(part) / static_cast<double>(whole));
-}
-
-std::uint64_t pixel_count(const JudgedPicture& judged) {
-  return static_cast<std::uint64_t>(judged.width) * static_cast<std::uint64_t>(judged.height);
 }
 
 std::string counts_table(const JudgedPicture& judged) {
@@ -127,23 +75,9 @@ std::string worst_table(const JudgedPicture& judged) {
 }
 
 std::string freedom_text(const JudgedPicture& judged) {
-  const records::PictureFreedom& freedom = judged.freedom;
-  std::string text = fmt::format(
-      "The case leaves {} of its pixels one value each, lets {} differ, and keeps {} background.",
-      grouped(freedom.one_value), grouped(freedom.may_differ), grouped(freedom.background));
-  if (freedom.widened > 0) {
-    text += fmt::format(
-        " {} have too many mixtures of samples to tell apart, and are judged by "
-        "the range around all.",
-        counted(freedom.widened, "pixel", "pixels"));
-  }
-  if (judged.not_compared > 0) {
-    text += fmt::format(" {} were not compared with hidden triangles.",
-                        counted(judged.not_compared, "wrong pixel", "wrong pixels"));
-  }
-  if (judged.unpromised_triangles > 0) {
-    text += fmt::format(" Nothing is promised about {}.",
-                        counted(judged.unpromised_triangles, "triangle", "triangles"));
+  std::string text;
+  for (const std::string& sentence : freedom_sentences(judged)) {
+    text += (text.empty() ? "" : " ") + sentence;
   }
   return wrapped("", 0, text) + "\n";
 }

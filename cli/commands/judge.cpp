@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "backends/drawn/folder.h"
 #include "cases/case_reader.h"
@@ -18,7 +21,10 @@
 #include "cli/run_options.h"
 #include "cli/sample_limit.h"
 #include "oracle/picture_judge.h"
+#include "oracle/picture_parts.h"
 #include "oracle/transform.h"
+#include "properties/inspect/outline.h"
+#include "reports/judged_page.h"
 #include "reports/picture_text.h"
 
 namespace rastercheck::cli::judge_command {
@@ -30,6 +36,7 @@ struct Options {
   PictureFlags flags;
   PicturePromise promise;
   std::string mask;
+  std::string html;
   bool is_chw = false;
   std::string drawn;  ///< folder of a campaign's drawings
   RunOptions run;     ///< for `drawn`
@@ -48,6 +55,71 @@ Result<void> write_mask(const records::JudgedPicture& judged, const std::string&
   mask.stored.assign(3, cases::Storage::unorm8);
   mask.values.assign(image.rgb.begin(), image.rgb.end());
   return cases::write_picture(mask, file, {{"Comment", reports::verdict_legend()}});
+}
+
+/// The outlines of the triangles that some pixel of a part may show, in pixels of the file.
+std::vector<records::TriangleOutline> outlines_of(const oracle::SceneTruth& scene,
+                                                  const cases::PictureView& view,
+                                                  const records::PicturePart& part) {
+  std::set<std::uint32_t> triangles;
+  for (const records::DetailedPixel& pixel : part.pixels) {
+    for (const records::PermittedAnswer& answer : pixel.answers) {
+      if (answer.triangle) triangles.insert(*answer.triangle);
+    }
+  }
+  std::vector<records::TriangleOutline> outlines;
+  for (const std::uint32_t triangle : triangles) {
+    outlines.push_back({triangle, properties::outline_of(scene, triangle)});
+    if (!view.is_flipped) continue;
+    for (records::WindowPoint& point : outlines.back().points) point.y = view.size.height - point.y;
+  }
+  return outlines;
+}
+
+/// The words that judge the picture again.
+std::vector<std::string> judge_words(const Options& options) {
+  std::vector<std::string> words{"rastercheck", "judge", options.file, options.picture};
+  const auto add = [&words](const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
+  add(words_of(options.flags));
+  if (options.is_chw) add({"--chw"});
+  add(words_of(options.promise));
+  return words;
+}
+
+/// The words of `explain` for the case, without a pixel; empty for standard input, which cannot be
+/// read twice.
+std::vector<std::string> explain_words(const Options& options) {
+  if (options.file == "-") return {};
+  std::vector<std::string> words{"rastercheck", "explain", options.file, "--backend",
+                                 options.promise.backend.empty() ? "cpu" : options.promise.backend};
+  if (!options.promise.contract.empty()) {
+    words.insert(words.end(), {"--contract", options.promise.contract});
+  }
+  return words;
+}
+
+/// Writes the report of a judged picture.
+Result<void> write_page(const Options& options, const oracle::SceneTruth& scene,
+                        const cases::PictureView& view, const cases::PictureFile& picture,
+                        const records::JudgedPicture& judged) {
+  reports::JudgedPage page;
+  page.parts = oracle::choose_parts(judged);
+  oracle::detail_parts(scene, view, picture, judged, page.parts);
+  for (records::PicturePart& part : page.parts) part.outlines = outlines_of(scene, view, part);
+  page.source = scene.source();
+  page.view = view;
+  page.picture = picture;
+  page.contract = scene.contract();
+  page.judged = judged;
+  page.case_file = options.file;
+  page.picture_file = options.picture;
+  page.judged_by = promise_text(options.promise);
+  page.command = judge_words(options);
+  page.explain = explain_words(options);
+  return reports::judged_html(page).and_then(
+      [&](const std::string& text) { return cases::write_file(options.html, text); });
 }
 
 ExitCode exit_code_of(const records::JudgedPicture& judged) {
@@ -93,9 +165,10 @@ ExitCode judge_one_picture(const Options& options) {
   if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
     return fail(few.error());
   }
-  if (!options.mask.empty()) {
-    const auto is_free = check_output_file(options.mask, options.picture).and_then([&] {
-      return check_output_file(options.mask, options.file);
+  for (const std::string& output : {options.mask, options.html}) {
+    if (output.empty()) continue;
+    const auto is_free = check_output_file(output, options.picture).and_then([&] {
+      return check_output_file(output, options.file);
     });
     if (!is_free) return fail(is_free.error());
   }
@@ -113,6 +186,11 @@ ExitCode judge_one_picture(const Options& options) {
                                 : reports::picture_text(judged, options.quiet));
   if (!options.mask.empty()) {
     if (const auto written = write_mask(judged, options.mask); !written) {
+      return fail(written.error());
+    }
+  }
+  if (!options.html.empty()) {
+    if (const auto written = write_page(options, scene, *view, *picture, judged); !written) {
       return fail(written.error());
     }
   }
@@ -136,7 +214,7 @@ void add_drawn(CLI::App& app, Options& options) {
                            ->type_name(kFolder);
   for (const char* other :
        {"CASE", "PICTURE", "--channels", "--background", "--storage", "--rounding", "--first-row",
-        "--resolve", "--chw", "--contract", "--promised-by", "--mask"}) {
+        "--resolve", "--chw", "--contract", "--promised-by", "--mask", "--html"}) {
     drawn->excludes(other);
   }
   app.add_option("--output", options.run.output, "With --drawn: folder for the results")
@@ -173,6 +251,10 @@ Action set_up(CLI::App& app) {
                "An NPY array's axes are channel, height, width; default: height, width, channel");
   add_picture_promise(app, options->promise);
   app.add_option("--mask", options->mask, "Write the verdict of each pixel to this PNG file")
+      ->type_name(kFile);
+  app.add_option("--html", options->html,
+                 "Write the report to this HTML file: verdicts, differences, and for each pixel "
+                 "that is worth a look what it may show")
       ->type_name(kFile);
   app.add_flag("--all", options->all,
                "Allow more than 2^26 samples; with --drawn: print a row for each property");

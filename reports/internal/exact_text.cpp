@@ -59,4 +59,18 @@ std::string exact_text(const std::string& exact, std::size_t most) {
   return fmt::format("{} (about {:.9g} to {:.9g})", text, numbers->lo, numbers->hi);
 }
 
+int distinct_digits(double drawn, const NumberRange& right) {
+  constexpr int kFewest = 3;
+  constexpr int kMost = 17;  // these tell any two doubles apart
+  const auto text = [](double value, int digits) { return fmt::format("{:.{}g}", value, digits); };
+  for (int digits = kFewest; digits < kMost; ++digits) {
+    const std::string lo = text(right.lo, digits);
+    const std::string hi = text(right.hi, digits);
+    const std::string actual = text(drawn, digits);
+    const bool is_range_told = right.lo == right.hi || lo != hi;
+    if (actual != lo && actual != hi && is_range_told) return digits;
+  }
+  return kMost;
+}
+
 }  // namespace rastercheck::reports

@@ -12,6 +12,7 @@
 
 #include "cases/float_text.h"
 #include "cases/names.h"
+#include "reports/internal/embedded_json.h"
 #include "reports/internal/wording.h"
 
 namespace rastercheck::reports {
@@ -167,21 +168,6 @@ Inspection within(const Inspection& whole, std::uint32_t reach) {
   return part;
 }
 
-/// Returns JSON that no HTML parser mistakes for markup.
-std::string embedded(const json& data) {
-  const std::string text = data.dump(-1, ' ', true, json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
 }  // namespace
 
 std::vector<std::string> inspection_data(const std::vector<Inspection>& inspections,
@@ -192,7 +178,7 @@ std::vector<std::string> inspection_data(const std::vector<Inspection>& inspecti
     std::size_t bytes = 0;
     for (const Inspection& inspection : inspections) {
       const json part = inspection_json(within(inspection, extent.reach), extent.most_digits);
-      data.push_back(embedded(part));
+      data.push_back(embedded_json(part));
       bytes += data.back().size();
       if (bytes > most) break;
     }

@@ -12,10 +12,9 @@ const kSides = { 1: 1, 2: 0.5, 4: 0.42, 8: 0.27, 16: 0.19 };
  * @param {number} room  width that there is, CSS pixels
  */
 export function geometryOf(inspection, room) {
-  const { left, top, width, height, pattern } = inspection;
+  const { left, top, width, height, pattern, isUp } = inspection;
   const across = room - kMargin.left - kMargin.right;
   const pixel = Math.max(4, Math.min(across / width, Math.max(kLargestPixel, kSmallPicture / height)));
-  const isUp = inspection.rules === 'opengl'; // window y points up there
   const x = (u) => kMargin.left + (u - left) * pixel;
   const y = (v) => kMargin.top + (isUp ? top + height - v : v - top) * pixel;
   return {

@@ -29,6 +29,7 @@ import { hexFloat, numberOf } from './numbers.js';
  *
  * @typedef {object} Inspection
  * @property {string} rules
+ * @property {boolean} isUp  window y points up
  * @property {[string, string][]} attributes  name and interpolation
  * @property {[number, number][]} pattern
  * @property {number} triangle
@@ -79,7 +80,7 @@ export function parseInspection(text) {
       values: values.map(value),
     }),
   );
-  return { ...data, samples };
+  return { ...data, isUp: data.rules === 'opengl', samples };
 }
 
 /**

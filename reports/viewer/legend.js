@@ -7,15 +7,15 @@ import { brief } from './numbers.js';
 import { kErrorSteps, kOddFill, kOutcomes } from './palette.js';
 import { differenceColours, largestDifference, rangeOf } from './views.js';
 
-const swatch = (fill, sign = '') => {
+export const swatch = (fill, sign = '') => {
   const node = element('span', { class: 'swatch', 'aria-hidden': 'true' }, sign);
   node.style.background = fill;
   return node;
 };
-const item = (sign, ...text) => element('li', {}, sign, ...text);
+export const item = (sign, ...text) => element('li', {}, sign, ...text);
 
 /** A bar of colours between its two ends. */
-function ramp(low, high, colour, what) {
+export function ramp(low, high, colour, what) {
   const stops = d3.range(0, 1.01, 0.125).map((t) => colour(t));
   const bar = element('span', { class: 'ramp', 'aria-hidden': 'true' });
   bar.style.background = `linear-gradient(to right, ${stops.join(',')})`;

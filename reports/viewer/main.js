@@ -1,6 +1,7 @@
 // Brings the page to life. All that it says is there without this.
 
 import { makeHistogram } from './histogram.js';
+import { kInspectionKind, kPartKind } from './kinds.js';
 import { parseLink, showLink } from './links.js';
 import { makeSortable } from './sorting.js';
 import { Viewer } from './viewer.js';
@@ -20,7 +21,8 @@ function viewerOf(section) {
   if (!data) return null;
   const place = section.querySelector('.viewer-place');
   let isReady = false;
-  const viewer = new Viewer(place, data.textContent, (state) => {
+  const kind = section.dataset.kind === 'part' ? kPartKind : kInspectionKind;
+  const viewer = new Viewer(place, kind, data.textContent, (state) => {
     if (isReady) showLink(linkOf(number, state));
   });
   isReady = true;

@@ -4,7 +4,6 @@ import { geometryOf, labelStep } from './geometry.js';
 import { glyphOf } from './glyphs.js';
 import { outcomeOf } from './inspection.js';
 import { newId } from './dom.js';
-import { fillsOf } from './views.js';
 
 const kLeastFont = 7; // CSS pixels
 const kLetter = 0.62; // of the font's size, a digit's width
@@ -73,9 +72,8 @@ function drawSigns(layer, inspection, g, shown) {
 
 function drawOutlines(svg, inspection, g, clip) {
   const line = d3.line().x((p) => g.x(p[0])).y((p) => g.y(p[1]));
-  svg.append('g').attr('clip-path', `url(#${clip})`).selectAll('path').data(inspection.outlines)
-    .join('path')
-    .attr('class', (_, i) => (i === inspection.triangle ? 'outline' : 'outline other'))
+  return svg.append('g').attr('clip-path', `url(#${clip})`).selectAll('path').data(inspection.outlines)
+    .join('path').attr('class', 'outline')
     .attr('d', (points) => (points.length > 0 ? line(points) + 'Z' : ''));
 }
 
@@ -94,10 +92,12 @@ function drawTarget(svg, inspection, g) {
 
 /**
  * @param {import('./inspection.js').Inspection} inspection
+ * @param {import('./kinds.js').Kind} kind
  */
 export class Picture {
-  constructor(inspection) {
+  constructor(inspection, kind) {
     this.inspection = inspection;
+    this.kind = kind;
     this.svg = d3.create('svg').attr('class', 'picture').attr('aria-hidden', 'true');
     this.node = this.svg.node();
     this.clip = newId('part');
@@ -110,7 +110,7 @@ export class Picture {
    * @param {number} room  CSS pixels
    */
   draw({ view, attribute }, room) {
-    const { svg, inspection } = this;
+    const { svg, inspection, kind } = this;
     const g = geometryOf(inspection, room);
     this.geometry = g;
     svg.attr('viewBox', `0 0 ${g.width} ${g.height}`).attr('width', g.width)
@@ -123,20 +123,20 @@ export class Picture {
     this.right = plot(this.swipe);
     svg.append('rect').attr('class', 'plot').attr('x', g.plot.x).attr('y', g.plot.y)
       .attr('width', g.plot.width).attr('height', g.plot.height);
-    if (view !== 'coverage') drawSamplePoints(svg, inspection, g);
-    for (const { fills, side } of fillsOf(inspection, view, attribute)) {
+    if (kind.hasPoints(view)) drawSamplePoints(svg, inspection, g);
+    for (const { fills, side } of kind.fillsOf(inspection, view, attribute)) {
       const layer = svg.append('g');
       if (side === 'right') layer.attr('clip-path', `url(#${this.swipe})`);
       if (side === 'right') this.coverUp(layer, g);
       drawFills(layer.append('g'), inspection, g, fills);
-      const isActual = side === 'right' || view === 'ulp' || view === 'difference' ||
-        view === 'actual';
-      if (isActual) drawSigns(layer.append('g'), inspection, g, (o) => o === 'missing' || o === 'extra');
+      if (kind.hasOddSigns(view, side)) {
+        drawSigns(layer.append('g'), inspection, g, (o) => o === 'missing' || o === 'extra');
+      }
     }
     drawGrid(svg, inspection, g);
-    if (view === 'coverage') drawSigns(svg.append('g'), inspection, g, () => true);
-    drawOutlines(svg, inspection, g, this.clip);
-    drawTarget(svg, inspection, g);
+    if (kind.hasAllSigns(view)) drawSigns(svg.append('g'), inspection, g, () => true);
+    this.outlines = drawOutlines(svg, inspection, g, this.clip);
+    if (kind.hasTarget(inspection)) drawTarget(svg, inspection, g);
     drawAxes(svg, inspection, g);
     this.divider = svg.append('line').attr('class', 'divider').attr('y1', g.plot.y)
       .attr('y2', g.plot.y + g.plot.height).attr('visibility', view === 'compare' ? null : 'hidden');
@@ -162,6 +162,7 @@ export class Picture {
     const g = this.geometry;
     const [x, y] = g.corner(sample.x, sample.y);
     const [u, v] = g.place(sample);
+    this.outlines.attr('class', (_, i) => this.kind.outlineClass(this.inspection, sample, i));
     this.cursor.classed('pinned', isPinned).selectAll('*').remove();
     for (const name of ['halo', 'line']) {
       this.cursor.append('rect').attr('class', name).attr('x', x).attr('y', y)

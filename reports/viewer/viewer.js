@@ -1,14 +1,11 @@
-// The viewer of one inspection: controls, picture, what is known of the sample pointed at.
+// The viewer of one inspection, or of one part of a judged picture: controls, picture, what is known
+// of the sample pointed at. What is shown of it is its kind's (kinds.js).
 
 import { element, newId } from './dom.js';
-import { isOdd, parseInspection, sampleAt, valuesOf, worstOf } from './inspection.js';
-import { matrixOf, panelOf, spoken } from './inspector.js';
-import { legendOf } from './legend.js';
+import { sampleAt } from './inspection.js';
 import { Picture } from './picture.js';
-import { kViews } from './views.js';
 
 const kLeastRoom = 240; // CSS pixels
-const kKeys = 'Arrow keys move, S selects the pixel’s next sample, Enter pins, Escape unpins.';
 
 /**
  * @typedef {object} State
@@ -23,13 +20,15 @@ const kKeys = 'Arrow keys move, S selects the pixel’s next sample, Enter pins,
 export class Viewer {
   /**
    * @param {HTMLElement} place  what it is put into
-   * @param {string} data  of the page (inspection.js)
+   * @param {import('./kinds.js').Kind} kind
+   * @param {string} data  of the page
    * @param {(state: State) => void} onChange
    */
-  constructor(place, data, onChange) {
-    this.inspection = parseInspection(data);
+  constructor(place, kind, data, onChange) {
+    this.kind = kind;
+    this.inspection = kind.parse(data);
     this.onChange = onChange;
-    this.picture = new Picture(this.inspection);
+    this.picture = new Picture(this.inspection, kind);
     this.state = this.firstState();
     place.append(this.build());
     this.draw();
@@ -37,17 +36,8 @@ export class Viewer {
   }
 
   firstState() {
-    const { x, y, sample, value } = this.inspection;
-    const ofAttributes = this.inspection.attributes.length > 0 ? 0 : -1;
-    return {
-      x,
-      y,
-      sample,
-      view: value === null ? 'coverage' : 'ulp',
-      attribute: value ?? ofAttributes,
-      swipe: 50,
-      isPinned: false,
-    };
+    const { x, y, sample } = this.inspection;
+    return { x, y, sample, ...this.kind.firstView(this.inspection), swipe: 50, isPinned: false };
   }
 
   /** The sample that the state is at. */
@@ -62,8 +52,8 @@ export class Viewer {
    */
   set(change) {
     const next = { ...this.state, ...change };
-    if (!kViews.some(([view]) => view === next.view)) next.view = this.state.view;
-    if (!valuesOf(this.inspection).some((v) => v.attribute === next.attribute)) {
+    if (!this.kind.views.some(([view]) => view === next.view)) next.view = this.state.view;
+    if (!this.kind.valuesOf(this.inspection).some((v) => v.attribute === next.attribute)) {
       next.attribute = this.state.attribute;
     }
     if (!sampleAt(this.inspection, next.x, next.y, next.sample)) {
@@ -82,7 +72,7 @@ export class Viewer {
       class: 'frame',
       tabindex: 0,
       role: 'application',
-      'aria-label': 'Pixels of the inspected part',
+      'aria-label': this.kind.label,
       'aria-describedby': help,
       keydown: (event) => this.onKey(event),
       pointermove: (event) => this.onPoint(event, false),
@@ -95,14 +85,14 @@ export class Viewer {
       element('div', { class: 'controls' }, this.buildViews(), this.buildValues()),
       element('div', { class: 'looked-at' },
         element('div', { class: 'left' }, this.frame, this.buildSwipe(), this.legend,
-          element('p', { class: 'keys', id: help }, kKeys)),
+          element('p', { class: 'keys', id: help }, this.kind.keys)),
         element('div', { class: 'right' }, this.buildJumps(), this.panel,
-          matrixOf(this.inspection), this.live)));
+          ...this.kind.below(this.inspection), this.live)));
   }
 
   buildViews() {
     const group = newId('view');
-    const choices = kViews.map(([view, name]) => {
+    const choices = this.kind.views.map(([view, name]) => {
       const id = newId('view');
       const input = element('input', {
         type: 'radio', name: group, id, value: view, change: () => this.set({ view }),
@@ -118,9 +108,9 @@ export class Viewer {
     const id = newId('value');
     this.values = element('select', {
       id, change: () => this.set({ attribute: Number(this.values.value) }),
-    }, ...valuesOf(this.inspection).map(({ attribute, name }) =>
+    }, ...this.kind.valuesOf(this.inspection).map(({ attribute, name }) =>
       element('option', { value: attribute }, name)));
-    return element('p', { class: 'choice' }, element('label', { for: id }, 'Value'), this.values);
+    return element('p', { class: 'choice' }, element('label', { for: id }, this.kind.valueName), this.values);
   }
 
   buildSwipe() {
@@ -130,9 +120,10 @@ export class Viewer {
       input: () => this.set({ swipe: Number(this.swipe.value) }),
     });
     this.swipeRow = element('p', { class: 'swipe' },
-      element('span', { 'aria-hidden': 'true' }, 'expected'), this.swipe,
+      element('span', { 'aria-hidden': 'true' }, this.kind.expected), this.swipe,
       element('label', { for: id }, 'drawn',
-        element('span', { class: 'unseen' }, ': percent of the picture that shows expected values')));
+        element('span', { class: 'unseen' },
+          `: percent of the picture that shows ${this.kind.expected} values`)));
     return this.swipeRow;
   }
 
@@ -145,12 +136,15 @@ export class Viewer {
       },
     }, text);
     const { samples } = this.inspection;
+    const { first, largest, next, isOdd, worstOf } = this.kind.jumps;
     const odd = samples.filter(isOdd);
-    const next = () => odd[(odd.indexOf(this.current()) + 1) % odd.length];
-    const jumps = [jump('Sample in question', () => sampleAt(this.inspection, this.inspection.x,
+    const jumps = [jump(first, () => sampleAt(this.inspection, this.inspection.x,
       this.inspection.y, this.inspection.sample)),
-    jump('Largest error', () => worstOf(this.inspection, this.state.attribute))];
-    if (odd.length > 0) jumps.push(jump(`Next wrong sample (${odd.length})`, next));
+    jump(largest, () => worstOf(this.inspection, this.state.attribute))];
+    if (odd.length > 0) {
+      jumps.push(jump(`${next} (${odd.length})`,
+        () => odd[(odd.indexOf(this.current()) + 1) % odd.length]));
+    }
     const row = element('p', { class: 'jumps' }, 'Go to: ', ...jumps);
     if (this.inspection.pattern.length > 1) row.append(this.buildSamples());
     return row;
@@ -174,7 +168,7 @@ export class Viewer {
     this.room = this.frame.clientWidth;
     const { view, attribute } = this.state;
     this.picture.draw(this.state, Math.max(this.room, kLeastRoom));
-    this.legend.replaceChildren(...legendOf(this.inspection, view, attribute));
+    this.legend.replaceChildren(...this.kind.legendOf(this.inspection, view, attribute));
     this.swipeRow.hidden = view !== 'compare';
     for (const input of this.views) input.checked = input.value === view;
     this.values.value = String(attribute);
@@ -188,14 +182,14 @@ export class Viewer {
     this.swipe.value = String(swipe);
     this.picture.swipeTo(swipe / 100);
     this.picture.show(sample, isPinned);
-    this.panel.replaceChildren(...panelOf(this.inspection, sample, attribute, isPinned));
-    this.live.textContent = spoken(this.inspection, sample, attribute);
+    this.panel.replaceChildren(...this.kind.panelOf(this.inspection, sample, attribute, isPinned));
+    this.live.textContent = this.kind.spoken(this.inspection, sample, attribute);
     if (this.samples) this.samples.value = String(sample.sample);
   }
 
   onKey(event) {
     const { x, y, sample, isPinned } = this.state;
-    const up = this.inspection.rules === 'opengl' ? 1 : -1;
+    const up = this.inspection.isUp ? 1 : -1;
     const changes = {
       ArrowLeft: { x: x - 1 },
       ArrowRight: { x: x + 1 },

@@ -23,7 +23,7 @@ export const kViews = [
  * @property {string} sign  where there is not
  * @property {boolean} isSign  whether it has one
  */
-const filled = (sample, fill, text, sign = '') => ({
+export const filled = (sample, fill, text, sign = '') => ({
   sample,
   fill,
   ink: fill === kOddFill ? kOddInk : inkOn(fill),
@@ -47,7 +47,7 @@ export function rangeOf(inspection, attribute) {
 }
 
 /** ▲ and ▼ for what is beyond a range. */
-function beyond(value, [low, high]) {
+export function beyond(value, [low, high]) {
   return value > high ? '▲' : value < low ? '▼' : '';
 }
 

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# The browser tests of report.html and compare.html:
+# The browser tests of report.html, compare.html and the page of a judged picture:
 #
 #   run_tests.sh NODE_FOLDER RASTERCHECK RUN_JSON
 #
-# Tests the report of RUN_JSON, and that of a short run of RASTERCHECK. NODE_FOLDER receives the
-# packages that npm installs, and the reports. Without node, npm or Chromium, skips with exit code
-# 77, or fails if RASTERCHECK_REQUIRE_BACKENDS says that everything must be present.
+# Tests the report of RUN_JSON, and those that RASTERCHECK makes of a short run, of a comparison and
+# of a judged picture. NODE_FOLDER receives the packages that npm installs, and the reports. Without
+# node, npm or Chromium, skips with exit code 77, or fails if RASTERCHECK_REQUIRE_BACKENDS says that
+# everything must be present.
 set -euo pipefail
 tests=$(cd "$(dirname "$0")" && pwd)
 folder=$1 rastercheck=$2 run_json=$3
+first_triangle=$tests/../../cases/corpus/first-triangle.json
 
 missing() {
   echo "browser tests: $1"
@@ -45,8 +47,15 @@ for backend in cpu cpu:precision=float32; do
 done
 "$rastercheck" compare "$folder/cpu" "$folder/cpu-precision-float32" --as cpu \
   --output "$folder/compare" --quiet || [ $? -eq 3 ]
+# Makes a picture that is wrong in its values: drawn affinely, judged by what the case asks for.
+mkdir -p "$folder/judged"
+"$rastercheck" render "$first_triangle" --backend method:screen-linear --channels Y=u \
+  --picture "$folder/judged/drawn.npy"
+"$rastercheck" judge "$first_triangle" "$folder/judged/drawn.npy" --channels Y=u \
+  --html "$folder/judged/judged.html" --quiet || [ $? -eq 1 ]
 
 cd "$folder"
 RASTERCHECK_CHROMIUM=$chromium RASTERCHECK_REPORT=$folder/sample/report.html \
   RASTERCHECK_RUN_REPORT=$folder/run/report.html \
-  RASTERCHECK_COMPARE=$folder/compare/compare.html node --test --test-reporter=spec ./*.test.js
+  RASTERCHECK_COMPARE=$folder/compare/compare.html \
+  RASTERCHECK_JUDGED=$folder/judged/judged.html node --test --test-reporter=spec ./*.test.js

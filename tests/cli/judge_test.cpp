@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/files.h"
 #include "cases/picture_reader.h"
 #include "cases/picture_writer.h"
 #include "tests/cli/program.h"
@@ -92,6 +93,28 @@ TEST(Judge, SaysWhichPixelIsWrongAndByHowMuch) {
   EXPECT_EQ(judged.at("worst").at(0).at("x"), 0);
   EXPECT_EQ(judged.at("worst").at(0).at("row"), 0);
   EXPECT_EQ(judged.at("worst").at(0).at("channels").at(0).at("stored"), "0x1.8p-1");
+}
+
+TEST(Judge, WritesTheReport) {
+  const Pictures pictures;
+  const std::string picture = pictures.draw("a.npy");
+  pictures.spoil(picture, 0, 0.75F);
+  const std::string page = pictures.path("judged.html");
+  const Outcome outcome = pictures.judge(picture, {"--html", page, "--promised-by", "cpu"});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("Wrong: 1 of 64 pixels"));
+  const std::string text = cases::read_text(page).value();
+  EXPECT_THAT(text, HasSubstr("Wrong: 1 of 64 pixels"));
+  EXPECT_THAT(text, HasSubstr("what cpu promises"));
+  // The command of the page works, and explains the pixel's window position.
+  const std::string command = " --backend cpu --pixel 0,0 --triangle ";
+  const std::size_t at = text.find(command);
+  ASSERT_NE(at, std::string::npos);
+  const Outcome explained =
+      run_program({"explain", pictures.square(), "--backend", "cpu", "--pixel", "0,0", "--triangle",
+                   text.substr(at + command.size(), 1)});
+  EXPECT_EQ(explained.code, 0) << explained;
+  EXPECT_TRUE(is_failure(pictures.judge(picture, {"--html", picture}), 2));
 }
 
 TEST(Judge, JudgesByABackendsPromiseOrAContractFile) {
