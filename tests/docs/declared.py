@@ -15,6 +15,7 @@ NOT_RUN = {
     r"--known softpipe-fails\.txt": "the list is the reader's own",
     r"\bscene\.json$": "takes six minutes",
     r"--corpus large\b": "judges 110 million fragments",
+    r"^scripts/image-defects\b": "takes minutes, and needs ImageMagick",
     r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",
 }
 
