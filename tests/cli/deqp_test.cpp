@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cases/files.h"
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
@@ -17,7 +18,9 @@ using testing::HasSubstr;
 
 /// Six tests: two with the right verdict, one that fails though no pixel is wrong, one that passes
 /// though one is, and two that cannot be judged. `cpu` drew the pictures.
-std::string small_log() { return source_file("tests/cases/deqp/small.qpa"); }
+std::string small_log() {
+  return cases::read_text(source_file("tests/cases/deqp/small.qpa")).value();
+}
 
 /// A part of the log: the text of one test, the first with this path's end.
 std::string one_test(const std::string& path) {
@@ -36,8 +39,9 @@ std::string replaced(std::string text, const std::string& old, const std::string
 TEST(Deqp, SaysWhichVerdictsAreRight) {
   const Outcome outcome = run_program({"deqp", "-", "--json"}, small_log());
   EXPECT_EQ(outcome.code, 1) << outcome;
+  const json said = json::parse(outcome.out);
   std::string opinions;
-  for (const json& test : json::parse(outcome.out).at("tests")) {
+  for (const json& test : said.at("tests")) {
     opinions += test.at("opinion").get<std::string>() + ", ";
   }
   EXPECT_EQ(opinions, "agrees, disagrees, disagrees, agrees, not judged, not judged, ");
