@@ -15,6 +15,7 @@ NOT_RUN = {
     r"--known softpipe-fails\.txt": "the list is the reader's own",
     r"\bscene\.json$": "takes six minutes",
     r"--corpus large\b": "judges 110 million fragments",
+    r"^scripts/image-defects\b": "takes minutes, and needs ImageMagick",
     r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",
 }
 
@@ -47,6 +48,7 @@ INSTEAD = [
 ENDS_WITH = [
     ("findings.md", r"^rastercheck replay .*\Z", (0, 4), "4 where the machine has no such driver"),
     ("from-formula-to-law.md", r"rastercheck_with_mutants .*\Z", (1,), "mutants"),
+    ("image-tests.md", r"^rastercheck deqp .*\Z", (1,), "two verdicts of the log are wrong"),
     ("judge-a-driver.md", r"^rastercheck (run|replay) .*(--no-known|quarter\.json).*\Z", (1,), "a driver's defects"),
     ("judge-your-rasterizer.md", r"^sed .*\n.*\nrastercheck run .*\Z", (1,), "the division is gone"),
     ("regression-gate.md", r'"A reciprocal in float32"\nrastercheck run .*\Z', (3,), "made less precise"),

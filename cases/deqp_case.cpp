@@ -1,0 +1,102 @@
+// Cases of what dEQP's tests have drawn (cases/deqp_log.h).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "cases/deqp_log.h"
+
+namespace rastercheck::cases {
+namespace {
+
+/// Vertices in an order in which the rules' provoking vertex is the one of the primitive: the last
+/// one in OpenGL. In Vulkan it is the first, and that of a fan's triangle the one after the centre.
+/// Nothing is culled, so the winding does not matter.
+std::vector<Triangle> triangles_of(const DeqpDrawing& drawing, bool is_vulkan) {
+  std::vector<Triangle> triangles;
+  const auto count = static_cast<std::uint32_t>(drawing.vertices.size());
+  const std::uint32_t step = drawing.topology == DeqpTopology::list ? 3 : 1;
+  for (std::uint32_t i = 0; i + 2 < count; i += step) {
+    const bool is_fan = drawing.topology == DeqpTopology::fan;
+    if (is_fan && is_vulkan) {
+      triangles.push_back({i + 1, i + 2, 0});
+    } else {
+      triangles.push_back({is_fan ? 0 : i, i + 1, i + 2});
+    }
+  }
+  return triangles;
+}
+
+/// Pictures begin with window y = 0, which is the lowest row in OpenGL. Alpha is not judged:
+/// default framebuffers need not have it.
+PictureLayout layout_of_drawing(const DeqpDrawing& drawing, bool is_vulkan) {
+  const bool has_colors = drawing.vertices.front().color.has_value();
+  PictureLayout layout;
+  for (const char* name : {"R", "G", "B"}) {
+    const std::string attribute(1, static_cast<char>(*name - 'A' + 'a'));
+    layout.channels.push_back({name, has_colors ? attribute : "coverage", 0.0F});
+  }
+  if (drawing.image.channels == 4) layout.channels.push_back({"A", "-", std::nullopt});
+  layout.storage = Storage::unorm8;
+  // OpenGL ES 3.0, 2.1.6.2: either of the two closest integers, although the nearest is preferred.
+  layout.rounding = StoreRounding::either;
+  layout.first_row = is_vulkan ? FirstRow::top : FirstRow::bottom;
+  return layout;
+}
+
+}  // namespace
+
+Case case_of(const DeqpTest& test, const DeqpDrawing& drawing) {
+  Case c;
+  c.name = test.path + (drawing.section.empty() ? "" : ", " + drawing.section);
+  c.framebuffer = {drawing.image.width, drawing.image.height, 1};
+  c.viewport.width = static_cast<float>(drawing.image.width);
+  c.viewport.height = static_cast<float>(drawing.image.height);
+  c.rules = test.is_vulkan() ? Rules::vulkan : Rules::opengl;
+  c.fill_rule = default_fill_rule(c.rules);
+  c.basis = default_basis(c.rules);
+  const bool is_flat = test.path.find("flatshading") != std::string::npos;
+  const bool has_colors = drawing.vertices.front().color.has_value();
+  for (const char* name : {"r", "g", "b"}) {
+    if (!has_colors) break;
+    c.attributes.push_back({name, is_flat ? Interpolation::flat : Interpolation::smooth});
+  }
+  for (const DeqpVertex& vertex : drawing.vertices) {
+    const auto& [x, y, z, w] = vertex.position;
+    c.positions.push_back({x.value, y.value, z.value, w.value});
+    for (std::size_t i = 0; i < c.attributes.size(); ++i) {
+      c.attribute_values.push_back((*vertex.color)[i].value);
+    }
+  }
+  c.triangles = triangles_of(drawing, test.is_vulkan());
+  c.picture = layout_of_drawing(drawing, test.is_vulkan());
+  return c;
+}
+
+// With w off by at most e, x/w is off by at most (d + |x/w| e) / (|w| - e), where d is how far off
+// x is. A smooth value is a mean of the vertices' with weights b/w, b depending on window positions
+// only. If every w has a relative error of at most s, weights change by factors of at most
+// 1/(1 - s), and so do their sums; the mean changes by less than 2 s/(1 - s) of the values' range.
+std::optional<DeqpUncertainty> uncertainty_of(const DeqpDrawing& drawing) {
+  DeqpUncertainty all;
+  const std::array<double, 2> half_sizes{drawing.image.width / 2.0, drawing.image.height / 2.0};
+  for (const DeqpVertex& vertex : drawing.vertices) {
+    const DeqpNumber& w = vertex.position[3];
+    const double magnitude = std::fabs(double{w.value});
+    const bool is_exact = w.uncertainty == 0 && vertex.position[0].uncertainty == 0 &&
+                          vertex.position[1].uncertainty == 0;
+    if (is_exact) continue;
+    if (magnitude <= 2 * w.uncertainty) return std::nullopt;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const DeqpNumber& x = vertex.position[axis];
+      const double quotient = std::fabs(double{x.value}) / magnitude;
+      const double off = (x.uncertainty + quotient * w.uncertainty) / (magnitude - w.uncertainty);
+      all.pixels = std::max(all.pixels, off * half_sizes[axis]);
+    }
+    const double share = w.uncertainty / magnitude;
+    all.weights = std::max(all.weights, 2 * share / (1 - share));
+  }
+  return all;
+}
+
+}  // namespace rastercheck::cases
