@@ -86,6 +86,20 @@ double shown_number(const ShownChannel& channel, const Fragments& drawn, std::si
   return number;
 }
 
+/// Returns what a channel takes of a fragment: premultiplied colours are multiplied by its alpha.
+double source_number(const PictureView& view, std::size_t channel, const Fragments& drawn,
+                     std::size_t fragment) {
+  const double number = shown_number(view.channels[channel], drawn, fragment);
+  if (view.alpha == Alpha::straight || !view.is_color(channel)) return number;
+  return number * shown_number(view.channels[*view.alpha_channel], drawn, fragment);
+}
+
+double background_number(const PictureView& view, std::size_t channel) {
+  const double number{view.channels[channel].background};
+  if (view.alpha == Alpha::straight || !view.is_color(channel)) return number;
+  return number * double{view.channels[*view.alpha_channel].background};
+}
+
 /// [y][x][sample]: the fragment drawn last.
 std::vector<std::size_t> last_fragments(const FramebufferSize& size, const Fragments& drawn) {
   const auto width = static_cast<std::size_t>(size.width);
@@ -117,8 +131,8 @@ PictureFile picture_of(const PictureView& view, const PictureFile& layout, const
         const auto value_of = [&](std::size_t sample) {
           const std::size_t fragment = last[at + sample];
           return stored(channel.storage, fragment == kNothingDrawn
-                                             ? double{channel.background}
-                                             : shown_number(channel, drawn, fragment));
+                                             ? background_number(view, c)
+                                             : source_number(view, c, drawn, fragment));
         };
         float value = value_of(0);
         if (samples > 1) {

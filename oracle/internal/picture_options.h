@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/picture_view.h"
+#include "oracle/internal/painting.h"
 #include "oracle/picture_judge.h"
 #include "oracle/picture_truth.h"
 #include "oracle/stored_values.h"
@@ -56,8 +57,9 @@ class PictureOptions {
   double steps_off(std::size_t channel, const ChannelRange& range) const;
 
  private:
+  /// What the triangle shows in a channel, and what the target holds after it has been drawn.
+  ValueSpan shown_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
   ValueSpan span_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
-  ValueSpan background_of(std::size_t channel) const;
   /// The storage of the pixel, after a resolve: encoded numbers are stored without encoding.
   cases::Storage final_storage(std::size_t channel) const;
   bool is_explained(std::size_t channel, const ValueSpan& span) const;
@@ -66,6 +68,7 @@ class PictureOptions {
   ValueSpan averaged(std::size_t channel, const ValueSpan& span) const;
 
   const cases::PictureView* view_;
+  Painting painting_;
   std::vector<bool> is_wanted_;
   std::vector<std::optional<std::uint32_t>> triangles_;  ///< [option]
   std::vector<ValueSpan> spans_;                         ///< [option][channel]
