@@ -39,7 +39,7 @@ std::string_view meaning_of(PixelVerdict verdict) {
     case PixelVerdict::not_judged:
       break;
   }
-  return "nothing is promised about some triangles, which may be seen here";
+  return "blended of several triangles, or open to one that nothing is promised about";
 }
 
 /// The colour of a verdict in verdict_image().
@@ -137,6 +137,10 @@ std::string freedom_text(const JudgedPicture& judged) {
         "the range around all.",
         counted(freedom.widened, "pixel", "pixels"));
   }
+  if (freedom.layered > 0) {
+    text += fmt::format(" {} not judged, since several triangles may be blended there.",
+                        counted(freedom.layered, "pixel is", "pixels are"));
+  }
   if (judged.not_compared > 0) {
     text += fmt::format(" {} were not compared with hidden triangles.",
                         counted(judged.not_compared, "wrong pixel", "wrong pixels"));
@@ -221,6 +225,7 @@ std::string picture_json(const JudgedPicture& judged, const cases::PictureView& 
                       {"may_differ", freedom.may_differ},
                       {"background", freedom.background},
                       {"widened", freedom.widened},
+                      {"layered", freedom.layered},
                       {"not_compared", judged.not_compared},
                       {"unpromised_triangles", judged.unpromised_triangles}};
   return cases::json_line(document);

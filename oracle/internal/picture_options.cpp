@@ -125,6 +125,8 @@ void PictureOptions::make(std::span<const SampleAnswer> samples) {
                                    [](const SampleAnswer& one) { return one.may_be_empty; });
   is_empty_ = std::all_of(samples.begin(), samples.end(),
                           [](const SampleAnswer& one) { return one.candidates.empty(); });
+  is_layered_ = std::any_of(samples.begin(), samples.end(),
+                            [](const SampleAnswer& one) { return one.may_overlap; });
   const std::size_t channels = view_->channels.size();
   if (samples.size() > 1) {
     mix(samples);

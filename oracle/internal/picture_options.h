@@ -24,6 +24,11 @@ class PictureOptions {
   /// The values that the channels show: the depth, then each attribute.
   const std::vector<bool>& wanted_values() const { return is_wanted_; }
 
+  /// The triangles that answers have to know of.
+  Layers wanted_layers() const {
+    return view_->blend == cases::Blend::off ? Layers::seen : Layers::all;
+  }
+
   /// Makes the options of a pixel from what its samples may show.
   void make(std::span<const SampleAnswer> samples);
   std::size_t size() const { return triangles_.size(); }
@@ -32,6 +37,8 @@ class PictureOptions {
   bool has_triangle(std::uint32_t triangle) const;
   bool may_be_background() const { return may_be_background_; }
   bool must_be_background() const { return is_empty_; }
+  /// True if several triangles may be blended at a sample: the options then do not hold.
+  bool is_layered() const { return is_layered_; }
   /// True if there is one option, and each channel has one stored value in it.
   bool has_one_value() const;
   /// The stored values of a channel in an option.
@@ -74,6 +81,7 @@ class PictureOptions {
   std::vector<ValueSpan> spans_;                         ///< [option][channel]
   bool may_be_background_ = true;
   bool is_empty_ = true;  ///< no triangle may be seen
+  bool is_layered_ = false;
   std::uint64_t widened_ = 0;
 
   std::span<const float> stored_;                      ///< [channel]

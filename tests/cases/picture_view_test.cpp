@@ -181,5 +181,22 @@ TEST(DrawnPicture, MultipliesColoursByAlphaOnce) {
               ElementsAre(-1.5F, -0.5F, 0.5F, 0.25F));
 }
 
+// 0.75 is stored as 191; straight: 0.25 · 0.5 + 0.75 · 191/255 = 0.68676 is 175.1, and alpha
+// 0.25 + 0.75 · 0.4 = 0.55 is 140.25. Premultiplied: 0.75 · 0.4 is stored as 77 (76.5), and
+// 31.875 + 0.75 · 77 = 89.6. sRGB: half of 0.5 over black encodes to 136.96, its alpha is 127.5.
+TEST(DrawnPicture, BlendsOverItsBackground) {
+  PictureLayout style = style_of(Storage::unorm8, Alpha::straight);
+  style.blend = Blend::over;
+  EXPECT_THAT(stored_of(style, 0.5F, 0.25F, 0.75F, 0.4F), ElementsAre(175, 140, 191, 102));
+  style.blend = Blend::additive;
+  EXPECT_THAT(stored_of(style, 0.5F, 0.25F, 0.75F, 0.4F), ElementsAre(255, 166, 191, 102));
+  style = style_of(Storage::unorm8, Alpha::premultiplied);
+  style.blend = Blend::over;
+  EXPECT_THAT(stored_of(style, 0.5F, 0.25F, 0.75F, 0.4F), ElementsAre(90, 140, 77, 102));
+  style = style_of(Storage::srgb8, Alpha::straight);
+  style.blend = Blend::over;
+  EXPECT_THAT(stored_of(style, 0.5F, 0.5F, 0, 0), ElementsAre(137, 128, 0, 0));
+}
+
 }  // namespace
 }  // namespace rastercheck::cases::picture_view_test
