@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <vector>
 
 #include "cases/internal/half.h"
 
@@ -86,20 +88,95 @@ double shown_number(const ShownChannel& channel, const Fragments& drawn, std::si
   return number;
 }
 
-/// [y][x][sample]: the fragment drawn last.
-std::vector<std::size_t> last_fragments(const FramebufferSize& size, const Fragments& drawn) {
+/// Returns what a channel takes of a fragment: premultiplied colours are multiplied by its alpha.
+double source_number(const PictureView& view, std::size_t channel, const Fragments& drawn,
+                     std::size_t fragment) {
+  const double number = shown_number(view.channels[channel], drawn, fragment);
+  if (view.alpha == Alpha::straight || !view.is_color(channel)) return number;
+  return number * shown_number(view.channels[*view.alpha_channel], drawn, fragment);
+}
+
+double background_number(const PictureView& view, std::size_t channel) {
+  const double number{view.channels[channel].background};
+  if (view.alpha == Alpha::straight || !view.is_color(channel)) return number;
+  return number * double{view.channels[*view.alpha_channel].background};
+}
+
+/// Each sample's fragments, the last one drawn first.
+struct Stacks {
+  std::vector<std::size_t> top;    ///< [y][x][sample]
+  std::vector<std::size_t> below;  ///< [fragment]
+};
+
+Stacks stacks_of(const FramebufferSize& size, const Fragments& drawn) {
   const auto width = static_cast<std::size_t>(size.width);
   const auto samples = static_cast<std::size_t>(size.samples);
-  std::vector<std::size_t> last(width * static_cast<std::size_t>(size.height) * samples,
-                                kNothingDrawn);
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const std::size_t at = (drawn.y[i] * width + drawn.x[i]) * samples + drawn.sample[i];
-    const bool is_later = at < last.size() && (last[at] == kNothingDrawn ||
-                                               drawn.triangle[last[at]] <= drawn.triangle[i]);
-    if (is_later) last[at] = i;
+  std::vector<std::size_t> order(drawn.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto is_earlier = [&drawn](std::size_t a, std::size_t b) {
+    return drawn.triangle[a] < drawn.triangle[b];
+  };
+  if (!std::is_sorted(order.begin(), order.end(), is_earlier)) {
+    std::stable_sort(order.begin(), order.end(), is_earlier);
   }
-  return last;
+  Stacks stacks;
+  stacks.top.assign(width * static_cast<std::size_t>(size.height) * samples, kNothingDrawn);
+  stacks.below.assign(drawn.size(), kNothingDrawn);
+  for (const std::size_t i : order) {
+    const std::size_t at = (drawn.y[i] * width + drawn.x[i]) * samples + drawn.sample[i];
+    if (at >= stacks.top.size()) continue;
+    stacks.below[i] = stacks.top[at];
+    stacks.top[at] = i;
+  }
+  return stacks;
 }
+
+/// Draws fragments into the samples of a picture, as a plain program does.
+class Painter {
+ public:
+  Painter(const PictureView& view, const Fragments& drawn)
+      : view_(&view), drawn_(&drawn), stacks_(stacks_of(view.size, drawn)) {}
+
+  /// The stored value of a sample's channel after all its fragments.
+  float value_of(std::size_t sample, std::size_t channel) const {
+    const Storage storage = view_->channels[channel].storage;
+    const std::size_t last = stacks_.top[sample];
+    const float background = stored(storage, background_number(*view_, channel));
+    if (last == kNothingDrawn) return background;
+    if (!view_->is_blended(channel)) {
+      return stored(storage, source_number(*view_, channel, *drawn_, last));
+    }
+    std::vector<std::size_t> layers;
+    for (std::size_t i = last; i != kNothingDrawn; i = stacks_.below[i]) layers.push_back(i);
+    float value = background;
+    for (auto i = layers.rbegin(); i != layers.rend(); ++i) {
+      value = stored(storage, blended(channel, *i, averaged(storage, ResolveOf::linear, value)));
+    }
+    return value;
+  }
+
+ private:
+  /// Integers hold numbers from 0 to 1, and what is blended into them is clamped first.
+  double held(std::size_t channel, double number) const {
+    const Storage storage = view_->channels[channel].storage;
+    const bool is_float = storage == Storage::float32 || storage == Storage::float16;
+    return is_float ? number : std::clamp(number, 0.0, 1.0);
+  }
+
+  double blended(std::size_t channel, std::size_t fragment, double target) const {
+    const double source = held(channel, source_number(*view_, channel, *drawn_, fragment));
+    if (view_->blend == Blend::additive) return source + target;
+    const std::size_t alpha_channel = *view_->alpha_channel;
+    const double alpha =
+        held(channel, shown_number(view_->channels[alpha_channel], *drawn_, fragment));
+    const bool is_complete = view_->alpha == Alpha::premultiplied || channel == alpha_channel;
+    return (is_complete ? source : alpha * source) + (1 - alpha) * target;
+  }
+
+  const PictureView* view_;
+  const Fragments* drawn_;
+  Stacks stacks_;
+};
 
 }  // namespace
 
@@ -107,24 +184,18 @@ PictureFile picture_of(const PictureView& view, const PictureFile& layout, const
   PictureFile picture = layout;
   picture.values.assign(picture.value_count(), 0);
   const auto samples = static_cast<std::size_t>(view.size.samples);
-  const std::vector<std::size_t> last = last_fragments(view.size, drawn);
+  const Painter painter(view, drawn);
   const auto width = static_cast<std::size_t>(view.size.width);
   for (int row = 0; row < view.size.height; ++row) {
     for (std::size_t x = 0; x < width; ++x) {
       const std::size_t at = (static_cast<std::size_t>(view.flipped(row)) * width + x) * samples;
       for (std::size_t c = 0; c < view.channels.size(); ++c) {
         const ShownChannel& channel = view.channels[c];
-        const auto value_of = [&](std::size_t sample) {
-          const std::size_t fragment = last[at + sample];
-          return stored(channel.storage, fragment == kNothingDrawn
-                                             ? double{channel.background}
-                                             : shown_number(channel, drawn, fragment));
-        };
-        float value = value_of(0);
+        float value = painter.value_of(at, c);
         if (samples > 1) {
           double sum = 0;
           for (std::size_t s = 0; s < samples; ++s) {
-            sum += averaged(channel.storage, view.resolve, value_of(s));
+            sum += averaged(channel.storage, view.resolve, painter.value_of(at + s, c));
           }
           const bool is_encoded =
               view.resolve == ResolveOf::stored && channel.storage == Storage::srgb8;

@@ -52,6 +52,12 @@ constexpr auto names_of(FirstRow /*type*/) {
 constexpr auto names_of(ResolveOf /*type*/) {
   return std::to_array<std::string_view>({"linear", "stored"});
 }
+constexpr auto names_of(Alpha /*type*/) {
+  return std::to_array<std::string_view>({"straight", "premultiplied"});
+}
+constexpr auto names_of(Blend /*type*/) {
+  return std::to_array<std::string_view>({"off", "over", "additive"});
+}
 /// `unspecified` occurs only in contracts and has no name, because a case must say who owns a tie.
 /// It must stay the last enumerator, because names are found by an enumerator's number.
 constexpr auto names_of(TieRule /*type*/) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/picture_layout.h"
 
 namespace rastercheck::cases {
 
@@ -30,10 +31,6 @@ enum class DepthFunction {
   not_equal,
   greater_or_equal
 };
-
-/// The result of drawing colour s over d. off: s; over: s_a s + (1 − s_a) d, with alpha s_a + (1 −
-/// s_a) d_a; additive: s + d (properties/laws/internal/picture_model.h).
-enum class Blend { off, over, additive };
 
 /// Floats, or bytes k that mean k/255.
 enum class ColorFormat { float32, rgba8 };

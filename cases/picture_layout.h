@@ -13,7 +13,7 @@ namespace rastercheck::cases {
 inline constexpr std::size_t kMaxPictureChannels = 64;
 
 /// How a number is stored. unorm8 and unorm16: k/255 and k/65535, clamped to [0, 1]. srgb8: like
-/// unorm8, after the transfer function of sRGB (IEC 61966-2-1:1999).
+/// unorm8, after the transfer function of sRGB (IEC 61966-2-1:1999), but for channel A.
 enum class Storage { float32, float16, unorm8, unorm16, srgb8 };
 
 /// Which of the two neighbours of a number a program may store: the nearest one (either, in the
@@ -27,6 +27,15 @@ enum class FirstRow { top, bottom };
 /// `linear`: the numbers that stored values stand for; `stored`: the stored values, which differ
 /// for srgb8.
 enum class ResolveOf { linear, stored };
+
+/// How colours are stored: as they are, or multiplied by the alpha that channel A shows.
+enum class Alpha { straight, premultiplied };
+
+/// The result of drawing colour s, with alpha s_a, over a target that holds d. off: s; over: s_a s
+/// + (1 − s_a) d, with alpha s_a + (1 − s_a) d_a; additive: s + d, and so for alpha. Premultiplied,
+/// s itself stands for s_a s, so that over is s + (1 − s_a) d. Targets of integers clamp s and s_a
+/// to [0, 1] first.
+enum class Blend { off, over, additive };
 
 /// The kinds of things that a channel shows where a triangle is drawn.
 enum class Shown { attribute, depth, triangle, coverage, constant, nothing };
@@ -50,6 +59,8 @@ struct PictureLayout {
   StoreRounding rounding = StoreRounding::nearest;
   FirstRow first_row = FirstRow::top;
   ResolveOf resolve = ResolveOf::linear;
+  Alpha alpha = Alpha::straight;
+  Blend blend = Blend::off;
   bool operator==(const PictureLayout&) const = default;
 };
 

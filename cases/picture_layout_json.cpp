@@ -11,7 +11,8 @@
 namespace rastercheck::cases {
 
 PictureLayout read_picture_layout(const JsonNode& node) {
-  node.expect_object({}, {"channels", "storage", "rounding", "first_row", "resolve"});
+  node.expect_object({},
+                     {"channels", "storage", "rounding", "first_row", "resolve", "alpha", "blend"});
   PictureLayout layout;
   if (node.has("channels")) {
     for (const JsonNode& element : node["channels"].elements(1, kMaxPictureChannels, "channels")) {
@@ -25,6 +26,8 @@ PictureLayout read_picture_layout(const JsonNode& node) {
   if (node.has("rounding")) layout.rounding = node["rounding"].enumerator<StoreRounding>();
   if (node.has("first_row")) layout.first_row = node["first_row"].enumerator<FirstRow>();
   if (node.has("resolve")) layout.resolve = node["resolve"].enumerator<ResolveOf>();
+  if (node.has("alpha")) layout.alpha = node["alpha"].enumerator<Alpha>();
+  if (node.has("blend")) layout.blend = node["blend"].enumerator<Blend>();
   return layout;
 }
 
@@ -49,6 +52,8 @@ std::string to_json(const PictureLayout& layout) {
   add("rounding", name_of(layout.rounding));
   add("first_row", name_of(layout.first_row));
   add("resolve", name_of(layout.resolve));
+  add("alpha", name_of(layout.alpha));
+  add("blend", name_of(layout.blend));
   return fmt::format("{{{}}}", fmt::join(members, ", "));
 }
 

@@ -87,11 +87,44 @@ Result<Storage> storage_of(const PictureLayout& layout, const PictureFile& pictu
                            (asked == Storage::srgb8 && stored == Storage::unorm8) ||
                            // Numbers of fewer bits, written to a file of more.
                            (asked == Storage::float16 && stored == Storage::float32);
-  if (is_possible) return asked;
+  // Formats of sRGB hold alpha as it is (OpenGL 4.6, §17.3.7).
+  const bool is_alpha = picture.channels[channel] == "A";
+  if (is_possible) return asked == Storage::srgb8 && is_alpha ? Storage::unorm8 : asked;
   return tl::unexpected(
       Error{file, "",
             fmt::format("channel {} holds {} numbers, not {}", printable(picture.channels[channel]),
                         name_of(stored), name_of(asked))});
+}
+
+/// Says which part of the layout needs alpha; empty if none does.
+std::string_view use_of_alpha(const PictureLayout& layout) {
+  if (layout.alpha == Alpha::premultiplied) return "alpha premultiplied";
+  return layout.blend == Blend::over ? "blend over" : "";
+}
+
+/// Finds the channel that shows alpha. Fails if the layout needs one that the file does not have.
+Result<void> find_alpha(const PictureLayout& layout, std::span<const std::string> names,
+                        const std::string& file, PictureView& view) {
+  const auto found = std::find_if(view.channels.begin(), view.channels.end(),
+                                  [](const ShownChannel& one) { return one.name == "A"; });
+  if (found != view.channels.end()) {
+    view.alpha_channel = static_cast<std::size_t>(found - view.channels.begin());
+  }
+  const std::string_view use = use_of_alpha(layout);
+  if (use.empty()) return {};
+  if (!view.alpha_channel) {
+    return tl::unexpected(Error{file, "",
+                                fmt::format("has no channel A, which {} needs; its channels are {}",
+                                            use, printable(list_of(names)))});
+  }
+  const bool is_alpha = found->shows == Shown::attribute || found->shows == Shown::constant ||
+                        found->shows == Shown::coverage;
+  if (is_alpha) return {};
+  return tl::unexpected(
+      Error{file, "",
+            fmt::format("channel A shows no alpha, which {} needs: name an attribute, a number or "
+                        "coverage",
+                        use)});
 }
 
 }  // namespace
@@ -122,6 +155,8 @@ Result<PictureView> view_of(const Case& c, const PictureLayout& layout, const Pi
   view.size = size;
   view.rounding = layout.rounding;
   view.resolve = layout.resolve;
+  view.alpha = layout.alpha;
+  view.blend = layout.blend;
   view.is_flipped = (c.rules == Rules::opengl) == (layout.first_row == FirstRow::top);
   const std::vector<PictureChannel> planned = planned_channels(c, layout, picture.channels);
   for (const PictureChannel& one : planned) {
@@ -156,6 +191,9 @@ Result<PictureView> view_of(const Case& c, const PictureLayout& layout, const Pi
       return refuse("the mean of several samples' triangles means nothing; use coverage or -");
     }
     view.channels.push_back(*std::move(shown));
+  }
+  if (const auto found = find_alpha(layout, picture.channels, file, view); !found) {
+    return tl::unexpected(found.error());
   }
   return view;
 }

@@ -31,6 +31,20 @@ struct PictureView {
   StoreRounding rounding = StoreRounding::nearest;
   ResolveOf resolve = ResolveOf::linear;
   bool is_flipped = false;  ///< true if row 0 of the file is the framebuffer's last row
+  Alpha alpha = Alpha::straight;
+  Blend blend = Blend::off;
+  std::optional<std::size_t> alpha_channel;  ///< index into channels: the channel named A
+
+  /// True for a channel that alpha multiplies: an attribute or a number, but for alpha itself.
+  /// Depths, triangles and coverage are no colours.
+  bool is_color(std::size_t channel) const {
+    const Shown shows = channels[channel].shows;
+    return channel != alpha_channel && (shows == Shown::attribute || shows == Shown::constant);
+  }
+  /// True for a channel that drawing blends with what the target holds.
+  bool is_blended(std::size_t channel) const {
+    return blend != Blend::off && (channel == alpha_channel || is_color(channel));
+  }
 
   /// The window y of a row of the file, and vice versa.
   int flipped(int y) const { return is_flipped ? size.height - 1 - y : y; }
@@ -41,8 +55,8 @@ struct PictureView {
 PictureFile planned_picture(const Case& c, const PictureLayout& layout);
 
 /// Finds out what a file's channels show. Fails if the file has another size than the case, if the
-/// layout names a channel that the file lacks, leaves one out, or shows what the case does not
-/// have. `file` is the name used in errors.
+/// layout names a channel that the file lacks, leaves one out, shows what the case does not have,
+/// or needs alpha where channel A shows none. `file` is the name used in errors.
 Result<PictureView> view_of(const Case& c, const PictureLayout& layout, const PictureFile& picture,
                             const std::string& file);
 

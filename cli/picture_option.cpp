@@ -59,6 +59,11 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
   add_names(app, "--resolve", flags.resolve,
             "What the mean over a pixel's samples is taken of; default: linear",
             cases::ResolveOf{});
+  add_names(app, "--alpha", flags.alpha,
+            "Whether colours are stored multiplied by channel A; default: straight",
+            cases::Alpha{});
+  add_names(app, "--blend", flags.blend, "How colours are drawn over the background; default: off",
+            cases::Blend{});
 }
 
 std::vector<std::string> words_of(const PictureFlags& flags) {
@@ -107,6 +112,8 @@ Result<cases::PictureLayout> layout_of(const cases::Case& c, const PictureFlags&
   replace(layout.rounding, flags.rounding);
   replace(layout.first_row, flags.first_row);
   replace(layout.resolve, flags.resolve);
+  replace(layout.alpha, flags.alpha);
+  replace(layout.blend, flags.blend);
   return layout;
 }
 

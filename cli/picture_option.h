@@ -24,6 +24,8 @@ struct PictureFlags {
   std::string rounding;
   std::string first_row;
   std::string resolve;
+  std::string alpha;
+  std::string blend;
 };
 
 void add_picture_flags(CLI::App& app, PictureFlags& flags);

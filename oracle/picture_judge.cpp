@@ -42,7 +42,7 @@ class PictureJudge {
   }
 
   JudgedPicture run() && {
-    const PictureTruth truth(*scene_, options_.wanted_values());
+    const PictureTruth truth(*scene_, options_.wanted_values(), options_.wanted_layers());
     judged_.unpromised_triangles = truth.unpromised();
     truth.for_each_pixel([this](int x, int y, std::span<const SampleAnswer> samples) {
       judge_pixel(x, y, samples);
@@ -62,7 +62,9 @@ class PictureJudge {
         static_cast<std::size_t>(row) * static_cast<std::size_t>(judged_.width) +
         static_cast<std::size_t>(x);
     PixelVerdict verdict = PixelVerdict::right;
-    if (!options_.explain_any()) {
+    if (options_.is_layered()) {
+      verdict = PixelVerdict::not_judged;
+    } else if (!options_.explain_any()) {
       verdict = kind_of_wrong(x, y);
       if (verdict != PixelVerdict::not_judged) {
         WrongPixel wrong = wrong_pixel(x, row, verdict, stored);
@@ -75,7 +77,10 @@ class PictureJudge {
   }
 
   void count_freedom() {
-    if (options_.must_be_background()) {
+    if (options_.is_layered()) {
+      ++judged_.freedom.may_differ;
+      ++judged_.freedom.layered;
+    } else if (options_.must_be_background()) {
       ++judged_.freedom.background;
     } else if (options_.has_one_value()) {
       ++judged_.freedom.one_value;
@@ -158,8 +163,8 @@ class PictureJudge {
 records::PictureMask mask_of(const SceneTruth& scene, const cases::PictureView& view) {
   using records::PixelFreedom;
   PictureOptions options(scene, view);
-  const PictureTruth truth(scene, options.wanted_values());
-  const bool is_free = truth.unpromised() > 0;
+  const PictureTruth truth(scene, options.wanted_values(), options.wanted_layers());
+  const bool is_unpromised = truth.unpromised() > 0;
   records::PictureMask mask;
   mask.width = view.size.width;
   mask.height = view.size.height;
@@ -171,6 +176,8 @@ records::PictureMask mask_of(const SceneTruth& scene, const cases::PictureView& 
   mask.greatest.resize(mask.least.size());
   truth.for_each_pixel([&](int x, int y, std::span<const SampleAnswer> samples) {
     options.make(samples);
+    const bool is_free = is_unpromised || options.is_layered();
+    mask.freedom.layered += options.is_layered() ? 1U : 0U;
     const std::size_t pixel =
         static_cast<std::size_t>(view.flipped(y)) * width + static_cast<std::size_t>(x);
     for (std::size_t c = 0; c < channels; ++c) {

@@ -12,6 +12,10 @@
 // program that adds n numbers in float32 and multiplies by 1/n rounds n times, which adds n 2^-24
 // of the greatest sum of magnitudes.
 
+//
+// Blending (oracle/internal/painting.h) is judged where at most one triangle may be drawn at each
+// sample of a pixel. Other pixels are not judged, and counted (layered).
+
 #include <cstdint>
 #include <functional>
 #include <optional>

@@ -6,6 +6,7 @@
 
 #include "oracle/internal/floating_point.h"
 #include "oracle/internal/latest.h"
+#include "oracle/internal/layers.h"
 #include "oracle/internal/nearest.h"
 #include "oracle/internal/triangle_boxes.h"
 #include "oracle/internal/value_ranges.h"
@@ -41,6 +42,15 @@ class BandAnswers {
     const auto comparison = scene_->contract().is_unspecified() ? NearestBand::Comparison::enclosed
                                                                 : NearestBand::Comparison::exact;
     fill(NearestBand(*scene_, y0_, y1_, triangles_, comparison), boxes);
+  }
+
+  /// Finds the samples that several triangles may be drawn at.
+  void find_overlaps(std::span<const PixelBox> boxes) {
+    LayerBand band(*scene_, y0_, y1_, triangles_);
+    for (std::uint32_t t = 0; t < boxes.size(); ++t) {
+      if (boxes[t].y0 < y1_ && boxes[t].y1 > y0_) band.add(t);
+    }
+    overlaps_ = std::move(band).take_overlaps();
   }
 
   /// Finds the values of all candidates.
@@ -91,6 +101,7 @@ class BandAnswers {
           answer.candidates =
               std::span(candidates_).subspan(first, first_of_sample_[sample + 1] - first);
           answer.may_be_empty = !is_required_[sample];
+          answer.may_overlap = !overlaps_.empty() && overlaps_[sample];
           ++sample;
         }
         take(x, y, answers);
@@ -128,14 +139,15 @@ class BandAnswers {
   std::vector<Seen> seen_;
   std::vector<std::size_t> first_of_sample_;  ///< into seen_; one more at the end
   std::vector<bool> is_required_;             ///< [sample]
+  std::vector<bool> overlaps_;                ///< [sample]; empty unless found
   std::vector<ValueSpan> values_;             ///< [candidate][value]
   std::vector<SampleAnswer::Candidate> candidates_;
 };
 
 }  // namespace
 
-PictureTruth::PictureTruth(const SceneTruth& scene, std::vector<bool> is_wanted)
-    : scene_(&scene), is_wanted_(std::move(is_wanted)) {
+PictureTruth::PictureTruth(const SceneTruth& scene, std::vector<bool> is_wanted, Layers layers)
+    : scene_(&scene), is_wanted_(std::move(is_wanted)), layers_(layers) {
   const cases::Case& source = scene.source();
   for (std::size_t t = 0; t < source.triangles.size(); ++t) {
     if (!cases::promise_of(scene.contract(), source, t).is_made) ++unpromised_;
@@ -153,6 +165,7 @@ void PictureTruth::for_each_pixel_of_rows(int y0, int y1, const TakePixel& take)
   for (int y = y0; y < y1; y += height) {
     BandAnswers band(*scene_, y, std::min(y + height, y1));
     band.find_candidates(boxes);
+    if (layers_ == Layers::all) band.find_overlaps(boxes);
     band.find_values(is_wanted_);
     band.for_each_pixel(take);
   }

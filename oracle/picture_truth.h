@@ -37,13 +37,18 @@ struct SampleAnswer {
   };
   std::span<const Candidate> candidates;
   bool may_be_empty = true;  ///< the sample may show the background
+  /// Several triangles may be drawn, seen or not. Always false with Layers::seen.
+  bool may_overlap = false;
 };
+
+/// The triangles that matter to a picture: those that may be seen, or, as blending mixes them, all.
+enum class Layers { seen, all };
 
 class PictureTruth {
  public:
   /// `is_wanted` is for the depth, then each attribute of the scene's case; the values of the
   /// others are free. The scene must outlive the object.
-  PictureTruth(const SceneTruth& scene, std::vector<bool> is_wanted);
+  PictureTruth(const SceneTruth& scene, std::vector<bool> is_wanted, Layers layers = Layers::seen);
 
   /// Receives one pixel: window x and y, and what each of its samples may show. The answers are
   /// valid only during the call.
@@ -61,6 +66,7 @@ class PictureTruth {
  private:
   const SceneTruth* scene_;
   std::vector<bool> is_wanted_;
+  Layers layers_;
   std::uint64_t unpromised_ = 0;
 };
 

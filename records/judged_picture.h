@@ -21,7 +21,8 @@ enum class PixelVerdict {
   extra,           ///< not the background, where nothing may be drawn
   missing,         ///< the background, where something must be drawn
   not_a_number,    ///< NaN
-  not_judged,      ///< wrong for all triangles with a promise; others may be seen anywhere
+  not_judged,      ///< wrong for all triangles with a promise, while others may be seen anywhere;
+                   ///< or several may be blended
 };
 
 constexpr auto names_of(PixelVerdict /*type*/) {
@@ -58,6 +59,7 @@ struct PictureFreedom {
   std::uint64_t may_differ = 0;  ///< pixels with several permitted values
   std::uint64_t background = 0;  ///< pixels that must stay background
   std::uint64_t widened = 0;     ///< resolved pixels with more mixtures than are told apart
+  std::uint64_t layered = 0;     ///< of may_differ, pixels where several triangles may be blended
 };
 
 /// Says how many answers a pixel has.

@@ -134,14 +134,16 @@ std::string next_steps(const JudgedPage& page) {
 std::string judged_gaps(const JudgedPicture& judged) {
   const std::uint64_t open = judged.count(PixelVerdict::not_judged);
   std::string text;
-  if (open > 0) {
+  if (open == 0) {
+    text += "<li>Every pixel was judged.</li>\n";
+  } else if (judged.unpromised_triangles > 0) {
     text += fmt::format(
-        "<li>{} not judged: nothing is promised about {}, which may be seen anywhere. Another "
+        "<li>{} not judged. Nothing is promised about {}, which may be seen anywhere; another "
         "contract may promise something: <code>--contract FILE</code>.</li>\n",
         counted(open, "pixel was", "pixels were"),
         counted(judged.unpromised_triangles, "triangle", "triangles"));
   } else {
-    text += "<li>Every pixel was judged.</li>\n";
+    text += fmt::format("<li>{} not judged.</li>\n", counted(open, "pixel was", "pixels were"));
   }
   for (const std::string& sentence : freedom_sentences(judged)) {
     text += "<li>" + html(sentence) + "</li>\n";

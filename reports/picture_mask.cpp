@@ -42,6 +42,10 @@ std::string mask_text(const records::PictureMask& mask) {
     text += fmt::format("{} too many mixtures of samples to tell apart.\n",
                         counted(freedom.widened, "pixel has", "pixels have"));
   }
+  if (freedom.layered > 0) {
+    text += fmt::format("{} open, since several triangles may be blended there.\n",
+                        counted(freedom.layered, "pixel is", "pixels are"));
+  }
   return text;
 }
 
@@ -55,7 +59,8 @@ std::string mask_json(const records::PictureMask& mask) {
                            {"one_value", freedom.one_value},
                            {"may_differ", freedom.may_differ},
                            {"background", freedom.background},
-                           {"widened", freedom.widened}});
+                           {"widened", freedom.widened},
+                           {"layered", freedom.layered}});
 }
 
 cases::PictureFile mask_picture(const records::PictureMask& mask) {

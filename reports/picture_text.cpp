@@ -155,6 +155,7 @@ std::string picture_json(const JudgedPicture& judged, const cases::PictureView& 
                       {"may_differ", freedom.may_differ},
                       {"background", freedom.background},
                       {"widened", freedom.widened},
+                      {"layered", freedom.layered},
                       {"not_compared", judged.not_compared},
                       {"unpromised_triangles", judged.unpromised_triangles}};
   return cases::json_line(document);

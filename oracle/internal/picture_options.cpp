@@ -14,8 +14,6 @@ using cases::Storage;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-ValueSpan exactly(double number) { return {number, number, false}; }
-
 /// The index of a triangle plus 1, as a channel stores it: its last bits in integers.
 double shown_index(Storage storage, std::uint32_t triangle) {
   const std::uint32_t number = triangle + 1;
@@ -78,6 +76,7 @@ void add_once(std::vector<Box>& boxes, Box box) {
 
 PictureOptions::PictureOptions(const SceneTruth& scene, const cases::PictureView& view)
     : view_(&view),
+      painting_(view),
       is_wanted_(1 + scene.source().attributes.size(), false),
       numbers_(view.channels.size()) {
   for (const ShownChannel& channel : view.channels) {
@@ -86,8 +85,8 @@ PictureOptions::PictureOptions(const SceneTruth& scene, const cases::PictureView
   }
 }
 
-ValueSpan PictureOptions::span_of(std::size_t channel,
-                                  const SampleAnswer::Candidate& candidate) const {
+ValueSpan PictureOptions::shown_of(std::size_t channel,
+                                   const SampleAnswer::Candidate& candidate) const {
   const ShownChannel& shown = view_->channels[channel];
   switch (shown.shows) {
     case Shown::attribute:
@@ -105,9 +104,12 @@ ValueSpan PictureOptions::span_of(std::size_t channel,
   return {};
 }
 
-ValueSpan PictureOptions::background_of(std::size_t channel) const {
-  const ShownChannel& shown = view_->channels[channel];
-  return shown.shows == Shown::nothing ? ValueSpan{} : exactly(double{shown.background});
+ValueSpan PictureOptions::span_of(std::size_t channel,
+                                  const SampleAnswer::Candidate& candidate) const {
+  const ValueSpan shown = shown_of(channel, candidate);
+  const ValueSpan alpha =
+      painting_.needs_alpha(channel) ? shown_of(*view_->alpha_channel, candidate) : exactly(1);
+  return painting_.painted(channel, shown, alpha);
 }
 
 Storage PictureOptions::final_storage(std::size_t channel) const {
@@ -123,6 +125,8 @@ void PictureOptions::make(std::span<const SampleAnswer> samples) {
                                    [](const SampleAnswer& one) { return one.may_be_empty; });
   is_empty_ = std::all_of(samples.begin(), samples.end(),
                           [](const SampleAnswer& one) { return one.candidates.empty(); });
+  is_layered_ = std::any_of(samples.begin(), samples.end(),
+                            [](const SampleAnswer& one) { return one.may_overlap; });
   const std::size_t channels = view_->channels.size();
   if (samples.size() > 1) {
     mix(samples);
@@ -134,7 +138,7 @@ void PictureOptions::make(std::span<const SampleAnswer> samples) {
   }
   if (!may_be_background_) return;
   triangles_.emplace_back(std::nullopt);
-  for (std::size_t c = 0; c < channels; ++c) spans_.push_back(background_of(c));
+  for (std::size_t c = 0; c < channels; ++c) spans_.push_back(painting_.background(c));
 }
 
 // --- Several samples -----------------------------------------------------------------------------
@@ -157,7 +161,7 @@ void PictureOptions::add_sample_boxes(const SampleAnswer& sample, std::vector<Bo
   }
   if (!sample.may_be_empty) return;
   Box box;
-  for (std::size_t c = 0; c < channels; ++c) box.push_back(averaged(c, background_of(c)));
+  for (std::size_t c = 0; c < channels; ++c) box.push_back(averaged(c, painting_.background(c)));
   add_once(boxes, std::move(box));
 }
 
@@ -265,7 +269,7 @@ bool PictureOptions::explains(const SampleAnswer::Candidate& candidate) const {
 
 bool PictureOptions::is_background_stored() const {
   for (std::size_t c = 0; c < view_->channels.size(); ++c) {
-    const ValueSpan background = background_of(c);
+    const ValueSpan background = painting_.background(c);
     const bool is_mean = view_->size.samples > 1;
     if (!is_explained(c, is_mean ? averaged(c, background) : background)) return false;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/picture_view.h"
+#include "oracle/internal/painting.h"
 #include "oracle/picture_judge.h"
 #include "oracle/picture_truth.h"
 #include "oracle/stored_values.h"
@@ -23,6 +24,11 @@ class PictureOptions {
   /// The values that the channels show: the depth, then each attribute.
   const std::vector<bool>& wanted_values() const { return is_wanted_; }
 
+  /// The triangles that answers have to know of.
+  Layers wanted_layers() const {
+    return view_->blend == cases::Blend::off ? Layers::seen : Layers::all;
+  }
+
   /// Makes the options of a pixel from what its samples may show.
   void make(std::span<const SampleAnswer> samples);
   std::size_t size() const { return triangles_.size(); }
@@ -31,6 +37,8 @@ class PictureOptions {
   bool has_triangle(std::uint32_t triangle) const;
   bool may_be_background() const { return may_be_background_; }
   bool must_be_background() const { return is_empty_; }
+  /// True if several triangles may be blended at a sample: the options then do not hold.
+  bool is_layered() const { return is_layered_; }
   /// True if there is one option, and each channel has one stored value in it.
   bool has_one_value() const;
   /// The stored values of a channel in an option.
@@ -56,8 +64,9 @@ class PictureOptions {
   double steps_off(std::size_t channel, const ChannelRange& range) const;
 
  private:
+  /// What the triangle shows in a channel, and what the target holds after it has been drawn.
+  ValueSpan shown_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
   ValueSpan span_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
-  ValueSpan background_of(std::size_t channel) const;
   /// The storage of the pixel, after a resolve: encoded numbers are stored without encoding.
   cases::Storage final_storage(std::size_t channel) const;
   bool is_explained(std::size_t channel, const ValueSpan& span) const;
@@ -66,11 +75,13 @@ class PictureOptions {
   ValueSpan averaged(std::size_t channel, const ValueSpan& span) const;
 
   const cases::PictureView* view_;
+  Painting painting_;
   std::vector<bool> is_wanted_;
   std::vector<std::optional<std::uint32_t>> triangles_;  ///< [option]
   std::vector<ValueSpan> spans_;                         ///< [option][channel]
   bool may_be_background_ = true;
   bool is_empty_ = true;  ///< no triangle may be seen
+  bool is_layered_ = false;
   std::uint64_t widened_ = 0;
 
   std::span<const float> stored_;                      ///< [channel]

@@ -49,7 +49,7 @@ std::string_view meaning_of(PixelVerdict verdict) {
     case PixelVerdict::not_judged:
       break;
   }
-  return "nothing is promised about some triangles, which may be seen here";
+  return "blended of several triangles, or open to one that nothing is promised about";
 }
 
 Color color_of(PixelVerdict verdict) {
@@ -86,6 +86,10 @@ std::vector<std::string> freedom_sentences(const records::JudgedPicture& judged)
         "{} have too many mixtures of samples to tell apart, and are judged by the range around "
         "all.",
         counted(freedom.widened, "pixel", "pixels")));
+  }
+  if (freedom.layered > 0) {
+    all.push_back(fmt::format("{} not judged, since several triangles may be blended there.",
+                              counted(freedom.layered, "pixel is", "pixels are")));
   }
   if (judged.not_compared > 0) {
     all.push_back(fmt::format("{} were not compared with hidden triangles.",

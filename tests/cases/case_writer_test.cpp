@@ -107,7 +107,9 @@ Case every_key() {
                             Storage::srgb8,
                             StoreRounding::either,
                             FirstRow::bottom,
-                            ResolveOf::stored};
+                            ResolveOf::stored,
+                            Alpha::premultiplied,
+                            Blend::additive};
   return c;
 }
 

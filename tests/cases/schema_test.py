@@ -243,6 +243,8 @@ FULL_CASE = {
         "rounding": "either",
         "first_row": "bottom",
         "resolve": "stored",
+        "alpha": "premultiplied",
+        "blend": "over",
     },
     "attributes": [
         {"name": "u", "interpolation": "noperspective", "location": "center"},

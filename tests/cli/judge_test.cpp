@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/files.h"
@@ -158,6 +159,60 @@ TEST(Judge, ReadsTheLayoutOfTheCase) {
   ASSERT_EQ(run_program({"render", square, "--picture", picture}).code, 0);
   EXPECT_EQ(run_program({"judge", square, picture}).code, 0);
   EXPECT_EQ(run_program({"judge", square, picture, "--storage", "unorm16"}).code, 2);
+}
+
+// Half of 0.5 on a background of 0.2 (code 51): 0.25 + 0.1 is code 89 (89.25), premultiplied over
+// 0.2 · 0.4 (20) 0.25 + 10/255, code 74 (73.75). Alpha: 0.5 + 0.5 · 0.4 is 178.5.
+TEST(Judge, JudgesBlendedAndPremultipliedPictures) {
+  const Pictures pictures;
+  for (const auto& [alpha, red] :
+       {std::pair("straight", 89.0F), std::pair("premultiplied", 74.0F)}) {
+    const std::vector<std::string> layout{"--channels",   "Y=0.5,A=0.5", "--storage", "unorm8",
+                                          "--background", "0.2,0.4",     "--blend",   "over",
+                                          "--alpha",      alpha};
+    const std::string picture = pictures.draw(std::string(alpha) + ".png", layout);
+    const auto drawn = cases::read_picture(picture, cases::ArrayOrder::hwc);
+    ASSERT_TRUE(drawn.has_value());
+    EXPECT_EQ(drawn->values[0], red);
+    const Outcome right = pictures.judge(picture, layout);
+    EXPECT_EQ(right.code, 0) << right;
+    EXPECT_THAT(right.out, HasSubstr("Right: all 64 pixels."));
+    pictures.spoil(picture, 0, red + 1);
+    EXPECT_EQ(pictures.judge(picture, layout).code, 1);
+  }
+}
+
+TEST(Judge, CountsPixelsOfSeveralBlendedTriangles) {
+  const TemporaryFolder folder;
+  std::string twice = square_case(
+      R"("picture": {"channels": [{"name": "R", "shows": "one"}], "blend": "additive"},)");
+  twice.replace(twice.find("[[0, 1, 2]"), 10, "[[0, 1, 2], [0, 1, 2]");
+  const std::string file = folder.put("twice.json", twice);
+  const std::string picture = folder.path("a.exr");
+  ASSERT_EQ(run_program({"render", file, "--picture", picture}).code, 0);
+  const Outcome outcome = run_program({"judge", file, picture});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("not judged"));
+  EXPECT_THAT(outcome.out, HasSubstr("since several triangles may be blended"));
+  const Outcome mask = run_program({"mask", file, "--json"});
+  const Outcome as_json = run_program({"judge", file, picture, "--json"});
+  EXPECT_GE(json::parse(mask.out).at("layered"), 28);  // half of the 64, without the diagonal
+  EXPECT_EQ(json::parse(as_json.out).at("layered"), json::parse(mask.out).at("layered"));
+  EXPECT_EQ(json::parse(as_json.out).at("pixels").at("not judged"),
+            json::parse(mask.out).at("layered"));
+}
+
+TEST(Judge, SaysWhyAlphaIsMissing) {
+  const Pictures pictures;
+  const std::string picture = pictures.draw("a.exr", {"--channels", "R=x,A=depth"});
+  const Outcome none = pictures.judge(picture, {"--channels", "R=x,A=depth", "--blend", "over"});
+  EXPECT_TRUE(is_failure(none, 2)) << none;
+  EXPECT_THAT(none.err, HasSubstr("a.exr: channel A shows no alpha, which blend over needs"));
+  const Outcome mask =
+      run_program({"mask", pictures.square(), "--channels", "R=x", "--alpha", "premultiplied"});
+  EXPECT_TRUE(is_failure(mask, 2)) << mask;
+  EXPECT_THAT(mask.err, HasSubstr("has no channel A, which alpha premultiplied needs"));
+  EXPECT_EQ(pictures.judge(picture, {"--blend", "multiply"}).code, 2);
 }
 
 TEST(Mask, SaysWhatMayDiffer) {

@@ -10,66 +10,20 @@
 #include <cmath>
 #include <limits>
 
-#include "cases/drawn_picture.h"
 #include "cases/names.h"
 #include "oracle/stored_values.h"
-#include "tests/oracle/drawing.h"
+#include "tests/oracle/pictures.h"
 #include "tests/oracle/random_case.h"
 #include "tests/oracle/small_case.h"
 
 namespace rastercheck::oracle::picture_judge_test {
 namespace {
 
-using cases::PictureFile;
 using cases::PictureLayout;
-using cases::PictureView;
 using cases::Storage;
 using records::JudgedPicture;
 using records::PixelFreedom;
 using records::PixelVerdict;
-
-/// A picture, and what its channels show.
-struct Shown {
-  PictureFile file;
-  PictureView view;
-};
-
-/// The picture that a faultless program makes.
-Shown perfect_picture(const SceneTruth& scene, const PictureLayout& layout) {
-  const cases::Case& c = scene.source();
-  const PictureFile plan = cases::planned_picture(c, layout);
-  const Result<PictureView> view = cases::view_of(c, layout, plan, "picture");
-  if (!view) throw std::runtime_error(to_string(view.error()));
-  return {cases::picture_of(*view, plan, perfect(scene)), *view};
-}
-
-PictureLayout random_layout() {
-  PictureLayout layout;
-  layout.storage = one_of(
-      {Storage::float32, Storage::float16, Storage::unorm8, Storage::unorm16, Storage::srgb8});
-  layout.rounding = one_of({cases::StoreRounding::nearest, cases::StoreRounding::either});
-  layout.first_row = one_of({cases::FirstRow::top, cases::FirstRow::bottom});
-  layout.resolve = one_of({cases::ResolveOf::linear, cases::ResolveOf::stored});
-  return layout;
-}
-
-/// Adds a second triangle to a random case.
-cases::Case two_triangles() {
-  cases::Case c = random_exact_case();
-  if (*rc::gen::arbitrary<bool>()) cover_most(c);
-  for (int i = 0; i < 3; ++i) {
-    c.positions.push_back(random_vertex());
-    for (std::size_t a = 0; a < c.attributes.size(); ++a) {
-      c.attribute_values.push_back(random_float(1));
-    }
-    for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
-      c.clip_distances.push_back(grid_float(1));
-    }
-  }
-  c.triangles.push_back({3, 4, 5});
-  c.depth_test = one_of({cases::DepthTest::none, cases::DepthTest::less});
-  return c;
-}
 
 // Kills: rows upside down; a channel beside its own; samples left out of a mean; a rounding that
 // the store's slack does not hold; the first drawn triangle where the last one counts.
@@ -79,7 +33,7 @@ RC_GTEST_PROP(PictureJudge, CallsFaultlessPicturesRightInEveryStorage, ()) {
   PictureLayout layout = random_layout();
   layout.channels = {{"R", "a0", {}}, {"B", "coverage", {}}, {"G", "a1", 0.5F}, {"D", "depth", {}}};
   if (c.framebuffer.samples == 1) layout.channels.push_back({"T", "triangle", {}});
-  const Shown shown = perfect_picture(scene, layout);
+  const ShownPicture shown = perfect_picture(scene, layout);
   const JudgedPicture judged = judge_picture(scene, shown.view, shown.file);
   RC_CLASSIFY(judged.freedom.background < judged.pixels.size(), "draws something");
   RC_ASSERT(judged.wrong() == 0U);
@@ -94,7 +48,7 @@ RC_GTEST_PROP(PictureJudge, SeesOneStepWhereOneValueIsPermitted, ()) {
   PictureLayout layout = random_layout();
   layout.rounding = cases::StoreRounding::nearest;
   layout.channels = {{"R", "a0", {}}, {"G", "a1", 0.5F}};
-  Shown shown = perfect_picture(scene, layout);
+  ShownPicture shown = perfect_picture(scene, layout);
   const records::PictureMask mask = mask_of(scene, shown.view);
   const std::size_t pixel = *rc::gen::inRange<std::size_t>(0, mask.pixels.size());
   RC_PRE(mask.pixels[pixel] != PixelFreedom::may_differ);
@@ -121,7 +75,7 @@ RC_GTEST_PROP(PictureJudge, MasksHoldFaultlessPictures, ()) {
   const SceneTruth scene(c, cases::contract_of(c));
   PictureLayout layout = random_layout();
   layout.channels = {{"R", "a0", {}}, {"G", "a2", 0.25F}};
-  const Shown shown = perfect_picture(scene, layout);
+  const ShownPicture shown = perfect_picture(scene, layout);
   const records::PictureMask mask = mask_of(scene, shown.view);
   for (std::size_t i = 0; i < shown.file.values.size(); ++i) {
     const float value = shown.file.values[i];
@@ -163,7 +117,7 @@ Spoiled spoiled(int x, int row, float value) {
   const SceneTruth scene(c, cases::contract_of(c));
   PictureLayout layout;
   layout.channels = {{"Y", "a0", 0.25F}};
-  Shown shown = perfect_picture(scene, layout);
+  ShownPicture shown = perfect_picture(scene, layout);
   shown.file.values[static_cast<std::size_t>(row * 4 + x)] = value;
   const JudgedPicture judged = judge_picture(scene, shown.view, shown.file);
   EXPECT_LE(judged.wrong(), 1U);
@@ -190,7 +144,7 @@ TEST(PictureJudge, DoesNotJudgeWhereATriangleWithoutPromiseMayBe) {
   const SceneTruth scene(c, contract);
   PictureLayout layout;
   layout.channels = {{"Y", "a0", 0.25F}};
-  Shown shown = perfect_picture(SceneTruth(c, cases::contract_of(c)), layout);
+  ShownPicture shown = perfect_picture(SceneTruth(c, cases::contract_of(c)), layout);
   shown.file.values[3] = 17;
   const JudgedPicture judged = judge_picture(scene, shown.view, shown.file);
   EXPECT_EQ(judged.unpromised_triangles, 2U);
@@ -207,7 +161,7 @@ TEST(PictureJudge, ResolvesSamples) {
   const SceneTruth scene(c, cases::contract_of(c));
   PictureLayout layout;
   layout.storage = Storage::unorm8;
-  const Shown shown = perfect_picture(scene, layout);
+  const ShownPicture shown = perfect_picture(scene, layout);
   EXPECT_THAT(shown.file.values.front(), testing::AnyOf(127, 128));
   const records::PictureMask mask = mask_of(scene, shown.view);
   EXPECT_FLOAT_EQ(mask.least.front(), 127 / 255.0F);
@@ -226,7 +180,7 @@ TEST(PictureJudge, ResolvesInfiniteSamples) {
     const SceneTruth scene(c, cases::contract_of(c));
     PictureLayout layout;
     layout.storage = Storage::float16;
-    Shown shown = perfect_picture(scene, layout);
+    ShownPicture shown = perfect_picture(scene, layout);
     EXPECT_TRUE(std::isinf(shown.file.values.front()));
     EXPECT_EQ(judge_picture(scene, shown.view, shown.file).wrong(), 0U);
     shown.file.values.front() = 17;

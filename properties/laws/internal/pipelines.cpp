@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cases/names.h"
 #include "properties/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 
@@ -17,7 +18,6 @@ using cases::DepthFunction;
 constexpr std::array<std::string_view, 8> kFunctionWords{"always",    "never",           "less",
                                                          "equal",     "less or equal",   "greater",
                                                          "not equal", "greater or equal"};
-constexpr std::array<std::string_view, 3> kBlendWords{"off", "over", "additive"};
 
 /// The approximate window depth of a vertex. If its triangle has the same depth everywhere, often
 /// exactly the depth drawn.
@@ -54,7 +54,7 @@ std::string_view word_of(DepthFunction function) {
   return kFunctionWords[static_cast<std::size_t>(function)];
 }
 
-std::string_view word_of(Blend blend) { return kBlendWords[static_cast<std::size_t>(blend)]; }
+std::string_view word_of(Blend blend) { return cases::name_of(blend); }
 
 cases::Pipeline pipeline_of(const cases::Case& c) {
   Choices choices(choices_of(c));
