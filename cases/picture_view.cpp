@@ -151,6 +151,9 @@ Result<PictureView> view_of(const Case& c, const PictureLayout& layout, const Pi
     return refuse(fmt::format("has {} x {} pixels, the case {} x {}", picture.width, picture.height,
                               size.width, size.height));
   }
+  if (picture.channels.empty()) {
+    return refuse("would show nothing: the case has no attributes, and no channels are named");
+  }
   PictureView view;
   view.size = size;
   view.rounding = layout.rounding;

@@ -74,6 +74,16 @@ TEST(PictureView, RefusesWhatDoesNotFit) {
   EXPECT_THAT(fault_of(layout, large), HasSubstr("has 3 x 2 pixels, the case 2 x 2"));
 }
 
+// It crashed: a picture without channels has no numbers to write.
+TEST(PictureView, RefusesPicturesThatShowNothing) {
+  Case c = case_of(Rules::vulkan);
+  c.attributes.clear();
+  const PictureFile planned = planned_picture(c, {});
+  const Result<PictureView> view = view_of(c, {}, planned, "a.npy");
+  ASSERT_FALSE(view.has_value());
+  EXPECT_THAT(to_string(view.error()), HasSubstr("a.npy: would show nothing"));
+}
+
 TEST(PictureView, KnowsColoursAndTheirAlpha) {
   PictureLayout layout;
   layout.alpha = Alpha::premultiplied;

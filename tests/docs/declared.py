@@ -31,6 +31,8 @@ INSTEAD = [
     (r"^((?:build/release/bin/)?rastercheck run (?!.*--(?:cases|baseline|resume)).*)", r"\1 --cases 1000",
      "the default, for the next line"),
     (r"^((?:build/release/bin/)?rastercheck run .*--cases) \d+", r"\1 5", "takes minutes; the corpus is run as well"),
+    (r"^(rastercheck cases --out .*)", r"mkdir none && \1 --corpus none", "with the corpus 60 MB"),
+    (r"^cc ", "$CC ", "the compiler of this build"),
     (r"^(rastercheck bisect )", r"\1--cases 5 ", "takes minutes"),
     (r"(second_opinion_test.py .*--cases) 5000", r"\1 20", "takes minutes"),
     (r"(rastercheck-sensitivity) 25$", r"\1 1", "takes minutes"),
@@ -60,6 +62,7 @@ LITTLE = """mkdir -p include/rastercheck && cp backends/plugin/plugin.h include/
     $CC -O1 -shared -fPIC -Iinclude docs/examples/plugin/little.c -o little.so -lm"""
 # Shell commands that make the files that a page assumes.
 BEFORE = {
+    "drawn-elsewhere.md": LITTLE,
     "image-tests.md": """rastercheck import /usr/share/glmark2/models/bunny.obj --width 64 --height 64 --output scene.json &&
         rastercheck render scene.json --channels R=x,G=y,B=0 --storage unorm8 --picture scene.png &&
         sed -n '/^    import array/,/^    sys.exit/s/^    //p' docs/image-tests.md >within.py""",
