@@ -185,8 +185,8 @@ ExitCode fail_to_write(const RunOptions& options, const Error& error) {
 }
 
 /// Writes and prints the findings. Returns the exit code of the run alone.
-ExitCode tell(const RunOptions& options, const records::Run& run,
-              const std::vector<records::BackendPromises>& promises, double seconds) {
+ExitCode tell_results(const RunOptions& options, const records::Run& run,
+                      const std::vector<records::BackendPromises>& promises, double seconds) {
   const std::vector<records::LawSummary> rows = records::summarize(run);
   const Result<void> written = reports::write_reports(run, options.output, options.formats);
   if (options.json) {
@@ -275,7 +275,7 @@ ExitCode run_campaign(RunOptions options, const IsGiven& is_given) {
   run.environment = environment_of(run.plan, conduct.backends, options.jobs, seconds.count());
   bar.erase();
 
-  const ExitCode told = tell(options, run, prepared->promises(), seconds.count());
+  const ExitCode told = tell_results(options, run, prepared->promises(), seconds.count());
   if (told == ExitCode::usage) return told;
   const ExitCode code = first_of(told, hold_run(options, *gate, run));
   if (is_whole) prepared->remove_checkpoint();
