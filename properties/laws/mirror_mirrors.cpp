@@ -27,7 +27,8 @@
 //                with other indices: such cases get both. Larger patterns cannot be mirrored
 //   centroids    may be at the first covered sample; with several samples per pixel, values are
 //                taken at the sample instead, under all rules
-//   guard band   lies around the window's origin, which is W or H away; taken as that much narrower
+//   guard band   is centred on the window's origin, which the mirror moves by W or H; so the law
+//                assumes a guard band that is narrower by that much
 //
 // Cases whose mirrored viewport is not float32 are left out: W − x0 − w must be exact.
 

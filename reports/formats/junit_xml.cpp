@@ -2,8 +2,8 @@
 //
 //   failure   the law is violated; shown by class, with a command that replays each counterexample
 //   error     a label that had to be reached was not: the law did not test what it claims to
-//   skipped   the law checked nothing, or nothing of a scene was judged, and why (a scene
-//             is a test, too)
+//   skipped   the law checked no case, or no sample of a scene was judged; the message says why (a
+//             scene is a test, too)
 //
 // Known violations of a driver are not failures; the test's output mentions them. Only the
 // suite's properties depend on machine and time; tests have no duration. reports/schema/junit.xsd
