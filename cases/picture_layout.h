@@ -16,8 +16,8 @@ inline constexpr std::size_t kMaxPictureChannels = 64;
 /// unorm8, after the transfer function of sRGB (IEC 61966-2-1:1999), but for channel A.
 enum class Storage { float32, float16, unorm8, unorm16, srgb8 };
 
-/// Which of the two neighbours of a number a program may store: the nearest one (either, in the
-/// middle), or either one.
+/// The stored values that a program may choose for a number between two of them. `nearest`: the
+/// nearer one, or either one if the number is midway; `either`: either one.
 enum class StoreRounding { nearest, either };
 
 /// Which rows a picture begins with: the uppermost or the lowest as displayed.

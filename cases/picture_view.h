@@ -50,8 +50,9 @@ struct PictureView {
   int flipped(int y) const { return is_flipped ? size.height - 1 - y : y; }
 };
 
-/// The channels of a file that does not exist yet: for the layout's channels or, without any, one
-/// for each attribute, stored as the layout says, by default as float32.
+/// Plans a picture file that does not exist yet. It has the layout's channels or, if the layout
+/// names none, one channel for each attribute. Numbers are stored as the layout says; the default
+/// is float32.
 PictureFile planned_picture(const Case& c, const PictureLayout& layout);
 
 /// Finds out what a file's channels show. Fails if the file has another size than the case, if the

@@ -77,11 +77,12 @@ struct SideBySide {
   bool operator==(const SideBySide&) const = default;
 };
 
-/// The most backends of which every two are compared; of more, each is compared with the first.
+/// With up to this many backends, every pair is compared; with more, each is compared with the
+/// first only.
 inline constexpr std::size_t kMostInAllPairs = 3;
 
-/// Compares a run's backends, in the order of the plan. Empty for a run of one backend, for a
-/// shard, whose cases of two backends are not the same ones, and for a run that kept no outcomes.
+/// Compares a run's backends, in the order of the plan. Empty for a run of one backend, for a shard
+/// (which gives its backends different cases), and for a run that kept no outcomes.
 std::vector<SideBySide> side_by_side(const Run& run);
 
 }  // namespace rastercheck::records
