@@ -35,7 +35,7 @@ struct PictureView {
   Blend blend = Blend::off;
   std::optional<std::size_t> alpha_channel;  ///< index into channels: the channel named A
 
-  /// True for a channel that alpha multiplies: an attribute or a number, but for alpha itself.
+  /// True for a channel that alpha multiplies: an attribute or a number, except alpha itself.
   /// Depths, triangles and coverage are no colours.
   bool is_color(std::size_t channel) const {
     const Shown shows = channels[channel].shows;

@@ -36,7 +36,7 @@ std::vector<std::string> words_of(const PictureFlags& flags);
 /// The layout of a case's pictures; fails if an option makes no sense.
 Result<cases::PictureLayout> layout_of(const cases::Case& c, const PictureFlags& flags);
 
-/// Reads a picture file, or standard input for "-", in a process of its own, `rastercheck picture`.
+/// Reads a picture file, or standard input for "-", in a separate process, `rastercheck picture`.
 Result<cases::PictureFile> picture_from_file(const std::string& file, bool is_chw);
 
 /// Options that say what a picture is judged by.

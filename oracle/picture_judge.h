@@ -11,7 +11,6 @@
 // of boxes that are equal count once. Where more than kMostMixtures remain, they are replaced by
 // the box around them, which is counted (widened). A program that adds n numbers in float32 and
 // multiplies by 1/n rounds n times, which adds n 2^-24 of the greatest sum of magnitudes.
-
 //
 // Blending (oracle/internal/painting.h) is judged where at most one triangle may be drawn at each
 // sample of a pixel. Other pixels are not judged, and counted (layered).

@@ -49,8 +49,7 @@ double number_of_stored(cases::Storage storage, float value);
 /// storage's end.
 float next_stored(cases::Storage storage, float value, bool up);
 
-/// The signed number of steps from one stored value to another: codes or, for float32 and float16,
-/// numbers of the format.
+/// The signed distance from one stored value to another, in steps of the storage (next_stored()).
 double steps_between(cases::Storage storage, float from, float to);
 
 }  // namespace rastercheck::oracle

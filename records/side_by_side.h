@@ -64,7 +64,7 @@ struct SideErrors {
 struct SideBySide {
   std::string first;
   std::string second;
-  std::uint64_t judged_first = 0;   ///< cases judged on `first`, on the other as well or not
+  std::uint64_t judged_first = 0;   ///< cases judged on `first`, or on both
   std::uint64_t judged_second = 0;  ///< likewise on `second`
   /// Cases of the same number that were judged on both but are not the same case.
   std::uint64_t unlike = 0;

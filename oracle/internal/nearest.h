@@ -46,7 +46,7 @@ class PreparedTriangles {
 /// are too close to tell apart.
 class NearestBand {
  public:
-  /// A triangle that may be left at a sample.
+  /// A triangle that may be the visible one at a sample.
   struct Candidate {
     std::uint32_t triangle = 0;
     records::SampleVerdict decision;

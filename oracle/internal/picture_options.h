@@ -64,7 +64,8 @@ class PictureOptions {
   double steps_off(std::size_t channel, const ChannelRange& range) const;
 
  private:
-  /// What the triangle shows in a channel, and what the target holds after it has been drawn.
+  /// The number that the triangle shows in a channel, and the number that the target holds after
+  /// the triangle has been drawn.
   ValueSpan shown_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
   ValueSpan span_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
   /// The storage of the resolved pixel. If stored values are averaged, the mean of srgb8 codes is

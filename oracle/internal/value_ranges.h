@@ -51,7 +51,7 @@ class ValueRanges {
   void begin(const TriangleTruth& truth, const TriangleFilter& filter);
 
   /// Finds the ranges at up to kBatchSize samples, none of them forbidden, into
-  /// spans[place][value], with the depth first; those that are not wanted become free.
+  /// spans[place][value], with the depth first; values that are not wanted become free.
   void find(std::span<const SampleAt> places, std::span<ValueSpan> spans);
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
-// What a campaign on several backends keeps to show them side by side (records/side_by_side.h).
+// The data that a campaign on several backends keeps to show them side by side
+// (records/side_by_side.h).
 
 #include <span>
 #include <vector>

@@ -57,8 +57,8 @@ struct Outcomes {
   }
 };
 
-/// What a reader of a failed test needs first: where the law failed, by how much, and how to repeat
-/// the failure.
+/// The facts that a reader of a failed test needs first: where the law failed, by how much, and how
+/// to repeat the failure.
 std::string failure_text(const Run& run, const LawSummary& row) {
   std::string text;
   for (const records::Counterexample& counterexample : run.counterexamples) {
@@ -115,7 +115,7 @@ std::string test_of(const Run& run, const LawSummary& row) {
   return text + "</testcase>\n";
 }
 
-/// The scene as a test, which is skipped if nothing of the scene was judged. Errors of the scene
+/// The scene as a test, which is skipped if no sample of the scene was judged. Errors of the scene
 /// fail the tests of laws.
 std::string test_of(const records::SceneResult& scene) {
   const std::string sentence = html(records::scene_sentence(scene));

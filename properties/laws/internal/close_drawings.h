@@ -45,7 +45,7 @@ std::optional<ValueAllowance> value_allowance(const cases::Case& c, const cases:
 ///   |f − g| <= u ulp(max(M, h / (1 − u 2^-23)))       u < 2^22, else unlimited
 double greatest_difference(const ValueAllowance& both, double f, double g);
 
-/// What may differ between two drawings of the same triangles.
+/// The permitted differences between two drawings of the same triangles.
 struct Closeness {
   /// The allowances of both drawings together, for an attribute's values or (without an attribute)
   /// for depths. If empty, the values are not compared.
