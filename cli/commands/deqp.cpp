@@ -60,7 +60,7 @@ struct JudgedTest {
 
 /// Reads a PNG file that is in memory, in a separate process.
 Result<cases::PictureFile> picture_of_png(const std::string& bytes, const std::string& file) {
-  // Not closed on exec: the process that reads it inherits it.
+  // The file is not closed on exec, because the process that reads it inherits the descriptor.
   const cases::Descriptor memory(::memfd_create("picture", 0));
   if (!memory.is_open()) return tl::unexpected(Error{file, "", "no memory for a picture"});
   const std::string name = fmt::format("/proc/self/fd/{}", memory.number());
