@@ -17,22 +17,24 @@
 //    rules give) and by clip distances. If a plane separates the vertices a and b, three steps make
 //    the new vertex. The distances d_a and d_b are off by δ each; they have opposite signs, so
 //    their difference loses nothing. With the difference and the quotient, t = d_a/(d_a − d_b) is
-//    off by 4δ. In a + t (b − a), the difference, the product and the sum add 3δ, of numbers of at
-//    most 2 max|·|. Together, the new vertex is off by kClipping δ m, where m is the largest
-//    magnitude at the triangle's vertices. The new vertices of each plane are means of earlier
-//    vertices, so the errors of several planes add up. Dividing by w_c >= w_least, the least w of
-//    the clipped polygon, gives the error of a new vertex in the view volume, where |x_c/w_c| <= 1:
+//    off by 4δ. In a + t (b − a), the difference, the product and the sum add 3δ. These errors are
+//    relative to numbers of at most twice the larger magnitude at a and b. Together, the new vertex
+//    is off by kClipping δ m, where m is the largest magnitude at the triangle's vertices. The new
+//    vertices of each plane are means of earlier vertices, so the errors of several planes add up.
+//    Dividing by w_c >= w_least, the least w of the clipped polygon, gives the error of a new
+//    vertex in the view volume, where |x_c/w_c| <= 1:
 //
 //      planes · kClipping δ (max|x| + max|w|)/w_least · W/2 pixels.
 //
 //    The distance of a new vertex from another plane is off by
-//    planes · kClipping δ (max|z| + max|w|), or the same in terms of its clip distances. Its w has
-//    the relative error ω = planes · kClipping δ max|w|/w_least; z and attributes likewise.
+//    planes · kClipping δ (max|z| + max|w|), or, if the plane is a clip distance, planes ·
+//    kClipping δ times the largest magnitude of this distance at the vertices. The new vertex's w
+//    has the relative error ω = planes · kClipping δ max|w|/w_least; z and attributes likewise.
 //
 // 3. Values. If w > 0 at all vertices, the values are those of planes over the triangle in the
 //    window, with the errors derived in internal/plane_error.cpp. Errors of positions move
-//    vertices. The bounds for coverage and basis, which allow for every placement of the vertices,
-//    cover them.
+//    vertices. The contract's coverage and basis allow for every such placement of the vertices, so
+//    values need no further bound for it.
 //
 //    If some w <= 0, no triangle in the window exists. The planes are then evaluated in clip space,
 //    about the window's origin, where the weight of vertex i is a sum of terms. Each term is off by
@@ -56,8 +58,9 @@
 //    rounded separately. Everything above holds for the viewport that the driver uses. That
 //    viewport is at most 1 + 2e/W times as large, and shrinks triangles to no less than 1 − 2e/W of
 //    their size, where e is cases::Contract::viewport_error. Errors of planes do not depend on the
-//    scale of an axis; only distances in pixels grow. In K of section 3 each |X| is at most 1 +
-//    4e/W times as large, because |w| e <= 2e/W |X|.
+//    scale of an axis; only distances in pixels grow. In the K of section 3, each |X|
+//    (cases::ValueBound) is at most 1 + 4e/W times as large, because |X| >= |w| W/2 and so |w| e <=
+//    2e/W |X|.
 //
 // 5. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
 //    TriangleInterpolator) accepts every colour that the weights anywhere in a square give, with

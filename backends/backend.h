@@ -170,7 +170,7 @@ class Backend {
   virtual cases::Contract promise(const cases::Case& c) const = 0;
 
   // Optional abilities; nullptr if the backend lacks one. The pointers live as long as the backend.
-  // What these interfaces draw is judged by contract() of the case that was drawn.
+  // Drawings of these interfaces are judged by contract() of the case that was drawn.
   virtual PictureDrawer* picture_drawer() { return nullptr; }
   virtual Assembler* assembler() { return nullptr; }
   virtual VertexStage* vertex_stage() { return nullptr; }

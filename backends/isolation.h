@@ -1,8 +1,7 @@
 #pragma once
 
-// Isolates foreign code: drivers and plugins draw in processes of their own, so that a fault ends
-// only one of these processes and not the whole campaign. A BackendFactory hands out stand-ins for
-// them.
+// Isolates foreign code: drivers and plugins draw in separate processes, so that a fault ends only
+// one of these processes and not the whole campaign. A BackendFactory hands out stand-ins for them.
 //
 // If a process crashes or does not answer in time, its current drawing fails (Failure::crash or
 // hang) with the last words of the process, and a new process starts for the next drawing. Cases

@@ -1,7 +1,7 @@
 #pragma once
 
 // Replaces viewports of negative size: a turned viewport with negated coordinates draws the same.
-// Of negative sizes, OpenGL supports none and Vulkan only negative heights.
+// OpenGL supports no negative sizes, and Vulkan supports only negative heights.
 
 #include <optional>
 

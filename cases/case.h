@@ -146,15 +146,15 @@ struct Case {
   std::vector<float> clip_distances;
   std::size_t clip_distance_count = 0;
   std::vector<Triangle> triangles;
-  /// What the case is about: names of cases::Feature, "rules", "samples" and "size". Everything
-  /// else may be removed from the case if a backend could not draw the case otherwise. Empty:
-  /// everything but rules and samples is essential. Ignored when drawn.
+  /// The features that the case is about: names of cases::Feature, "rules", "samples" and "size".
+  /// Everything else may be removed from the case if a backend could not draw the case otherwise.
+  /// Empty: everything but rules and samples is essential. Ignored when drawn.
   std::optional<std::vector<std::string>> essential;
   /// The seed of laws' choices (properties/choices.h); empty: a hash of the case. Ignored when
   /// drawn.
   std::optional<std::uint64_t> choices;
   std::optional<Found> found;
-  /// What pictures of the case show (`rastercheck judge`). Ignored when drawn.
+  /// The layout of pictures of the case (`rastercheck judge`). Ignored when drawn.
   std::optional<PictureLayout> picture;
 
   /// The attribute values of one vertex, in the order of `attributes`.

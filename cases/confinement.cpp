@@ -19,7 +19,7 @@
 namespace rastercheck::cases {
 namespace {
 
-/// Those rights of Landlock's first version that allow changing files.
+/// The rights of Landlock's first version that allow changing files.
 constexpr std::uint64_t kWriting = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
                                    LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
                                    LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |

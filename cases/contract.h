@@ -133,25 +133,25 @@ struct Contract {
   /// How far an edge cut by a clip plane, and the clip edge itself, may be off in addition to the
   /// position error, in grid units per axis. Only if `coverage` is snapped.
   double clip_tolerance = 1;
-  /// How far the distance of a point from a plane that cuts the triangle may be off in addition.
-  /// This is a share of max|z| + max|w| of the triangle's vertices or, for a clip distance, of its
-  /// greatest magnitude at the vertices. Such errors arise because the new vertices made by one
-  /// plane are cut by the next. Only if `coverage` is snapped.
+  /// How far the distance of a point from a plane that cuts the triangle may be off, in addition to
+  /// clip_tolerance. This is a share of max|z| + max|w| of the triangle's vertices or, for a clip
+  /// distance, of its greatest magnitude at the vertices. Such errors arise because the new
+  /// vertices made by one plane are cut by the next. Only if `coverage` is snapped.
   double clip_error = 0;
   /// How far the viewport's sides may be off, along either axis, in pixels. All of the case is
   /// drawn with one viewport within this error, the same for every identical request, and positions
   /// are rounded afterwards. Nothing is promised about viewports no larger than twice this error.
   /// Only if `coverage` is snapped.
   double viewport_error = 0;
-  /// The format that depth tests compare. Rounding keeps the order of depths, but may make depths
-  /// equal if they are no farther apart than a step. Depths that are equal in float32 may differ in
-  /// float64.
+  /// The format in which depth tests compare depths. Rounding keeps the order of depths, but may
+  /// make depths equal if they are no farther apart than a step. Depths that are equal in float32
+  /// may differ in float64.
   DepthFormat depth_format = DepthFormat::float32;
   Claim claims = Claim::perspective;
   ValueBounds bounds;
-  /// True if triangles of one plane, with the same z/w at all vertices, have one depth (RULES §6).
-  /// The bound alone would allow two depths if the exact depth lies near the middle between two
-  /// floats.
+  /// True if all triangles whose vertices have the same z/w (a plane of constant depth) get the
+  /// same depth (RULES §6). The bound alone would allow two depths if the exact depth lies near the
+  /// middle between two floats.
   bool keeps_equal_depth = false;
   /// True if an attribute that has the same bits at all vertices has these bits everywhere,
   /// whatever its bound; only a zero's sign may differ (keeps_sign_of_zero).
@@ -201,8 +201,8 @@ struct Contract {
   /// where M = max(max|r_i|, |r|), M' likewise for r', and g = max(1, 1/w at the fragment / 1/w at
   /// its neighbour), or 1 for noperspective values. The factor g allows for the digits that r/w
   /// loses towards the horizon. Nothing is promised about neighbours with 1/w <= 0 or g >
-  /// kMostQuadHorizon, or about centroids of several samples, which need not have a place beyond
-  /// the triangle. Empty: no promise at all.
+  /// kMostQuadHorizon, or about centroids if pixels have several samples, because the rules define
+  /// no centroid in a neighbour outside the triangle. Empty: no promise at all.
   std::optional<float> quad_share;
   /// The error of filtered textures. Empty: no textures, or no promise.
   std::optional<TextureBounds> texture_bounds;

@@ -22,10 +22,10 @@
 //   </TestCaseResult>
 //   #endTestCaseResult
 //
-// What a log does not say. Clip positions have six significant digits, so a number with all six may
-// be off by half a unit of the last one; tests with numbers written by hand have fewer, which are
-// exact. The tests of fill rules and of culling print no positions. Positions of samples, and with
-// Vulkan also the subpixel bits, are not in the log.
+// Limits of a log. Clip positions have six significant digits, so a number with all six may be off
+// by half a unit of the last one; tests with numbers written by hand have fewer, which are exact.
+// The tests of fill rules and of culling print no positions. Positions of samples, and with Vulkan
+// also the subpixel bits, are not in the log.
 
 #include <array>
 #include <optional>

@@ -43,7 +43,7 @@ float stored(Storage storage, double number) {
   return std::isnan(number) ? 0 : code_of(encoded_srgb(number), 255);
 }
 
-/// Returns the number that the mean over samples is taken of.
+/// Returns the number that enters the mean over a pixel's samples.
 double averaged(Storage storage, ResolveOf resolve, float value) {
   switch (storage) {
     case Storage::float32:

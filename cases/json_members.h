@@ -9,9 +9,9 @@
 //   }
 //
 // A member may be a bool, an integer, a double, a float (as hexadecimal text), a text, an
-// enumerator with a name (names.h), a list, an array, a std::optional or a map from names of such
-// values, another record with a list of members, or a type with its own form, declared in the
-// type's namespace:
+// enumerator with a name (names.h); a list, an array or a std::optional of such values; a map from
+// names to such values; another record with a list of members; or a type with its own form,
+// declared in the type's namespace:
 //
 //   void write_value(nlohmann::json& to, const Enclosure& enclosure);
 //   void read_value(const cases::JsonNode& node, Enclosure& enclosure);

@@ -25,7 +25,7 @@ bool is_integral(const json& value) {
   return value.is_number_integer();
 }
 
-/// The integer that a value holds; empty if the value is not integral, too large to be known
+/// The integer that a value holds; empty if the value is not integral, is too large to be known
 /// exactly, or does not fit the type.
 template <typename Integer>
 std::optional<Integer> exact_integer(const json& value) {

@@ -18,8 +18,8 @@ struct PictureFile {
   std::vector<std::string> channels;
   /// How each channel's numbers are stored: never srgb8, which no file tells apart from unorm8.
   std::vector<Storage> stored;
-  /// [row][x][channel], the uppermost row first. The numbers themselves, but k for k/255 and
-  /// k/65535.
+  /// [row][x][channel], the uppermost row first. Floats are stored as they are; a unorm number
+  /// k/255 or k/65535 is stored as the integer k.
   std::vector<float> values;
 
   std::size_t value_count() const {

@@ -13,11 +13,12 @@ namespace rastercheck::cases {
 inline constexpr std::size_t kMaxPictureChannels = 64;
 
 /// How a number is stored. unorm8 and unorm16: k/255 and k/65535, clamped to [0, 1]. srgb8: like
-/// unorm8, after the transfer function of sRGB (IEC 61966-2-1:1999), but for channel A.
+/// unorm8, after the transfer function of sRGB (IEC 61966-2-1:1999), which is not applied to
+/// channel A.
 enum class Storage { float32, float16, unorm8, unorm16, srgb8 };
 
-/// Which of the two neighbours of a number a program may store: the nearest one (either, in the
-/// middle), or either one.
+/// The stored values that a program may choose for a number between two of them. `nearest`: the
+/// nearer one, or either one if the number is midway; `either`: either one.
 enum class StoreRounding { nearest, either };
 
 /// Which rows a picture begins with: the uppermost or the lowest as displayed.
@@ -46,7 +47,7 @@ enum class Shown { attribute, depth, triangle, coverage, constant, nothing };
 struct PictureChannel {
   std::string name;  ///< as in the file: R, G, B, A, Y for grey, or an EXR channel's name
   std::string shows;
-  /// What the channel shows where nothing is drawn. Empty: 1 for depth, else 0.
+  /// The number that the channel shows where nothing is drawn. Empty: 1 for depth, else 0.
   std::optional<float> background;
   bool operator==(const PictureChannel&) const = default;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 // Reads pictures: OpenEXR, PNG, NPY and PFM, told apart by their first bytes. A reader of images is
-// a classic target of broken files, so programs read pictures in a process of its own
+// a classic target of broken files, so programs should read pictures in a separate process
 // (picture_process.h).
 
 #include <string>

@@ -85,7 +85,7 @@ Result<Storage> storage_of(const PictureLayout& layout, const PictureFile& pictu
   const Storage asked = layout.storage.value_or(stored);
   const bool is_possible = asked == stored ||
                            (asked == Storage::srgb8 && stored == Storage::unorm8) ||
-                           // Numbers of fewer bits, written to a file of more.
+                           // A float32 file may hold numbers that were rounded to float16.
                            (asked == Storage::float16 && stored == Storage::float32);
   // Formats of sRGB hold alpha as it is (OpenGL 4.6, §17.3.7).
   const bool is_alpha = picture.channels[channel] == "A";

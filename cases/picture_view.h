@@ -35,7 +35,7 @@ struct PictureView {
   Blend blend = Blend::off;
   std::optional<std::size_t> alpha_channel;  ///< index into channels: the channel named A
 
-  /// True for a channel that alpha multiplies: an attribute or a number, but for alpha itself.
+  /// True for a channel that alpha multiplies: an attribute or a number, except alpha itself.
   /// Depths, triangles and coverage are no colours.
   bool is_color(std::size_t channel) const {
     const Shown shows = channels[channel].shows;
@@ -50,8 +50,9 @@ struct PictureView {
   int flipped(int y) const { return is_flipped ? size.height - 1 - y : y; }
 };
 
-/// The channels of a file that does not exist yet: for the layout's channels or, without any, one
-/// for each attribute, stored as the layout says, by default as float32.
+/// Plans a picture file that does not exist yet. It has the layout's channels or, if the layout
+/// names none, one channel for each attribute. Numbers are stored as the layout says; the default
+/// is float32.
 PictureFile planned_picture(const Case& c, const PictureLayout& layout);
 
 /// Finds out what a file's channels show. Fails if the file has another size than the case, if the

@@ -1,8 +1,9 @@
 #pragma once
 
-// Reads a file that may mean harm in a separate process: a crash, a hang or excessive memory use
-// over a broken file becomes an error of the file. This keeps a broken file from bringing the
-// program down. It is no sandbox: the process has all rights of the user except to write files.
+// Reads a file in a separate process, because the file may be malicious: a crash, a hang or
+// excessive memory use over a broken file becomes an error of the file. This keeps a broken file
+// from bringing the program down. It is no sandbox: the process has all rights of the user except
+// to write files.
 
 #include <functional>
 #include <string>

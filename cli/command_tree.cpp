@@ -7,8 +7,9 @@
 namespace rastercheck::cli {
 namespace {
 
-/// CLI11's type of an option, such as "INT:INT in [1 - 1024]" or "TEXT:{c,c++}", cut at the first
-/// colon: the type's name, then the validators' text on values.
+/// The type of an option as CLI11 prints it, such as "INT:INT in [1 - 1024]" or "TEXT:{c,c++}",
+/// split at the first colon into the type's name and the validators' description of the allowed
+/// values.
 struct Type {
   std::string name;
   std::string values;

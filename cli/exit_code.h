@@ -3,7 +3,7 @@
 namespace rastercheck::cli {
 
 /// Exit codes, stable for scripts (README, Commands). If several apply, the order of precedence is
-/// 70, 2, 4, 1, 3, 5.
+/// 70, 2, 4, 1, 3, 130, 5.
 enum class ExitCode : int {
   ok = 0,
   violated = 1,
@@ -12,7 +12,8 @@ enum class ExitCode : int {
   backend_unavailable = 4,
   nothing_checked = 5,
   internal = 70,
-  /// By a signal, with no violation so far, or with one that could not be written.
+  /// A signal ended the command before it found a violation, or before it could write one; or a run
+  /// that is compared with a baseline ended before its last case.
   interrupted = 130,
 };
 

@@ -36,7 +36,7 @@ std::vector<std::string> words_of(const PictureFlags& flags);
 /// The layout of a case's pictures; fails if an option makes no sense.
 Result<cases::PictureLayout> layout_of(const cases::Case& c, const PictureFlags& flags);
 
-/// Reads a picture file, or standard input for "-", in a process of its own, `rastercheck picture`.
+/// Reads a picture file, or standard input for "-", in a separate process, `rastercheck picture`.
 Result<cases::PictureFile> picture_from_file(const std::string& file, bool is_chw);
 
 /// Options that say what a picture is judged by.
@@ -53,7 +53,8 @@ std::string promise_text(const PicturePromise& promise);
 void add_picture_promise(CLI::App& app, PicturePromise& promise);
 
 /// The contract that a picture of a case is judged by: the case's own, the backend's, or either
-/// with the file's terms in place of some. Otherwise prints the error and returns the exit code.
+/// with the file's terms in place of some. If the file cannot be read or the backend cannot be
+/// made, prints the error and returns the exit code.
 tl::expected<cases::Contract, ExitCode> contract_by(const PicturePromise& promise,
                                                     const cases::Case& c);
 

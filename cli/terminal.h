@@ -14,8 +14,8 @@ bool is_set(const char* variable);
 /// True if the file descriptor is a terminal that understands control sequences.
 bool is_capable_terminal(int descriptor);
 
-/// True if standard output takes colours: it is such a terminal, and the user has not set NO_COLOR
-/// (no-color.org).
+/// True if standard output takes colours: is_capable_terminal() is true for it, and the user has
+/// not set NO_COLOR (no-color.org).
 bool has_color();
 
 }  // namespace rastercheck::cli

@@ -93,7 +93,7 @@ void take_finished_laws(records::BaselineSection& section, const records::Baseli
       }
       return some;
     };
-    // An entry may have changed only in its cases.
+    // An entry's figures may be equal although its cases changed, so changes are counted as well.
     const auto changed_of_law = [&law](const std::vector<records::EntryChange>& entries) {
       return std::count_if(entries.begin(), entries.end(), [&law](const records::EntryChange& one) {
         return one.key.law == law && one.change != records::Change::same;

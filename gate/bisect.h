@@ -5,8 +5,8 @@
 //
 // Draws GOOD first, which is the reference for all other commits (compare.h). Then draws BAD, which
 // determines what to look for: the laws whose figures grew. git then checks out one commit after
-// the other; judge_commit() builds each and compares it with GOOD, in a process of its own. A
-// commit that cannot be built or judged is skipped.
+// the other; judge_commit() builds each and compares it with GOOD, in a separate process. A commit
+// that cannot be built or judged is skipped.
 
 #include <cstdint>
 #include <functional>
@@ -35,8 +35,9 @@ struct BisectPlan {
   /// The rastercheck program that draws and judges, if the build makes one; empty: uses `draw`.
   std::string program;
   DrawPlan draw;  ///< used if `program` is empty
-  /// What to draw for each commit. Files and folders named here are taken in their present state,
-  /// whatever is checked out. The corpus must be named, and so must known defects unless ignored.
+  /// The plan to draw for each commit. Files and folders named here are taken in their present
+  /// state, whatever is checked out. The corpus must be named, and so must known defects unless
+  /// ignored.
   records::Plan plan;
   int jobs = 1;
   /// This program with its hidden command, which takes a folder and calls judge_commit().

@@ -163,8 +163,8 @@ std::vector<records::FigureChange> figure_changes(records::AttributeKind kind,
   compare.count(records::Figure::violations, before.cases.violations, after.cases.violations);
   compare.count(records::Figure::known, before.cases.known, after.cases.known);
   compare.count(records::Figure::checked, before.cases.checked, after.cases.checked);
-  // The number of drawings made wrong follows from how many cases held, so it may change without a
-  // defect.
+  // The number of drawings that are made wrong on purpose depends on how many cases held, so that
+  // number may change although the backend is no worse.
   if (before.power.drawings == after.power.drawings) {
     compare.count(records::Figure::noticed, before.power.noticed, after.power.noticed);
   }

@@ -85,7 +85,8 @@ void add_cases(records::BaselineSection& section, const records::CaseRecordSet& 
   for (const auto& [key, record] : all) {
     if (key.backend != backend) continue;
     records::LawCases& law = section.laws[key.law];
-    // A case that is generated anew depends on the judged backend; the first one does not.
+    // Whether a case was generated again (records::kRedrawn) depends on the judged backend, so only
+    // the original cases are counted and digested.
     if (key.index < records::kRedrawn) {
       ++law.count;
       numbered[key.law] +=

@@ -6,12 +6,11 @@
 // background where it may be seen, explains all channels at once: for each channel, some permitted
 // number is stored as the channel's value (oracle/stored_values.h).
 //
-// Several samples. Each sample has a set of boxes, one per candidate, over all channels; the pixel
-// is a mean of one point of each. Sums of boxes that are equal count once. Where more than
-// kMostMixtures remain, they are replaced by the box around them, which is counted (widened). A
-// program that adds n numbers in float32 and multiplies by 1/n rounds n times, which adds n 2^-24
-// of the greatest sum of magnitudes.
-
+// Several samples. Each sample has a set of boxes, one per candidate, with a range for each
+// channel. The pixel is the mean, over its samples, of one point from one box of each sample. Sums
+// of boxes that are equal count once. Where more than kMostMixtures remain, they are replaced by
+// the box around them, which is counted (widened). A program that adds n numbers in float32 and
+// multiplies by 1/n rounds n times, which adds n 2^-24 of the greatest sum of magnitudes.
 //
 // Blending (oracle/internal/painting.h) is judged where at most one triangle may be drawn at each
 // sample of a pixel. Other pixels are not judged, and counted (layered).

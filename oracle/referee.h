@@ -8,7 +8,7 @@
 //   w = 1/((q11+q21+q31) u + (q12+q22+q32) v + q13+q23+q33)
 //   k = (q21 u + q22 v + q23) w     l = (q31 u + q32 v + q33) w
 //   r = r1 + (r2 − r1) k + (r3 − r1) l                            (p. 6)
-//   P = C + (c + u a + v b) w                                     (its third line lacks this w)
+//   P = C + (c + u a + v b) w                                     (p. 7; its third line lacks w)
 //
 // A clip position (x, y, w) plays the role of V − C, and the viewport is the image plane: a, b, c
 // are the columns of the inverse viewport transform. The referee shares only the number type and

@@ -13,7 +13,7 @@
 //   snap        the snapped corners    the same
 //   set_up      lines                  the traced E_i are used in place of e_i
 //               planes                 numerator / denominator
-//   coverage    the last of these at the place where the value was evaluated
+//   coverage    the form of the last stage above, at the place where the value was evaluated
 //   weights     numerator and denominator, or E_i, or the corners' shares in the value, as computed
 //               at that place
 //   evaluation  the traced value before rounding or, if the trace has none, the drawn value

@@ -39,7 +39,8 @@ Field power(const Field& base, int exponent) {
 /// The side of a code on which a limit lies.
 enum class Side { lower, upper };
 
-/// The encoded number, times 2^n − 1, up to which, or from which, numbers may be stored as k.
+/// The limit, on the given side, of the numbers that may be stored as `code`: the encoded number
+/// times 2^n − 1.
 Field limit_of_code(Storage storage, StoreRounding rounding, int code, Side side) {
   const Field k(code);
   const int sign = side == Side::upper ? 1 : -1;
@@ -65,7 +66,8 @@ int compare_with_limit(Storage storage, float f, const Field& limit) {
   return sign_of(Field(exact_field(f) * Field(greatest_code(storage)) - limit));
 }
 
-/// The float nearest to a limit that is on its inner side, or strictly so.
+/// The float nearest to a limit among the floats on its inner side. The limit itself is included
+/// unless `is_strict`.
 float float_within(Storage storage, const Field& limit, Side side, bool is_strict) {
   const double encoded = enclose(limit).lo / greatest_code(storage);
   const double near = storage != Storage::srgb8 ? encoded
@@ -251,8 +253,8 @@ float stored_near(Storage storage, double number) {
   return static_cast<float>(std::clamp(std::round(encoded * greatest), 0.0, greatest));
 }
 
-/// The first stored value that is not beyond a range's end, found by steps from a value near it:
-/// `up` if the values beyond it are the lesser ones.
+/// Finds the outermost stored value that is not beyond a range's end, by steps from a value near
+/// the end. `up`: the values beyond the end are the lesser ones.
 template <typename IsBeyond>
 float first_not(const IsBeyond& is_beyond, Storage storage, float value, bool up) {
   while (is_beyond(value)) value = next_stored(storage, value, up);
@@ -290,8 +292,8 @@ double steps_between(Storage storage, float from, float to) {
     return std::signbit(f) ? -bits : bits;
   };
   if (storage == Storage::float32) return static_cast<double>(rank(to) - rank(from));
-  // A float16 of exponent e has 2^10 numbers up to the next exponent, which float32 has 2^23 of;
-  // subnormal ones are multiples of 2^-24.
+  // Between two powers of two, float16 has 2^10 numbers and float32 has 2^23, so ranks differ by a
+  // factor of 2^13. Subnormal float16 numbers are multiples of 2^-24.
   const auto half_rank = [&rank](float f) {
     if (std::isinf(f)) f = std::copysign(65536.0F, f);  // the number after the greatest
     if (std::abs(f) < 0x1p-14F) return double{f} * 0x1p24;

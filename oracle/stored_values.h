@@ -15,8 +15,8 @@
 //
 //   e <= 0.04045: f = e/12.92,    else    f^5 = ((e + 0.055)/1.055)^12.
 //
-// Nearest, to float16: the nearest number, or either of two in the middle between them. Numbers
-// beyond 65520 are stored as infinity. Either: any number strictly between both neighbours.
+// Nearest, to float16: the nearest float16, or either one if the number is midway between two.
+// Numbers beyond 65520 are stored as infinity. Either: any number strictly between both neighbours.
 
 #include <optional>
 
@@ -49,7 +49,7 @@ double number_of_stored(cases::Storage storage, float value);
 /// storage's end.
 float next_stored(cases::Storage storage, float value, bool up);
 
-/// Number of steps from one stored value to another, counted as floats count theirs: signed.
+/// The signed distance from one stored value to another, in steps of the storage (next_stored()).
 double steps_between(cases::Storage storage, float from, float to);
 
 }  // namespace rastercheck::oracle

@@ -47,8 +47,9 @@ Field between(const Field& a, const Field& b, const Field& fraction) {
   return a + fraction * (b - a);
 }
 
-/// The texels of a level with n texels that texel j of the next level's m covers. `parts` says how
-/// much of each is covered, from texel `first` on, in units of 1/m texel. The parts add up to n.
+/// The texels of a level (n along the axis) that texel j of the next level (m along the axis)
+/// covers. `parts` says how much of each is covered, from texel `first` on, in units of 1/m texel.
+/// The parts add up to n.
 struct TexelCover {
   int first = 0;
   std::vector<std::uint64_t> parts;

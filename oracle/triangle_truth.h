@@ -124,9 +124,10 @@ class TriangleTruth {
   std::optional<ValueRange> attribute(std::size_t attribute, int x, int y, int sample) const;
 
   /// True if every value counts as right for an attribute, or for the depth if `attribute` is
-  /// empty: either the APIs leave the value open (RULES §3: noperspective, or smooth claimed to be
-  /// the same, with some w_i <= 0), or the contract promises nothing about it. Even if the APIs
-  /// leave the value open, attribute() returns what the formula gives there.
+  /// empty: either the APIs leave the value open (RULES §3: a noperspective attribute, or a smooth
+  /// one that the contract claims to be affine, if some w_i <= 0), or the contract promises nothing
+  /// about it. Even if the APIs leave the value open, attribute() returns what the formula gives
+  /// there.
   bool is_value_free(std::optional<std::size_t> attribute) const;
 
   /// The largest excess allowed, in scale ULP, for an attribute, or for the depth if `attribute` is

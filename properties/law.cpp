@@ -35,8 +35,9 @@ const Law* find_law(std::string_view id) {
 
 namespace {
 
-/// Before laws had ids, their random cases depended on their sentences. For all but four laws, the
-/// id with spaces for hyphens is the old sentence, so that their cases stay the same.
+/// Before laws had ids, their random cases depended on their sentences. For all but four laws,
+/// replacing the id's hyphens by spaces gives the old sentence, so the cases of those laws stay the
+/// same.
 std::string stream_of(const Law& law) {
   std::string stream(law.id);
   std::replace(stream.begin(), stream.end(), '-', ' ');

@@ -75,7 +75,7 @@ struct Law {
   /// Never changes: random cases depend on the id, and records, baselines, known-defect lists and
   /// --property refer to it. Lower-case letters, digits and hyphens.
   std::string_view id;
-  /// What must hold, for readers; may be reworded at any time.
+  /// The property that must hold, for readers; may be reworded at any time.
   std::string_view sentence;
   /// Why it holds, for readers of docs/properties.md; the file's opening comment has the proof.
   std::string_view reason;

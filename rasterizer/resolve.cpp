@@ -18,7 +18,8 @@ void put_means(const Values& in, std::size_t samples, std::size_t channels, cons
   for (std::size_t p = 0; p < pixels; ++p) {
     for (std::size_t k = 0; k < channels; ++k) {
       // In double, in which the bytes of 16 samples, and most floats, are summed without rounding.
-      // From the first on, so that the mean of zeros has their sign.
+      // The sum starts with the first value, not with 0, so that the mean of zeros keeps their
+      // sign.
       double sum = in[p * samples * channels + k];
       for (std::size_t s = 1; s < samples; ++s) sum += in[(p * samples + s) * channels + k];
       out[p * channels + k] = mean(sum / static_cast<double>(samples));

@@ -3,9 +3,9 @@
 // Which cases of a run were right on which backend. Kept by runs of several backends, so that
 // reports can show them side by side (side_by_side.h).
 //
-// Numbers of cases as ranges, not a result for each case (case_record.h): a checkpoint holds them,
-// and must not grow with the campaign more than it has to. Merging is a union of sets, so it gives
-// the same result in any order and for any split of the cases.
+// Stores ranges of case numbers, not a result for each case (case_record.h), because checkpoints
+// contain them and should stay small. Merging is a union of sets, so it gives the same result in
+// any order and for any split of the cases.
 //
 // Keeps corpus and random cases, and leaves out cases that the law does not apply to or that were
 // not drawn because the backend was given up.
@@ -34,8 +34,8 @@ struct CaseOutcomes {
   IndexSet right;
   IndexSet wrong;
   IndexSet known;  ///< wrong, but only by known defects (known.h)
-  /// Earlier backend of the plan → judged cases for which that backend's case of the same number is
-  /// another one, because cases are made to fit what a backend can draw.
+  /// For each earlier backend of the plan: the numbers of the judged cases for which that backend
+  /// got a different case, because cases are made to fit what a backend can draw.
   std::map<std::string, IndexSet> unlike;
   bool operator==(const CaseOutcomes&) const = default;
 };

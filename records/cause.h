@@ -1,6 +1,6 @@
 #pragma once
 
-// What several counterexamples have in common: almost certainly one fault of a backend.
+// The common cause of several counterexamples: almost certainly one fault of a backend.
 
 #include <cstdint>
 #include <optional>

@@ -26,7 +26,7 @@ struct Violation {
   /// The exact answer: for coverage the verdict and its reason; for a value a fraction, or
   /// "[fraction, fraction]" if the contract leaves a range.
   std::string exact;
-  /// What the backend gave: "drawn", "not drawn", a decimal and hex float, "nan", "inf".
+  /// The backend's result: "drawn", "not drawn", a decimal and hex float, "nan", "inf".
   std::string actual;
   /// For a value: the error beyond what the contract leaves open, in scale ULP.
   std::optional<Enclosure> error;

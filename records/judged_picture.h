@@ -92,7 +92,8 @@ struct JudgedPicture {
   std::vector<WrongPixel> worst;  ///< the farthest off first
   PictureFreedom freedom;
   std::uint64_t unpromised_triangles = 0;  ///< nothing is promised about them
-  /// Wrong pixels beyond the number that is compared with hidden triangles, called wrong value.
+  /// The number of wrong pixels that were not compared with hidden triangles, because there were
+  /// too many. They count as wrong_value.
   std::uint64_t not_compared = 0;
 
   std::uint64_t count(PixelVerdict verdict) const {

@@ -64,7 +64,7 @@ struct SideErrors {
 struct SideBySide {
   std::string first;
   std::string second;
-  std::uint64_t judged_first = 0;   ///< cases judged on `first`, on the other as well or not
+  std::uint64_t judged_first = 0;   ///< cases judged on `first`, or on both
   std::uint64_t judged_second = 0;  ///< likewise on `second`
   /// Cases of the same number that were judged on both but are not the same case.
   std::uint64_t unlike = 0;
@@ -77,11 +77,12 @@ struct SideBySide {
   bool operator==(const SideBySide&) const = default;
 };
 
-/// The most backends of which every two are compared; of more, each is compared with the first.
+/// With up to this many backends, every pair is compared; with more, each is compared with the
+/// first only.
 inline constexpr std::size_t kMostInAllPairs = 3;
 
-/// Compares a run's backends, in the order of the plan. Empty for a run of one backend, for a
-/// shard, whose cases of two backends are not the same ones, and for a run that kept no outcomes.
+/// Compares a run's backends, in the order of the plan. Empty for a run of one backend, for a shard
+/// (which gives its backends different cases), and for a run that kept no outcomes.
 std::vector<SideBySide> side_by_side(const Run& run);
 
 }  // namespace rastercheck::records

@@ -96,8 +96,8 @@ struct SampleTrace {
   std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
   /// The stage `snap`, if any: those corners on the grid.
   std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
-  /// The stage `set_up`: from those corners, or from the vertices if there are none or values are
-  /// `is_from_vertices`.
+  /// The stage `set_up`: lines computed from those corners. They are computed from the vertices if
+  /// the trace has no corners, or for values with `is_from_vertices`.
   std::optional<TracedFrame> frame = std::nullopt;
   std::optional<std::array<TracedLine, 3>> lines = std::nullopt;
   /// The stage `coverage`: the assumed position of the sample, pixels, E_i as computed there, and

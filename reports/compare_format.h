@@ -28,7 +28,8 @@ struct Gate {
   /// The runs behind both sides; nullptr for a side that is a baseline file.
   const records::Run* before_run = nullptr;
   const records::Run* after_run = nullptr;
-  /// The baseline, which keeps more data about its run; may be nullptr.
+  /// The baseline itself, which has data about its run that the comparisons leave out; may be
+  /// nullptr.
   const records::Baseline* baseline = nullptr;
   /// The cases, of all comparisons, that were drawn again with their current backends and
   /// inspected.

@@ -80,8 +80,8 @@ std::string pair_of(const GalleryPicture& picture, const PictureData& data) {
          picture_facts(picture);
 }
 
-/// Shows the frames of a strip, each as a part of the strip's image. The first pair runs through
-/// all frames.
+/// Shows the frames of a strip, each as a part of the strip's image. The first pair is animated and
+/// shows all frames in turn.
 std::string strip_of(const GalleryPicture& picture, const PictureData& data) {
   const auto style = [](std::string_view of, double percent) {
     return fmt::format("style=\"background-image:var(--{});background-position:{:.3f}% 0\"", of,

@@ -15,7 +15,7 @@ std::string mask_text(const records::PictureMask& mask);
 /// As JSON, "rastercheck-mask", version 1.
 std::string mask_json(const records::PictureMask& mask);
 
-/// What each pixel may show, as a colour. mask_legend() says which is what.
+/// Shows as a colour what each pixel may hold. mask_legend() explains the colours.
 cases::PictureFile mask_picture(const records::PictureMask& mask);
 std::string mask_legend();
 

@@ -19,7 +19,7 @@ std::string picture_json(const records::JudgedPicture& judged, const cases::Pict
 
 /// The verdict of each pixel as a colour: right ones dark grey, wrong ones bright.
 Image verdict_image(const records::JudgedPicture& judged);
-/// What each colour of verdict_image() means.
+/// Explains each colour of verdict_image().
 std::string verdict_legend();
 
 }  // namespace rastercheck::reports

@@ -19,7 +19,8 @@ namespace {
 using records::SideBySide;
 using records::SideBySideLaw;
 
-/// Properties that a terminal shows for each two backends. The report has all.
+/// The maximum number of properties that a terminal shows for a pair of backends. The report has
+/// all.
 constexpr std::size_t kMostPropertiesShown = 3;
 
 /// The counts, one on each line.
@@ -40,7 +41,8 @@ std::string counts_text(const SideBySide& pair) {
   return text;
 }
 
-/// The properties on which two backends differ, and how to see the first of these cases.
+/// The properties on which two backends differ, and the commands that check the first such case
+/// again.
 std::string differences_text(const records::Run& run, const std::string& folder,
                              const SideBySide& pair) {
   const std::vector<SideBySideLaw> laws = differing_laws(pair);

@@ -12,8 +12,8 @@
 
 namespace rastercheck::reports {
 
-/// A table with one row per law and backend, and errors in scale ULP. If `quiet`, it has no header
-/// and its full width; otherwise text_table() lays it out.
+/// A table with one row per law and backend, and errors in scale ULP. If `quiet`, the table has no
+/// header and is never narrowed; otherwise text_table() fits it into `columns`.
 std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet,
                           std::optional<std::size_t> columns);
 

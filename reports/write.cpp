@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kCounterexamples = "counterexamples";
 constexpr std::string_view kDifferences = "differences";
-constexpr std::string_view kEarlier = "earlier";  ///< folder within either
+constexpr std::string_view kEarlier = "earlier";  ///< subfolder of each of these two
 
 Error failure(const fs::path& file, std::string_view what, const std::error_code& why) {
   return {file.string(), "", std::string(what) + (why ? ": " + why.message() : "")};
@@ -64,7 +64,8 @@ bool is_difference(const fs::path& file) {
   const Result<cases::Case> source = cases::read_case(file.string());
   if (!source || !source->found) return false;
   const fs::path start = records::file_of(records::Difference{*source, ""});
-  // The other backend, which the case does not name, follows.
+  // Compares only the start of the name: the rest names the other backend, which the case file does
+  // not store.
   const std::string name = start.filename().string();
   return file.filename().string().starts_with(name.substr(0, name.rfind("-right")));
 }

@@ -25,9 +25,9 @@ double minor_terms(float x_a, float y_a, float x_b, float y_b) {
 }
 
 /// How much larger than usual the errors of a triangle's clipped vertices may be. Clipping computes
-/// the coordinates and w of a new vertex from the triangle's vertices, with cancellation. So their
-/// error is a rounding of the triangle's largest number, m, relative to the new vertex's own w. If
-/// all w of the triangle are positive, the new w is at least the least of them.
+/// the coordinates and w of a new vertex from the triangle's vertices, with cancellation. So a new
+/// vertex is off by about one rounding of m, the triangle's largest number, divided by the vertex's
+/// own w. If all w of the triangle are positive, the new w is at least the least of them.
 ///
 /// Otherwise new vertices may lie as near the eye, (x, y, w) = 0, as the triangle's plane does.
 /// Their distance from the eye is at least |det| / |N|, where N is the plane's normal, whose
@@ -111,8 +111,8 @@ cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
 /// covers both errors for viewports up to 2^14 pixels; the grid of 2^-16 pixels is only the
 /// contract's way to say where vertices may be. Clipping adds an error that grows with the
 /// amplification A of the triangle: 2^-50 A half widths for a new vertex, which is the clip
-/// tolerance. An edge carries its values along, so errors of the edge change values only within the
-/// range that moving the vertices allows.
+/// tolerance. Values along an edge belong to the edge's own positions. So if an edge is off, values
+/// change no more than if the vertices had been moved.
 ///
 /// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A, because
 /// the guard band is 2^10. So A 2^-34 scale ULP are added to the other errors. For depth, the other

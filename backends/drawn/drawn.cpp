@@ -53,7 +53,7 @@ std::vector<Listing> list() {
            "DIR must name the folder"}};
 }
 
-// Another machine's files may hold anything, so they are read in a process of their own.
+// Another machine's files may hold anything, so they are read in a separate process.
 const BackendRegistration kRegistration({"drawn", &make, &list, true});
 
 }  // namespace

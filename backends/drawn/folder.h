@@ -47,8 +47,9 @@ Result<DrawnCount> count_drawn(const std::string& folder);
 /// case is not supported.
 Result<cases::Fragments> read_drawing(const std::string& folder, const cases::Case& c);
 
-/// What a machine that only draws fragments has of a backend's abilities: its promises and limits,
-/// but not its driver, whose known defects may not be that machine's.
+/// The abilities of a backend that another machine, which only draws fragments, shares: the
+/// promises and limits, but not the driver, because the machine's driver may have other known
+/// defects.
 About drawn_about(About promiser);
 
 /// Fills a folder with cases.

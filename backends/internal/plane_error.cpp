@@ -12,10 +12,11 @@
 //
 // S is the greatest Σ s_i for any P in the triangle's bounding box and any (u, v) in the same box
 // enlarged by the distance beyond the triangle at which values are evaluated. Σ s_i is convex in
-// each coordinate of P and of (u, v), so it is greatest at corners of the boxes. If P may lie away
-// from the box, the gradient (a_i, b_i) is still made of differences, and the value at P follows
-// from it. The gradient is then multiplied by two distances from P: that of the place and that of a
-// vertex. So S is then the S of the box plus
+// each coordinate of P and of (u, v), so it is greatest at corners of the boxes. If P may lie
+// outside the box, implementations still compute the gradient (a_i, b_i) from differences of
+// positions, and the value at P from the gradient. They then multiply the gradient by two distances
+// from P: that of the point (u, v) where the value is evaluated, and that of a vertex. So S is then
+// the S of the box plus
 //
 //   2 Σ (|a_i| d_u + |b_i| d_v),
 //
@@ -138,7 +139,8 @@ Moved moved(const WindowTriangle& t, double reach, double beyond) {
     const std::size_t k = (i + 2) % 3;
     m.a[i] = std::fabs(t.y[j] - t.y[k]) + more;
     m.b[i] = std::fabs(t.x[k] - t.x[j]) + more;
-    // As Σ a_i = 0, differences from any number serve; these are small.
+    // As Σ a_i = 0, any constant may be subtracted from all 1/w_i. Subtracting the least keeps the
+    // products small.
     change_x += (t.y[j] - t.y[k]) * (inverse_w[i] - m.least_inverse_w);
     change_y += (t.x[k] - t.x[j]) * (inverse_w[i] - m.least_inverse_w);
   }
@@ -173,7 +175,8 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
   error.constant = kDivision * evaluation.operation * outside;
   const double numerator = kNumerator + kArea * outside;
   error.per_horizon = (numerator + kDenominator * outside) * lost / left;
-  if (evaluation.beyond > 0) {  // outside, the greatest g may be less than at the vertices
+  if (evaluation.beyond > 0) {
+    // Outside, y = x g, so the error is not proportional to g; the constant covers the greatest g.
     error.constant = kDivision * evaluation.operation * outside * horizon +
                      (numerator + kDenominator * outside * horizon) * lost * horizon / left;
     error.per_horizon = 0;

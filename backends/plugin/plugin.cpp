@@ -215,8 +215,9 @@ Rectangle PluginBackend::covered_since(std::size_t begin, const cases::Fragments
 }
 
 /// Clears the output for the next draw: all coverage that the last draw may have left, and the
-/// other arrays where the plugin may have written. If that rectangle is large, clears the other
-/// arrays only in the bounding box of the samples that the last draw covered.
+/// other arrays where the plugin may have written. If the rectangle that the plugin reported is
+/// large, clears the other arrays only in the bounding box of the samples that the last draw
+/// covered.
 void PluginBackend::clear() {
   constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
   for (std::uint32_t y = dirty_.min_y; y < dirty_.max_y; ++y) {
@@ -246,8 +247,8 @@ void PluginBackend::clear() {
 }
 
 Result<void> PluginBackend::call() {
-  // Hands over copies, so that the plugin cannot change the originals. Only its rectangle is copied
-  // back.
+  // Hands over copies, so that the plugin cannot change the originals. From the copies, only the
+  // rectangle that the plugin reports is copied back.
   const rastercheck_draw draw = draw_;
   rastercheck_output output = output_;
   const FloatingPointModes modes;

@@ -31,8 +31,8 @@ inline std::uint16_t half_of_float(float value) {
   }
   if (magnitude >= 0x477ff000U) return static_cast<std::uint16_t>(sign | 0x7c00U);  // 65520
   if (magnitude < 0x38800000U) {
-    // Below 2^-14, binary16 has multiples of 2^-24. In [1/2, 1) a float32 has them, too, so that
-    // adding 1/2 rounds to one.
+    // Below 2^-14, binary16 has multiples of 2^-24. In [1/2, 1), float32 numbers are multiples of
+    // 2^-24, too, so adding 1/2 rounds to such a multiple.
     const float rounded = std::bit_cast<float>(magnitude) + 0.5F;
     return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(rounded) - 0x3f000000U));
   }

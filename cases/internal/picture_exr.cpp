@@ -172,7 +172,7 @@ std::string exr_bytes(const PictureFile& picture, const PictureTexts& texts) {
   for (std::size_t c = 0; c < count; ++c) {
     const bool is_half = picture.stored[c] == Storage::float16;
     const std::size_t size = is_half ? sizeof(Imath::half) : sizeof(float);
-    // OpenEXR's interface takes characters that it does not change.
+    // OpenEXR takes a non-const char*, but does not write through it.
     const auto* first = is_half ? reinterpret_cast<const char*>(halves.data() + c)
                                 : reinterpret_cast<const char*>(picture.values.data() + c);
     source.insert(picture.channels[c],

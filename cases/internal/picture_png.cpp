@@ -220,7 +220,7 @@ BytesOrReason write_png(const PictureFile& picture, const PictureTexts& texts) {
   for (std::size_t y = 0; y < image.height; ++y) {
     image.row_starts.push_back(image.rows.data() + y * row_bytes);
   }
-  PictureTexts kept = texts;  // libpng takes characters that it does not change
+  PictureTexts kept = texts;  // a copy, since libpng takes non-const char*
   for (auto& [key, text] : kept) {
     png_text one{};
     one.compression = PNG_TEXT_COMPRESSION_NONE;

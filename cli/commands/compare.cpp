@@ -44,7 +44,8 @@ bool is_backend(const std::string& text) {
   return text != "-" && !std::filesystem::exists(text, ignored) && backends::names_a_kind(text);
 }
 
-/// Says how to compare backends, if one is given in the place of a file.
+/// Fails if an argument names a backend instead of a file. The error says how to compare backends
+/// or, if only one argument is a backend, how to make a run of it.
 Result<void> check_no_backend(const Options& options) {
   const bool is_first = is_backend(options.baseline);
   const bool is_second = is_backend(options.current);

@@ -47,7 +47,7 @@ struct Options {
   bool quiet = false;
 };
 
-/// What this program says about a test.
+/// This program's opinion about a test's result.
 enum class Opinion { same, opposite, none };
 
 struct JudgedTest {
@@ -58,9 +58,9 @@ struct JudgedTest {
   std::string reason;  ///< why there is no opinion
 };
 
-/// Reads a PNG file that is in memory, in a process of its own.
+/// Reads a PNG file that is in memory, in a separate process.
 Result<cases::PictureFile> picture_of_png(const std::string& bytes, const std::string& file) {
-  // Not closed on exec: the process that reads it inherits it.
+  // The file is not closed on exec, because the process that reads it inherits the descriptor.
   const cases::Descriptor memory(::memfd_create("picture", 0));
   if (!memory.is_open()) return tl::unexpected(Error{file, "", "no memory for a picture"});
   const std::string name = fmt::format("/proc/self/fd/{}", memory.number());
@@ -178,7 +178,7 @@ Result<JudgedTest> judge_test(const Options& options, const DeqpTest& test) {
     if (!reason) return tl::unexpected(reason.error());
     if (judged.reason.empty()) judged.reason = *std::move(reason);
   }
-  // What is not judged may be right; one wrong pixel is enough to be sure.
+  // Pixels that are not judged may be right; one wrong pixel is enough to be sure.
   if (!judged.reason.empty() && judged.wrong == 0) return judged;
   judged.reason.clear();
   judged.opinion = opinion_of(test.status, judged.wrong);

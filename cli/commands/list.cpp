@@ -37,7 +37,7 @@ struct Asked {
 struct ListedKind {
   std::string_view name;
   std::vector<ordered_json> (*rows)(const Asked& asked);
-  std::size_t columns = 4;  ///< most columns of a table; JSON has all
+  std::size_t columns = 4;  ///< a table shows at most these; JSON has all
 };
 
 /// Returns the row of a backend given by its specification.

@@ -22,7 +22,8 @@ namespace {
 constexpr double kLeastSeconds = 0.001;
 constexpr double kMostSeconds = 86400;
 
-/// Adds the options that decide how much a "held" means.
+/// Adds the options that tell how much the verdict "held" is worth: --power measures which damage
+/// the laws notice, and --require-cases demands a number of judged cases.
 void add_scrutiny(CLI::App& app, records::Plan& plan) {
   app.add_option("--power", plan.power,
                  "Damage the drawing of one in N random cases in every way, to see what is "

@@ -103,7 +103,9 @@ Result<records::Plan> BisectFolder::with_copies(records::Plan plan,
   for (std::size_t i = 0; i < plan.known.size(); ++i) {
     std::string& source = plan.known[i];
     const fs::path folder = "known-" + std::to_string(i);
-    // Entries name their cases relative to the list. The list keeps its name, which tells its kind.
+    // Entries of a list of known defects name case files relative to the list, so the folder
+    // `known` is copied, too. The copy of the list keeps its file name, which tells whether the
+    // list is an expectation list.
     std::string shown = (fs::path(source).parent_path() / "known").string();
     const fs::path name = folder / fs::path(source).filename();
     const bool is_file = !fs::is_directory(source);

@@ -304,10 +304,10 @@ Reason reason_of_cut(const TriangleSetup& triangle) {
   return is_open ? Reason::viewport : Reason::clip_edge;
 }
 
-/// Decides for shape cut. Clipping makes new vertices, which are snapped too, so a cut edge and the
-/// clip edge may be off by the tolerance along each axis. If a polygon's corners move by at most t
-/// per axis, every inner point farther than t per axis from the boundary stays inside, and no point
-/// farther than t from the polygon becomes covered.
+/// Decides for a triangle of Shape::cut. Clipping makes new vertices, which are snapped too, so a
+/// cut edge and the clip edge may be off by the tolerance along each axis. If a polygon's corners
+/// move by at most t per axis, every inner point farther than t per axis from the boundary stays
+/// inside, and no point farther than t from the polygon becomes covered.
 SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
   const Reason cut = reason_of_cut(triangle);
   if (triangle.ideal.orientation() == 0) return decide_cut_degenerate(triangle, p, cut);

@@ -35,7 +35,7 @@ records::Enclosure vertex_depths(const TriangleSetup& triangle) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double depth = near_double(triangle.scene->depth_numerator(triangle.indices[i])) /
                          near_double(triangle.columns[i][2]);
-    const double slack = std::abs(depth) * 0x1p-48;  // of two near_double() and the quotient
+    const double slack = std::abs(depth) * 0x1p-48;  // errors of two near_double() and a quotient
     depths.lo = std::min(depths.lo, depth - slack);
     depths.hi = std::max(depths.hi, depth + slack);
   }

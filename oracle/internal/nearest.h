@@ -46,7 +46,7 @@ class PreparedTriangles {
 /// are too close to tell apart.
 class NearestBand {
  public:
-  /// A triangle that may be left at a sample.
+  /// A triangle that may be the visible one at a sample.
   struct Candidate {
     std::uint32_t triangle = 0;
     records::SampleVerdict decision;
@@ -57,8 +57,8 @@ class NearestBand {
   using Take = std::function<void(int y, int x, int sample, std::span<const Candidate> candidates,
                                   bool is_required)>;
 
-  /// How depths are compared that enclosures in doubles do not tell apart: exactly, or not at all,
-  /// so that either may be left.
+  /// If enclosures in doubles do not tell two depths apart, `exact` compares the depths exactly;
+  /// `enclosed` does not compare them further, so that either triangle may be the visible one.
   enum class Comparison { exact, enclosed };
 
   /// Covers the rows y0 <= y < y1. The scene and the triangles must outlive the band.

@@ -34,9 +34,10 @@ class Integer {
 /// the same direction, to a double. Rounding twice in one direction still gives a bound, and for
 /// the value itself the tightest one. A function of the rounded value differs from the function of
 /// the exact value by a few units in the last of kBits bits; if a double lies between the two
-/// results, the bound is one double wider than necessary. No double d comes so near a root of p/q
-/// with p, q < 2^60: unless d² equals p/q, the two differ by at least 2^-(2·53 + 60) relative. If a
-/// double holds the result, kBits bits hold it as well, and both directions give that double.
+/// results, the bound is one double wider than necessary. For square roots of p/q with p, q < 2^60
+/// this does not happen: a double d is either the root itself, or d² differs from p/q by at least
+/// 2^-(2·53 + 60) relative, which is more than the error in kBits bits. If a double holds the
+/// result, kBits bits hold it as well, and both directions give that double.
 class Rounded {
  public:
   static constexpr mpfr_prec_t kBits = 192;

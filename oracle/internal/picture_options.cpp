@@ -63,7 +63,9 @@ ValueSpan mean_of(const ValueSpan& sum, double count, double magnitude) {
     return {sum.lo == kUnlimited ? kUnlimited : -kUnlimited,
             sum.hi == -kUnlimited ? -kUnlimited : kUnlimited, false};
   }
-  // n roundings, each divided by n; below the normal numbers, of 2^-150 each.
+  // The n − 1 roundings of the sums are divided by n, and the mean is rounded once. Each of these
+  // adds at most 2^-24 magnitude/n. If the mean is subnormal, its rounding adds at most 2^-150
+  // instead.
   const double slack = magnitude * 0x1p-24 + 0x1p-149;
   return {sum.lo / count - slack, sum.hi / count + slack, false};
 }
@@ -143,7 +145,7 @@ void PictureOptions::make(std::span<const SampleAnswer> samples) {
 
 // --- Several samples -----------------------------------------------------------------------------
 
-/// The numbers that the mean is taken of, for a sample's numbers: after they have been stored.
+/// Maps a sample's numbers to those that enter the mean: the numbers after they have been stored.
 ValueSpan PictureOptions::averaged(std::size_t channel, const ValueSpan& span) const {
   const Storage storage = view_->channels[channel].storage;
   if (span.is_free || storage == Storage::float32) return span;

@@ -45,7 +45,7 @@ class PictureOptions {
   ChannelRange stored_range(std::size_t option, std::size_t channel) const;
   /// The numbers that a channel's stored values stand for, over all options.
   records::Enclosure stored_numbers(std::size_t channel) const;
-  /// Pixels whose mixtures were more than kMostMixtures.
+  /// The number of pixels that had more than kMostMixtures mixtures.
   std::uint64_t widened() const { return widened_; }
 
   // --- Compared with a picture -------------------------------------------------------------------
@@ -64,10 +64,12 @@ class PictureOptions {
   double steps_off(std::size_t channel, const ChannelRange& range) const;
 
  private:
-  /// What the triangle shows in a channel, and what the target holds after it has been drawn.
+  /// The number that the triangle shows in a channel, and the number that the target holds after
+  /// the triangle has been drawn.
   ValueSpan shown_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
   ValueSpan span_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
-  /// The storage of the pixel, after a resolve: encoded numbers are stored without encoding.
+  /// The storage of the resolved pixel. If stored values are averaged, the mean of srgb8 codes is
+  /// stored as a unorm8, without encoding it again.
   cases::Storage final_storage(std::size_t channel) const;
   bool is_explained(std::size_t channel, const ValueSpan& span) const;
   void mix(std::span<const SampleAnswer> samples);
@@ -84,8 +86,9 @@ class PictureOptions {
   bool is_layered_ = false;
   std::uint64_t widened_ = 0;
 
-  std::span<const float> stored_;                      ///< [channel]
-  std::vector<std::optional<StoredNumbers>> numbers_;  ///< [channel]: stored as stored_
+  std::span<const float> stored_;  ///< [channel]
+  /// [channel]: the numbers that may be stored as stored_[channel]
+  std::vector<std::optional<StoredNumbers>> numbers_;
 };
 
 }  // namespace rastercheck::oracle

@@ -8,9 +8,9 @@
 //
 //   T(p) = p + Σ α_i(p) δ_i,     α_i(p) = w_i E_i(p)/|det M|,  Σ α_i = 1,
 //
-// takes each x_i to its moved position, and the vertices carry the exact triangle's value at p to
-// T(p). So at a sample p the moved triangle has the value that the exact one has at q = T^-1(p).
-// With A the linear part of Σ α_i δ_i,
+// takes each x_i to its moved position. The moved triangle has at T(p) the value that the exact
+// triangle has at p. So at a sample p the moved triangle has the value that the exact one has at q
+// = T^-1(p). With A the linear part of Σ α_i δ_i,
 //
 //   q = p − Σ α_i(p) δ'_i,     δ'_i = (1 + A)^-1 δ_i.
 //
@@ -37,9 +37,9 @@
 // vertices and depends only on the y of their δ. So if all α_i(q) > 0, G is least when all x are
 // moved the same way, whatever the y, and vice versa: at one of the four placements. If some α_i(q)
 // <= 0, another placement may have a smaller G. Σ α_i δ_i at q and at p differ by at most reach S
-// ρ/(1 − ρ). At p one of the four placements has the least G, up to the effect of negative α_i
-// (whose sum is at least −(S − 1)/2) on δ_i that differ by up to 2 reach. Together, G may be
-// smaller by
+// ρ/(1 − ρ). At p, one of the four placements has the least G, except that a vertex with α_i < 0
+// should be moved the other way, by up to 2 reach; the sum of these α_i is at least −(S − 1)/2.
+// Altogether, G may be smaller by
 //
 //   Σ |g_i| band_i (2 S ρ/(1 − ρ) + S − 1)
 //
@@ -72,7 +72,8 @@ struct PlacementFilter {
   std::array<double, 3> edge_error{};
   /// If some E_i is below this, placements that the kernel does not look at may count.
   std::array<double, 3> least_weight{};
-  /// The amount by which E_i must then be decreased or increased.
+  /// If some E_i is below its least_weight, the amount by which E_i must be decreased or increased
+  /// to allow for the placements that the kernel does not look at.
   std::array<double, 3> edge_change{};
   /// The largest change of Σ E_i from a sample to its shifted place.
   double divisor_change = 0;

@@ -12,10 +12,11 @@ namespace {
 
 constexpr double kFarAway = std::numeric_limits<double>::infinity();
 
-/// How far a covered sample may be from the exact triangle, in pixels, whole pixels included.
+/// How far from the exact triangle to look for covered samples, in pixels: as far as the contract
+/// lets them be, and at least one pixel more.
 double spread_of(const SceneTruth& scene, const cases::TrianglePromise& promise) {
   const cases::Contract& contract = scene.contract();
-  double spread = 1;  // covers the part beyond whole pixels
+  double spread = 1;  // a margin of one pixel
   if (!contract.coverage) return spread;
   spread += std::ldexp(1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance,
                        -contract.coverage->subpixel_bits);

@@ -149,8 +149,8 @@ bool TriangleFilter::add_enclosing(const std::vector<OpenLine>& readings) {
 }
 
 /// Returns every line that the contract allows for an edge with two snapped ends. The exact edge is
-/// among these lines, because outside it decide() tests whether anything drawn reaches the sample
-/// at all.
+/// among these lines, because decide() makes another test for samples outside the exact edge:
+/// whether anything drawn reaches them at all.
 std::vector<TriangleFilter::OpenLine> TriangleFilter::readings_of_edge(std::size_t edge) const {
   const Line& exact = triangle_->ideal.edge(edge);
   std::vector<OpenLine> readings{{exact, Ring(0)}};

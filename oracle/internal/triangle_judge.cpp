@@ -20,7 +20,7 @@ FragmentOrder::FragmentOrder(const cases::Fragments& drawn) : drawn_(&drawn) {
   const auto goes_before = [&drawn](std::size_t a, std::size_t b) {
     return drawn.place_of(a) < drawn.place_of(b);
   };
-  // The place without its sample: 64 bits have no room for both.
+  // A key of triangle, y and x, which fill 64 bits; samples are compared separately.
   const auto key = [&drawn](std::size_t i) {
     return (std::uint64_t{drawn.triangle[i]} << 32 | std::uint64_t{drawn.y[i]} << 16) | drawn.x[i];
   };

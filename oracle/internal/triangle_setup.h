@@ -76,8 +76,8 @@ struct TriangleSetup {
   std::array<bool, 3> is_clipped{};
 
   /// Shapes placed and cut: true if no vertex lies beyond a clip plane or clip distance, behind the
-  /// eye or beyond the guard band. `is_clipped` cannot tell, because an open viewport sets all of
-  /// it.
+  /// eye or beyond the guard band. `is_clipped` cannot tell, because its three members are true if
+  /// the viewport is open.
   bool is_whole = true;
 
   /// Shapes placed and cut: the grid points of each vertex that is not clipped.
@@ -105,7 +105,8 @@ struct TriangleSetup {
   /// True if samples near the viewport's sides may be missing, or samples beyond the sides may be
   /// drawn, and some sample may be that close to a side.
   bool has_open_sides = false;
-  /// The largest such distance of a sample from a side, in pixels.
+  /// How near to a side of the viewport inner samples may be missing, and how far beyond it outer
+  /// samples may be drawn, in pixels.
   Ring side_reach;
   bool has_nonpositive_w = false;
   /// Shape cut: no point of the polygon is farther than `reach` from all its sides, so moving its
@@ -179,9 +180,8 @@ struct TriangleSetup {
 
 /// The closed square of half-width `reach` around a point.
 ConvexRegion box_around(const Point& p, const Ring& reach);
-/// The corners of the closed box in which a contract leaves vertices unclipped. The box is the
-/// viewport, in which no side clips anything, extended to the guard band along each axis on which
-/// the two overlap.
+/// The corners of the closed box in which a contract leaves vertices unclipped. Along each axis,
+/// the box is the viewport, extended to the guard band if viewport and guard band overlap there.
 std::pair<Point, Point> guard_band_box(const Scene& scene);
 ConvexRegion guard_band_of(const Scene& scene);
 

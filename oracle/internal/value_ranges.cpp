@@ -25,8 +25,8 @@ double scale_ulp_of(double magnitude) {
   return std::ldexp(1.0, static_cast<int>(ulp_exponent_at(std::ilogb(magnitude))));
 }
 
-/// Widens a range by a bound in scale ULP, which refer to this magnitude or the range's greater
-/// one.
+/// Widens a range by a bound in scale ULP of `magnitude` or of the range's largest magnitude,
+/// whichever is greater.
 ValueSpan widened_span(const Enclosure& range, double ulps, double magnitude) {
   if (ulps == 0) return {range.lo, range.hi, false};
   const double greatest = std::max({magnitude, std::abs(range.lo), std::abs(range.hi)});

@@ -11,9 +11,10 @@
 //
 //   |r(q) − r(p)| = |G(q)|/Den(q) <= R (|G_x| + |G_y|)/(Den(p) − R (|Den_x| + |Den_y|)).
 //
-// In shape placed, values at samples also lie between the vertices' values, but for the exact
-// triangle's own value, which the basis unspecified permits. This alone is the range where R is not
-// known. Elsewhere (centroids, centres of open triangles, poles, cameras), TriangleTruth answers.
+// For Shape::placed, values at samples also lie between the least and the greatest vertex value,
+// except for the exact triangle's own value, which Basis::unspecified permits. If R is not known,
+// the range is just these values. Elsewhere (centroids, centres of open triangles, poles, cameras),
+// TriangleTruth answers.
 //
 // The bound. Where the contract's bound depends on the place, g and K (cases::ValueBound) are
 // evaluated in doubles and rounded up by 2^-16 of themselves, far more than their roundings.
@@ -42,14 +43,15 @@ struct SampleAt {
 
 class ValueRanges {
  public:
-  /// `is_wanted` is for the depth, then each attribute; the others are left out.
+  /// `is_wanted` has one flag for the depth, then one for each attribute. Values whose flag is
+  /// false are not computed.
   ValueRanges(const SceneTruth& scene, std::vector<bool> is_wanted);
 
   /// Begins a triangle. The triangle and the filter of its coverage must outlive its batches.
   void begin(const TriangleTruth& truth, const TriangleFilter& filter);
 
   /// Finds the ranges at up to kBatchSize samples, none of them forbidden, into
-  /// spans[place][value], with the depth first; those that are not wanted become free.
+  /// spans[place][value], with the depth first; values that are not wanted become free.
   void find(std::span<const SampleAt> places, std::span<ValueSpan> spans);
 
  private:
@@ -59,7 +61,7 @@ class ValueRanges {
     /// The part that does not depend on the place; empty if nothing is promised.
     std::optional<double> fixed;
     bool varies = false;   ///< g and K count as well
-    double magnitude = 0;  ///< that scale ULP refer to
+    double magnitude = 0;  ///< its ulp is the scale ULP
   };
   /// The terms of g and K in doubles, about the window's origin.
   struct Condition {
@@ -87,7 +89,7 @@ class ValueRanges {
 
   const SceneTruth* scene_;
   std::vector<bool> is_wanted_;
-  ValueStatistics unused_;  ///< PreparedValues counts for judges
+  ValueStatistics unused_;  ///< PreparedValues needs counters
   PreparedValues prepared_;
   const TriangleTruth* truth_ = nullptr;
   const TriangleFilter* coverage_ = nullptr;

@@ -24,7 +24,7 @@ constexpr std::uint64_t kCasesPerTask = 10;
 /// A campaign of many cases has larger tasks, because the findings of each task must be handed over
 /// and merged. A larger task has at most a 500th of the cases of its law and backend.
 constexpr std::uint64_t kMostTasks = 500;
-/// A larger task also has at most a 16th as many cases as precede it, because an interrupted run
+/// A larger task also has at most 1/16 of the number of cases before it, because an interrupted run
 /// loses its tasks in progress.
 constexpr std::uint64_t kShareOfThoseBefore = 16;
 /// Minimum number of tasks per shard for a law and backend, if there are several shards and enough
@@ -51,9 +51,9 @@ class Deal {
 
   bool is_next_ours() { return next_++ % ours_.count == ours_.index - 1; }
 
-  /// Cases grow with their index. If all shards got equally many tasks of a law, the next law
-  /// begins at another shard. Otherwise one shard would get the smallest cases of all laws, and
-  /// another the largest.
+  /// Cases grow with their index. If the shards get equally many tasks of a law, a shard is skipped
+  /// before the next law begins. Without this, one shard would get the smallest cases of every law,
+  /// and another the largest.
   void end_law(std::uint64_t tasks) {
     if (tasks % ours_.count == 0) ++next_;
   }

@@ -111,8 +111,8 @@ class TaskRunner {
   /// cannot be read.
   Result<KnownByBackend> known();
 
-  /// Asks each of the plan's backends for its promises. For a backend that can no longer be made,
-  /// assumes every promise that a law needs, but not that the backend draws what is asked for.
+  /// Asks each of the plan's backends for its promises. A backend that can no longer be made counts
+  /// as making every promise that a law needs, except draws_what_is_asked_for().
   std::vector<records::BackendPromises> promises();
   /// Asks the plan's backends for their capabilities; leaves out backends that draw every case.
   std::map<std::string, cases::Capabilities> capabilities();

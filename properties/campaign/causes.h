@@ -16,8 +16,9 @@
 // Two sets also share a cause, whatever part is wrong, if one simple change ("the scissor's ends
 // are drawn, too") makes at least half of the wrong drawings of each set right. Counterexamples
 // that did not fail again form one cause. A few counterexamples join a larger set if they need
-// everything that most of that set needs. The condition for which a counterexample was kept does
-// not count as a need.
+// everything that most of that set needs. A feature that a counterexample's condition
+// (internal/failure.h) implies does not show that two causes differ, because shrinking keeps the
+// condition.
 //
 // So two faults are told apart only if they need different features. Two faults that break the same
 // part of every case count as one cause. docs/when-it-fails.md says how often the grouping is

@@ -40,7 +40,8 @@ bool check_case(const Law& law, const std::string& specification, backends::Back
 inline constexpr std::uint64_t kMostRedrawn = 3;
 
 /// Checks a random case as check_case() does. If the law does not apply, counts the reason and
-/// generates another case. Returns the case if the law held.
+/// generates another case, at most kMostRedrawn times. A backend that draws everything, is lost or
+/// does not promise the property gets no other case. Returns the case if the law held.
 std::optional<NumberedCase> check_random_case(const Law& law, const std::string& specification,
                                               backends::Backend& backend, std::uint64_t seed,
                                               std::uint64_t index,
@@ -72,8 +73,8 @@ std::string verdict_of(const Check& check);
 /// the check has none.
 bool put_alike_first(Check& check, const cases::Case& c, const cases::Found& found);
 
-/// Returns why a check is not applicable, as records count it: one of a few texts, because numbers
-/// after a colon are left out.
+/// Returns why a check is not applicable. Words with digits after a colon are replaced, so that
+/// records count only a few different texts.
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check);
 
 /// Adds a check to the findings: its record, and the case's own result if the findings keep these.

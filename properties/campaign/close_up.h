@@ -11,8 +11,9 @@
 
 namespace rastercheck::properties {
 
-/// Draws the case and shows the pixels around a violation. Signs tell how the contract judges the
-/// violation's triangle at the violation's sample of each pixel. The violation is in brackets:
+/// Draws the case and shows the pixels around a violation. Each pixel's sign tells how the contract
+/// judges the violation's triangle there, at the sample of the pixel that has the violation's
+/// sample index. The violation is in brackets:
 ///
 ///   y     3    .   .   #   #   .
 ///   y     4    .   #  [-]  #   .

@@ -199,7 +199,7 @@ Result<void> add_list(FoundList found, const std::string& specification,
         std::find_if(known.defects.begin(), known.defects.end(),
                      [&entry](const KnownDefect& one) { return one.entry.id == entry.id; });
     if (other != known.defects.end()) {
-      if (other->entry == entry) continue;  // a copy of the list, as bisecting makes
+      if (other->entry == entry) continue;  // a copy of the list, as `rastercheck bisect` makes one
       return tl::unexpected(
           Error{found.file, cases::printable(entry.id), "is also in another list of the backend"});
     }

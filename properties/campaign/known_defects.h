@@ -2,10 +2,11 @@
 
 // Reads a backend's known defects and matches violations with them.
 //
-// An entry applies to some laws, or to the drawing itself. If a case violates a law, it is known by
-// the law's entries only if every kept violation (records::kMostViolations) matches one of them. It
-// is known by entries for drawings if the law holds once the oracle has corrected everything that
-// these entries describe. Any other fault in the case is reported as usual.
+// An entry applies to some laws, or to the drawing itself. If a case violates a law, its violations
+// count as known through the law's entries only if every kept violation (records::kMostViolations)
+// matches one of these entries. They count as known through entries for drawings if the law holds
+// once the oracle has corrected everything that these entries describe. Any other fault in the case
+// is reported as usual.
 
 #include <map>
 #include <optional>

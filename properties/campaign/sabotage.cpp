@@ -178,8 +178,8 @@ bool is_in_reach(double pixels) {
   return pixels <= 1.0 / kParts && pixels > 1.0 / (kParts * 16);
 }
 
-/// Removes one sample: the farthest from the boundary of the inner samples that is_in_reach()
-/// accepts.
+/// Removes one sample: among the inner samples that is_in_reach() accepts, the one farthest from
+/// the boundary.
 template <int kParts>
 std::optional<Fragments> one_missing(const Drawing& drawing) {
   const Fragments& drawn = *drawing.fragments;
@@ -216,7 +216,8 @@ std::vector<SamplePlace> places_beside(const Case& c, const SamplePlace& place) 
   return all;
 }
 
-/// Adds one sample: the farthest from the boundary of the outer places that is_in_reach() accepts.
+/// Adds one sample: among the outer places that is_in_reach() accepts, the one farthest from the
+/// boundary.
 template <int kParts>
 std::optional<Fragments> one_extra(const Drawing& drawing) {
   const Case& c = *drawing.source;

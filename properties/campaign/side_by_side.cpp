@@ -16,7 +16,7 @@ namespace {
 
 using records::IndexSet;
 
-/// Returns the judged cases that are other ones on the backend `other`.
+/// Returns the numbers of the judged cases for which the backend `other` got a different case.
 IndexSet unlike_cases(const records::Plan& plan, std::span<const cases::Case> corpus,
                       const records::OutcomeKey& key, const IndexSet& judged,
                       const std::string& other) {
@@ -25,7 +25,7 @@ IndexSet unlike_cases(const records::Plan& plan, std::span<const cases::Case> co
     for (std::uint64_t number = first; number <= last; ++number) {
       const auto here = frozen_case({key.law, key.backend, key.origin, number}, plan, corpus);
       const auto there = frozen_case({key.law, other, key.origin, number}, plan, corpus);
-      // As text, which tells -0 from 0, as drawings do.
+      // Compares the cases as text, which distinguishes -0 from 0, as drawings do.
       if (!here || !there || cases::to_json(*here) != cases::to_json(*there)) unlike.add(number);
     }
   }

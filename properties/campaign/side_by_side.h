@@ -1,6 +1,7 @@
 #pragma once
 
-// What a campaign on several backends keeps to show them side by side (records/side_by_side.h).
+// The data that a campaign on several backends keeps to show them side by side
+// (records/side_by_side.h).
 
 #include <span>
 #include <vector>
@@ -13,8 +14,9 @@
 
 namespace rastercheck::properties {
 
-/// Notes in a task's findings which of its judged cases are other ones on earlier backends of the
-/// plan. Makes the cases again for backends with other capabilities; the rest need no look.
+/// Records in a task's findings the judged cases for which an earlier backend of the plan got a
+/// different case under the same number. Only backends with other capabilities can get different
+/// cases, so cases are made again for these backends only.
 void note_unlike_cases(const records::Plan& plan, std::span<const cases::Case> corpus,
                        Findings& findings);
 

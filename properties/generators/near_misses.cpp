@@ -76,8 +76,8 @@ void add_turning(Draw& draw, cases::Case& c) {
 }
 
 /// Sets a smooth attribute, a noperspective one, or both, with different values, so that an error
-/// in a weight shows. One attribute of a kind is enough, since a rasterizer chooses the way to
-/// compute a kind for all its attributes together.
+/// in a weight shows. One attribute of a kind is enough, since a rasterizer computes all attributes
+/// of a kind in the same way.
 void set_attributes(Draw& draw, cases::Case& c) {
   using cases::Interpolation;
   const int kind = draw.pick(std::array{0, 1, 2, 2, 2, 2});

@@ -53,7 +53,8 @@ void add_sliver(Draw& draw, cases::Case& c) {
   const double t = place + double{draw.unit()} / 4;
   const double thickness =
       draw.one_in(5) ? 0.0 : power_of_two(-draw.between(0, 2 + draw.size() / 4));
-  // Takes the larger component as the length: right up to a factor of √2, without a square root.
+  // Takes the larger component as the length, which avoids a square root and is at most a factor of
+  // √2 too small.
   const double length = std::max({along_u, -along_u, along_v, -along_v, 0x1p-20});
   const double off = thickness / length;
   const WindowPoint third{ends[0].u + t * along_u - off * along_v,

@@ -19,11 +19,12 @@ tl::unexpected<Error> is_other(const std::string& what) {
   return tl::unexpected(Error{what, "", "differs from the shards'"});
 }
 
-/// Inspects the run by drawing cases again, if everything here is as the shards had it.
+/// Inspects the run by drawing cases again. Fails if the corpus, the scene, a contract or a list of
+/// known defects here differs from the shards'.
 Result<void> inspect_here(MergedRun& merged, const Conduct& conduct,
                           const SceneReader& read_scene) {
   const records::Plan& plan = merged.run.plan;
-  merged.run.differences = differences_of(merged.run, {});  // of random cases: without a corpus
+  merged.run.differences = differences_of(merged.run, {});  // needs no corpus
   const Result<std::vector<cases::Case>> corpus = read_corpus(conduct.corpus);
   if (!corpus) return tl::unexpected(corpus.error());
   if (digest_of(*corpus) != merged.common.corpus_digest) return is_other(conduct.corpus);

@@ -30,8 +30,9 @@ constexpr std::size_t kMostTries = 4;
 
 // --- Counterexamples -----------------------------------------------------------------------------
 
-/// Returns where to inspect a counterexample: at its violation, if the case has this place, else
-/// where the case itself is worst. The violation may belong to a drawing of another size.
+/// Returns where to inspect a counterexample: at its violation, if the case has this place, else at
+/// the first violation or the largest error of the case's own drawing (find_focus). The violation
+/// may belong to a drawing of another size.
 std::optional<Focus> focus_of(const records::Counterexample& found,
                               const std::string& specification, CaseDrawer& drawer) {
   const cases::Case& c = found.source;

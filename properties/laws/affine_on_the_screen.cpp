@@ -18,9 +18,10 @@
 //   |q' − r'd'| <= |q' − q| + |d| |r' − r| + |r'| |d' − d| <= α_q + (|d'| + α_d) α_r + |r'| α_d.
 //
 // α is the contract's bound in scale ULP of the greatest vertex value, which no value exceeds
-// inside a triangle. If an inequality fails with this α, the oracle finds the horizon's share of
-// the bound and the range of values that the contract leaves open (as for snapped vertices). α then
-// grows by both, since for any placement of the vertices the exact values are in these ranges.
+// inside a triangle. If an inequality fails with this α, the oracle computes the part of the bound
+// that grows towards the horizon (ValueBound::per_horizon) and the range of values that the
+// contract leaves open (as for snapped vertices). α then grows by both, since for any placement of
+// the vertices the exact values are in these ranges.
 //
 // Rounding in this check: products of a float and a number below 2^15 are exact in double, and so
 // are products of two floats. The sums are off by three roundings of numbers below 2^2 n m, where m
@@ -118,8 +119,8 @@ class AffineCheck {
     return double{findings_.bound_of(attribute).constant} * values_.vertex_ulp(fragment, attribute);
   }
 
-  /// How far a value may be off, including the horizon's share and the open range that the oracle
-  /// finds; empty if nothing is promised.
+  /// How far a value may be off, including the part of the bound that grows towards the horizon and
+  /// the open range, which the oracle computes; empty if nothing is promised.
   std::optional<double> allowed_at_most(std::size_t fragment, const MaybeAttribute& attribute) {
     const auto promise = findings_.promise_of(values_.place(fragment), attribute);
     if (!promise) return std::nullopt;

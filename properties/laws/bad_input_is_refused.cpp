@@ -10,7 +10,7 @@
 //   state    a viewport with a number that is not finite, or a depth outside [0, 1]; a scissor of
 //            negative size
 //   target   no pixels, or too many, along a side; a sample count without a pattern
-//   empty    a vertex of each triangle that is not finite, a viewport of width or height 0
+//   empty    one vertex in each triangle that is not finite, or a viewport of width or height 0
 //
 // Faults of the last kind must merely have no effect: the backend may return an error or draw no
 // fragments. It may leave out a triangle that is not finite, and a triangle without area covers

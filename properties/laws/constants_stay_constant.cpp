@@ -170,8 +170,8 @@ float random_constant(Draw& draw) {
   }
 }
 
-/// Makes most attributes constant over all vertices. A third of the cases have snapped vertices, to
-/// which clipping adds more.
+/// Makes most attributes constant over all vertices. A third of the cases have snapped vertices,
+/// and clipping adds further snapped vertices.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;

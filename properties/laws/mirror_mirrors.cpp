@@ -6,12 +6,13 @@
 // where W × H is the framebuffer's size. The case's numbers choose one mirror or both.
 //
 // Why. Since u = x0 + w/2 + x/w w/2, the viewport at W − x0 − w and the clip position (−x, y, z, w)
-// give exactly the mirrored window position. v is mirrored alike or, under Vulkan's rules, by a
-// viewport of height −h that begins at H − y0. M is multiplied by a matrix of determinant −1, so
-// det M and the edge functions change their signs. After multiplication by sign det M (RULES §2),
-// edge functions are unchanged, and so are clip functionals and values. Only facing is reversed:
-// one mirror turns counter-clockwise into clockwise, so either the orientation of front faces or
-// the order of vertices is reversed; the provoking vertex keeps its position in the order.
+// give exactly the mirrored window position. v is mirrored in the same way or, under Vulkan's
+// rules, by a viewport of height −h that begins at H − y0. M is multiplied by a matrix of
+// determinant −1, so det M and the edge functions change their signs. After multiplication by sign
+// det M (RULES §2), edge functions are unchanged, and so are clip functionals and values. Only
+// facing is reversed: one mirror turns counter-clockwise into clockwise, so either the orientation
+// of front faces or the order of vertices is reversed; the provoking vertex keeps its position in
+// the order.
 //
 // Not mirrored exactly:
 //
@@ -27,7 +28,8 @@
 //                with other indices: such cases get both. Larger patterns cannot be mirrored
 //   centroids    may be at the first covered sample; with several samples per pixel, values are
 //                taken at the sample instead, under all rules
-//   guard band   lies around the window's origin, which is W or H away; taken as that much narrower
+//   guard band   is centred on the window's origin, which the mirror moves by W or H; so the law
+//                assumes a guard band that is narrower by that much
 //
 // Cases whose mirrored viewport is not float32 are left out: W − x0 − w must be exact.
 
@@ -182,8 +184,8 @@ cases::Fragments mirrored_back(const cases::Case& c, const cases::Fragments& dra
   return result;
 }
 
-/// What the backend's contract for the mirrored case promises for the original case; empty if the
-/// contract's rounding is not mirrored.
+/// The promise that the backend's contract for the mirrored case makes for the original case; empty
+/// if the contract's rounding is not mirrored.
 std::optional<cases::Contract> mirrored_back(const cases::Case& c, const cases::Contract& contract,
                                              const Mirror& mirror) {
   cases::Contract result = contract;

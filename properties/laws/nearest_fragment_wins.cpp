@@ -12,9 +12,9 @@
 // Samples: all, except those with a NaN depth, which is neither nearer nor farther. The floats that
 // the backend itself drew decide which depths are equal; −0 equals 0. A backend that promises depth
 // tests in another format compares stored depths (internal/depth_order.h). Then a fragment may be
-// left if each fragment drawn before it may be farther and no fragment drawn after it is surely
-// nearer. The clear depth counts as a fragment drawn before all others; if the case does not give
-// it, it may be 1 or beyond all depths.
+// the one that remains if each fragment drawn before it may be farther and no fragment drawn after
+// it is surely nearer. The clear depth counts as a fragment drawn before all others; if the case
+// does not give it, it may be 1 or beyond all depths.
 
 #include <algorithm>
 #include <cmath>

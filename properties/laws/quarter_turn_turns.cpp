@@ -18,7 +18,8 @@
 //                cases with it are left out
 //   the pattern  of samples does not turn, except those of one and of four samples, whose indices
 //                are permuted
-//   guard band   lies around the window's origin, which is H away: taken as narrower by H
+//   guard band   is centred on the window's origin, which the turn moves by H; so the law assumes a
+//                guard band that is narrower by H
 //
 // Cases whose turned viewport is not float32 are left out: H − y0 − h must be exact.
 

@@ -117,7 +117,7 @@ cases::Case changed_case(const cases::Case& c, const std::vector<Affine>& maps) 
   return changed;
 }
 
-/// What the contract allows: a value within `bound` units of some r with lo <= r <= hi.
+/// The values that the contract allows: those within `bound` units of some r with lo <= r <= hi.
 struct Allowed {
   double lo = 0;
   double hi = 0;

@@ -6,10 +6,10 @@
 // trace must exist, its depth and attributes must equal the drawn ones to the bit, and the trace
 // must be consistent. Its lines give the weights at the sample and those of a value; its planes, if
 // any, give a value's numerator and denominator. For lines and planes, every operation is rounded
-// to double (records/stage_trace.h). The evaluated result rounds to the value. For neighbouring
-// samples that were not drawn, a trace, if it exists, must say so, and its lines must give its
-// weights. Triangles are traced one by one, so the depth test is removed. Only backends that trace
-// are judged.
+// to double (records/stage_trace.h). The evaluated result rounds to the value. If a neighbouring
+// sample that was not drawn has a trace, the trace must say that the sample was not drawn, and the
+// trace's lines must give the trace's weights. Triangles are traced one by one, so the depth test
+// is removed. Only backends that trace are judged.
 
 #include <fmt/format.h>
 

@@ -17,9 +17,10 @@
 // at the two ends of the line differ by more than that, they tell whether r grows or falls. If not,
 // r may do either, and all floats must be that close to the floats at the ends.
 //
-// If an inequality fails with the contract's bound alone, the oracle finds the horizon's share of
-// the bound and the range that the contract leaves open (as for snapped vertices). The floats may
-// then be that much farther apart, and the ends must differ by that much more.
+// If an inequality fails with the contract's bound alone, the oracle computes the part of the bound
+// that grows towards the horizon (ValueBound::per_horizon) and the range that the contract leaves
+// open (as for snapped vertices). The floats may then be that much farther apart, and the ends must
+// differ by that much more.
 //
 // Rounding in this check: differences of two floats in double are off by 2^-53 of the greater
 // float, which is less than 2^-29 units. The allowed errors have a margin of 2^-23.
@@ -96,8 +97,8 @@ class MonotoneCheck {
             values_.vertex_ulp(fragment, attribute)};
   }
 
-  /// The error including the horizon's share and the open range, which the oracle finds; empty if
-  /// nothing is promised.
+  /// The error including the part of the bound that grows towards the horizon and the open range,
+  /// which the oracle computes; empty if nothing is promised.
   std::optional<EndError> asked_error_of(std::size_t fragment, const MaybeAttribute& attribute) {
     const auto promise = findings_.promise_of(values_.place(fragment), attribute);
     if (!promise) return std::nullopt;

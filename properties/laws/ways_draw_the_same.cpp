@@ -8,9 +8,9 @@
 // a difference matters: meshes are drawn by appending, so a defect found in a mesh need not show
 // when the case is drawn in layers. Violations say whether the contract permits either drawing.
 //
-// Samples: all, with values. But both APIs let a subnormal number become zero in any way of drawing
-// and leave the sign of zeros open, so subnormal numbers and zeros count as equal. Ways that cannot
-// draw a case are left out.
+// Samples: all, with values. But OpenGL and Vulkan both let a subnormal number become zero in any
+// way of drawing and leave the sign of zeros open, so subnormal numbers and zeros count as equal.
+// Ways that cannot draw a case are left out.
 
 #include <fmt/format.h>
 

@@ -10,8 +10,8 @@
 //   snapping     every grid contains all whole pixels. v = n + 1/2 grid units moves to another
 //                midpoint, and even neighbours stay even if dv 2^b is even; with b = 0, the case is
 //                moved by even numbers of pixels
-//   guard band   lies around the window's origin, from which the picture moves away: taken as
-//                narrower by the greater of |du| and |dv|
+//   guard band   is centred on the window's origin, which does not move with the picture; so the
+//                law assumes a guard band that is narrower by the greater of |du| and |dv|
 //   the window   grows if the picture moves towards greater x or y. By other moves, a part of the
 //                picture leaves the window. A scissor removes this part from the original case,
 //                too, and removes from the moved case what enters the window. Nothing else about a

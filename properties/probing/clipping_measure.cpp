@@ -98,7 +98,7 @@ std::string within_a_unit(const Subject& subject, const std::vector<DrawnCase>& 
   return fmt::format("{} of {} triangles within 1", kept, drawn.size());
 }
 
-/// Returns the size of a pixel in grid units: a larger tolerance would permit another triangle.
+/// Returns the size of a pixel in grid units. A larger tolerance would permit any triangle.
 float pixel_of(const Subject& subject) {
   const cases::Coverage coverage = subject.contract(subject.base()).coverage;
   return coverage ? std::ldexp(1.0F, coverage->subpixel_bits) : 0.0F;

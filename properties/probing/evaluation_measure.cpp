@@ -111,7 +111,7 @@ std::optional<PlaneErrors> plane_errors(Subject& subject, cases::Interpolation i
   return errors;
 }
 
-/// Returns the form whose worst error is nearest, as a ratio.
+/// Returns the form whose worst error is nearest to that of the drawn values, compared as a ratio.
 std::size_t nearest_form(const PlaneErrors& errors) {
   const auto ratio = [&errors](double of_form) {
     return std::max(errors.drawn, of_form) / std::min(errors.drawn, of_form);

@@ -38,8 +38,9 @@ Snapping named(const MeasuredGrid& grid) {
   return snapping;
 }
 
-/// True if drawings on the measured grid break the declared coverage. A position error may account
-/// for any other grid, and is measured by itself.
+/// True if drawings on the measured grid break the declared coverage. If the declared coverage has
+/// a position error, nothing is a contradiction here: the error may explain the difference, and is
+/// measured separately.
 bool contradicts(const cases::Coverage& declared, const MeasuredGrid& grid) {
   if (!declared) return !grid.is_none();
   if (declared->position_error > 0) return false;

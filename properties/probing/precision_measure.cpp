@@ -2,12 +2,12 @@
 // random cases of all generators.
 //
 // Errors are those against the triangle that the basis names (records::ErrorStatistics::ideal).
-// Bounds are those that a contract needs: for errors beyond what coverage and basis leave open. A
-// bound is twice the largest error seen, because the drawn cases need not show the worst error.
-// Errors of correct rounding (1/2 and almost nothing more) are not doubled. A bound is constant
-// unless the hardest cases are much worse than ordinary ones. Then part of the bound is per
-// condition or per horizon (cases::ValueBound): twice the least power of four, from 2^-8 to 2^8,
-// that covers everything drawn.
+// Bounds are what a contract has to state: they cover the error beyond the range that coverage and
+// basis leave open. A bound is twice the largest error seen, because the drawn cases need not show
+// the worst error. Errors of correct rounding (1/2 and almost nothing more) are not doubled. A
+// bound is constant unless the hardest cases are much worse than ordinary ones. Then part of the
+// bound is per condition or per horizon (cases::ValueBound): twice the least power of four, from
+// 2^-8 to 2^8, that covers everything drawn.
 
 #include <fmt/format.h>
 
@@ -184,7 +184,8 @@ void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKin
     if (varying) bound = *varying;
   }
   bound_of(subject.result.terms, kind) = bound;
-  // A bound that varies allows each triangle another error.
+  // A bound that varies allows each triangle a different error, so only a constant bound can be
+  // contradicted by the largest error.
   subject
       .add(fmt::format("bound of {}", records::to_string(kind)), bound_text(declared),
            bound_text(bound),
@@ -219,8 +220,8 @@ void measure_precision(Subject& subject, const Progress& progress) {
   WorstByKind all;
   WorstByKind ordinary;
   std::map<std::string, WorstByKind> shown;
-  // Triangles that may be cut have no reference for single values, so single generators are judged
-  // as if nothing were cut.
+  // Triangles that may be cut have no single reference value, so the errors that are shown for each
+  // generator are measured as if the guard band cut no triangle.
   cases::ContractTerms uncut = lax;
   uncut.guard_band = std::numeric_limits<float>::max();
   for (const auto& [name, some] : drawn) {

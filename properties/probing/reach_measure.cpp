@@ -51,9 +51,10 @@ void add_random_far(Draw& draw, cases::Case& c, double distance) {
   add_triangle(c, first, second, far(-side * along_v, side * along_u));
 }
 
-/// Adds a triangle with a long edge exactly through samples. No grid holds the edge's slope:
-/// wherever the triangle is cut, the new corner has to be rounded, and then the samples are no
-/// longer on the edge. Exact in float32 up to kMostExact pixels.
+/// Adds a triangle with a long edge exactly through samples. Along at least one axis, the edge's
+/// slope is no binary fraction, such as 1/3 or 4/5. If the triangle is cut, the new corner
+/// therefore usually has to be rounded, and then the samples are no longer on the edge. Exact in
+/// float32 up to kMostExact pixels.
 void add_far_through_samples(Draw& draw, cases::Case& c, double distance) {
   const double x = draw.between(16, 47) + 0.5;
   const double y = draw.between(16, 47) + 0.5;

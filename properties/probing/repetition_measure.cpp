@@ -1,5 +1,6 @@
 // Measures whether the same case gives the same picture and which values are returned exactly.
-// Checks the laws on this (properties/laws/) with the backend held to these promises.
+// Checks the laws that state these properties (properties/laws/), with the backend held to the
+// promise that each law needs.
 
 #include <fmt/format.h>
 
@@ -14,8 +15,8 @@
 namespace rastercheck::properties {
 namespace {
 
-/// Cases of a law for each case of a generator: a promise of equal bits may fail in only a few
-/// cases.
+/// The number of cases that are checked for a law, as a multiple of ProbeOptions::cases: different
+/// bits may show in only a few cases.
 constexpr int kCasesEach = 5;
 
 struct RepetitionCounts {

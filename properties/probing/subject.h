@@ -57,7 +57,7 @@ class Subject {
   /// The settings that all cases ask for.
   const AskedDrawing& asked() const { return asked_; }
   void ask(const AskedDrawing& asked) { asked_ = asked; }
-  /// Sets in another case those of these settings that are not empty.
+  /// Applies the settings that are not empty to another case.
   void ask_of(cases::Case& c) const;
 
   /// Returns the backend's drawing; empty if it does not draw the case.

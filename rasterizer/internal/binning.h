@@ -4,8 +4,8 @@
 //
 // Sorts triangles into the framebuffer tiles that they touch, a chunk of triangles at a time. A
 // small triangle becomes fragments or, if it is to be shaded, sets of covered samples. A larger
-// triangle becomes the numbers that it is drawn from. A triangle that the kernels cannot draw
-// becomes only an index (group_kernels.h).
+// triangle becomes its coefficients, from which the tile kernels draw it. A triangle that the
+// kernels cannot draw becomes only an index (group_kernels.h).
 
 #include <cstddef>
 #include <cstdint>

@@ -16,10 +16,10 @@
 //            determinant adds 2^-33: together 2^-32.
 //   depth    |δz| <= Σ |z_i| (9u S_i and the errors of U and V) / (|det| T). This is below
 //            9/8 2^-32, because Σ |z_i| plane_band_i is certified below 2^-32. The determinant adds
-//            2^-34 |z|: its real error (4u) is half of the tested one (8u, weights.h). The offset
-//            adds 3u. n, f and f − n are at most max(|n|, |f|); if vertices are snapped and z
-//            leaves [0, 1], |(f − n) z| <= 2 max(|n|, |f|, |depth|). Together below 2^-31 of that
-//            maximum.
+//            2^-34 |z|: its real error (4u) is half of the tested one (8u, weights.h). Depth is n +
+//            (f − n) z for the depth range from n to f (exact_values.h), and adding n adds 3u. |n|,
+//            |f| and |f − n| are at most max(|n|, |f|); if vertices are snapped and z leaves [0,
+//            1], |(f − n) z| <= 2 max(|n|, |f|, |depth|). Together below 2^-31 of that maximum.
 //
 // With half an ULP for the rounding to float32, no value has an error above kValueBound
 // (rasterizer.h). If rounding reaches the next power of two, the rounding error is at most half of

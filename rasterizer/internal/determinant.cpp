@@ -22,11 +22,11 @@ constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
 
 int sign(double value) { return (value > 0) - (value < 0); }
 
-/// A bound of the error of the sum of x_i m_i in double, `magnitude` the computed sum of their
-/// sizes. The two products in a minor m_i are exact, as 24 + 24 <= 53 bits, so a minor has one
-/// rounding; then come its product with x_i and two sums: four roundings, each within kUnit of
-/// something below the sum of the sizes. The factor 8 rather than 4 takes in the second-order terms
-/// and the rounding of `magnitude`, which itself is at least (1 − kUnit)^4 of the exact sum.
+/// Bounds the error of Σ x_i m_i in double; `magnitude` is the computed Σ |x_i m_i|. The two
+/// products in a minor m_i are exact, as 24 + 24 <= 53 bits, so a minor has one rounding; then come
+/// its product with x_i and two sums: four roundings, each within kUnit of a number below Σ |x_i
+/// m_i|. The factor 8 rather than 4 takes in the second-order terms and the rounding of
+/// `magnitude`, which itself is at least (1 − kUnit)^4 of the exact sum.
 double determinant_error(double magnitude) { return 8 * kUnit * magnitude; }
 
 /// Adds s x y w; `s` is 1 or −1.

@@ -137,7 +137,8 @@ CoveredBlock ExactCoverage::cover(std::size_t sample, int y, int first, int coun
   return block;
 }
 
-/// Decides exactly whether a sample is inside. No edge function there may be below −band.
+/// Decides exactly whether a sample is inside. Requires that no edge function at the sample is
+/// below −band.
 bool ExactCoverage::is_inside(const BlockWeights& weights, int column, double u, double v) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const EdgeFunction& edge = edges_[i];

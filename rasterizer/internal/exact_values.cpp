@@ -35,7 +35,8 @@ bool is_same_zero(float a, float b, float c) {
          std::signbit(b) == std::signbit(c);
 }
 
-/// An affine quantity of the vertices at a corner that may be new.
+/// Returns the value, at a corner that clipping may have made, of a quantity that is affine over
+/// the triangle.
 double at_corner(const std::array<double, 3>& of_vertices, const GridCorner& corner) {
   double value = 0;
   for (std::size_t v = 0; v < 3; ++v) {
@@ -192,7 +193,8 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
   const ExactSum numerator = combine(e, line.numerators);
   ExactSum rest;
   for (const double component : numerator.components()) rest.add_product(component, scale);
-  // Each step adds the whole quotient of the last remainder, until the quotient is below 1.
+  // Long division: each step adds an estimate of ⌊rest / denominator⌋ to `floor` and subtracts this
+  // multiple of the denominator from the rest, until the estimate is 0.
   double floor = 0;
   for (;;) {
     const double quotient = std::floor(rest.nearest() / denominator.nearest());

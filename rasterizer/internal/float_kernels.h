@@ -41,9 +41,9 @@
 // ones each add as much again when they are replaced by 0: 3 · 2^-32 · 2R = 3/128 U. Products of
 // errors, and their effect on the limits of the cases above, are below 512 v² = 2^-16 U. Underflow:
 // a product below 2^-126 has an error of 2^-150, at most the U / 2 granted above; sums do not
-// underflow; a share's error is 2^-129, because Σ is at least 2^-20. R >= 1 was used nowhere, so
-// all of this also holds for subnormal r_i, with U = 2^-149. Together these give kFloatSmoothBound
-// and kFloatAffineBound (rasterizer.h).
+// underflow; a share's error is 2^-129, because Σ is at least 2^-20. Nothing above needs max|r_i|
+// >= 1, so all of this also holds for subnormal r_i, with U = 2^-149. Together these give
+// kFloatSmoothBound and kFloatAffineBound (rasterizer.h).
 //
 // Largest errors found: 6.197 smooth and 3.662 affine, by a search of some 10^9 samples; 10^7
 // random samples reach 5.03 and 3.34.

@@ -183,7 +183,8 @@ void Drawing<Coverage, Tap>::weigh(const BlockPlace& place, const DrawnPart& par
   tap_.summed(shown(place, part, masks.drawn), sum);
   if (values.has_smooth) masks.certain = sum_weights(sum, least_sum, place.count, weights_);
   if (values.has_smooth_float) {
-    // Usually least_sum is the greater: 2^32 bands, each 2^-50 of the largest terms or 0.
+    // Usually least_sum is the greater: it is 2^32 times the sum of the bands, and a band is 0 or
+    // about 2^-50 of an edge's largest terms.
     const double least = std::max(least_sum, 0x1p-20 / values.float_scale);
     masks.float_certain = masks.inside & sum_weights(sum, least, place.count, weights_);
     float_smooth_weights(weights_, values.float_scale, place.count, float_smooth_);

@@ -110,7 +110,7 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) 
   out.rows = ExtentOf(setting, out.in_front, p.y, share, setting.v_middle, setting.v_half,
                       setting.bounds.rows);
   out.hidden = hn::Or(out.hidden, IsEmpty(out.columns, out.rows));
-  // Of what is hidden nothing but the sign has to be known.
+  // For hidden triangles, only the sign of the determinant has to be certain.
   out.left = hn::Not(
       hn::Or(is_above(1 / kCertainDeterminant), hn::And(out.hidden, is_above(kDeterminantError))));
   return out;

@@ -71,7 +71,7 @@ struct KernelSetting {
   bool has_smooth = false;
   bool has_affine = false;
   bool all_smooth = false;
-  bool is_plain = false;  ///< true if all attributes, at least one, are smooth, and depth is tested
+  bool is_plain = false;  ///< depth is tested, and attributes exist and are all smooth
   /// True if small triangles yield covered samples instead of fragments (LaneFate::covered).
   bool makes_cells = false;
 };

@@ -23,10 +23,10 @@
 // e Q, s of 12 e g, r of 29 e M g. Along a span ε = 7 e Q: s has an error of 18 e g, and r of 41 e
 // M g; the errors of the ends' own values enter with the shares 1 − s = (1 − t) q_1/D and s = t
 // q_2/D, and (1 − t) q_1/D · 29 e M Q/q_1 + t q_2/D · 29 e M Q/q_2 = 29 e M g. Together these are
-// 70 e M g, less than 2^-22 g scale ULP. The difference, 4/5 of 70 e M g, covers the products of
-// errors, which grow as g nears 1/e. From g = 2^47 on no such estimate is needed: s is clamped to
-// [0, 1], so r never has an error above 2 M, which is then at most 2^-22 g scale ULP. At g = 2^47,
-// D has a relative error of 13 e g < 1/4.
+// 70 e M g, less than 2^-22 g scale ULP. The bound is greater by at least 4/5 of 70 e M g, which
+// covers the products of errors; these grow as g nears 1/e. From g = 2^47 on no such estimate is
+// needed: s is clamped to [0, 1], so r never has an error above 2 M, which is then at most 2^-22 g
+// scale ULP. At g = 2^47, D has a relative error of 13 e g < 1/4.
 //
 // edge-then-span-plane. Slide 13 writes the premultiplied parameters u q, and q itself, as plane
 // equations over the window, and divides at each pixel. With window positions (u_i, v_i) and the

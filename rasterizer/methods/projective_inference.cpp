@@ -50,8 +50,9 @@
 // is copied.
 //
 // Error (internal/point_drawing.h), u = 2^-53, to first order; the rounded-up factor at the end
-// covers higher orders. Let a = |s_10| + |s_20|, b = |t_10| + |t_20|, so ab = κ |det|, κ >= 1; h
-// the greatest of |X|_i, of |Y|_i, of |w_i|; Π the terms' magnitudes in (h × h) · (x, y, 1); and
+// covers higher orders. Let a = |s_10| + |s_20|, b = |t_10| + |t_20|, so ab = κ |det|, κ >= 1. Let
+// h = (h_X, h_Y, h_w) be the greatest |X|_i, |Y|_i and |w_i|, let Π be the sum of the magnitudes of
+// the terms of (h × h) · (x, y, 1), and let
 //
 //   R = the greatest of 2 h_α h_β / Σ_{j≠k} |α|_j |β|_k for αβ = XY, Xw, Yw,     Π <= R Σ|E|_i.
 //

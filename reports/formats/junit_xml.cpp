@@ -2,8 +2,8 @@
 //
 //   failure   the law is violated; shown by class, with a command that replays each counterexample
 //   error     a label that had to be reached was not: the law did not test what it claims to
-//   skipped   the law checked nothing, or nothing of a scene was judged, and why (a scene
-//             is a test, too)
+//   skipped   the law checked no case, or no sample of a scene was judged; the message says why (a
+//             scene is a test, too)
 //
 // Known violations of a driver are not failures; the test's output mentions them. Only the
 // suite's properties depend on machine and time; tests have no duration. reports/schema/junit.xsd
@@ -57,8 +57,8 @@ struct Outcomes {
   }
 };
 
-/// What a reader of a failed test needs first: where the law failed, by how much, and how to repeat
-/// the failure.
+/// The facts that a reader of a failed test needs first: where the law failed, by how much, and how
+/// to repeat the failure.
 std::string failure_text(const Run& run, const LawSummary& row) {
   std::string text;
   for (const records::Counterexample& counterexample : run.counterexamples) {
@@ -115,7 +115,7 @@ std::string test_of(const Run& run, const LawSummary& row) {
   return text + "</testcase>\n";
 }
 
-/// The scene as a test, which is skipped if nothing of the scene was judged. Errors of the scene
+/// The scene as a test, which is skipped if no sample of the scene was judged. Errors of the scene
 /// fail the tests of laws.
 std::string test_of(const records::SceneResult& scene) {
   const std::string sentence = html(records::scene_sentence(scene));

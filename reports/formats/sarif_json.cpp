@@ -1,6 +1,7 @@
 // results.sarif: SARIF 2.1.0, for code scanning. A rule is a law, and a result is a counterexample.
 // The location of a result is the case file, relative to the run's folder. Its fingerprint is the
-// kind of failure: law, backend, verdict and special words.
+// kind of failure: law, backend, verdict and, unless they are the usual ones, kind of value and
+// condition (records::special_words).
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -251,7 +251,7 @@ std::string next_commands(const Run& run, const Counterexample& counterexample) 
   return text + "</dl>\n";
 }
 
-/// The counterexample's fault in a line, or its verdict if nothing is known of a place.
+/// The counterexample's fault in a line, or its verdict if no violation was kept.
 std::string title_of(const Counterexample& counterexample, const cases::Found& found) {
   if (counterexample.violations.empty()) return found.verdict;
   return finding_text(counterexample.violations.front(), counterexample.source);

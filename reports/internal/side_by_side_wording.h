@@ -1,6 +1,6 @@
 #pragma once
 
-// What all forms of a report say alike of two backends side by side.
+// Wording about two backends side by side that all forms of a report share.
 
 #include <string>
 #include <string_view>
@@ -50,8 +50,8 @@ const records::Difference* difference_of(const records::Run& run, const Disagree
 /// if it is saved and has one.
 std::string places_text(const records::Run& run, const Disagreement& disagreement);
 
-/// The commands that check that case on the backend that is wrong, then on the other; `file` is
-/// where the case is saved.
+/// The commands that check the first case of a disagreement on the backend that is wrong, then on
+/// the other; `file` is where the case is saved.
 std::vector<std::string> look_commands(const records::Run& run, const std::string& file,
                                        const Disagreement& disagreement);
 

@@ -43,7 +43,7 @@ inline void skip_or_fail(const std::string& specification, const Error& why) {
   GTEST_SKIP() << to_string(why);
 }
 
-/// A test with a backend that draws in a process of its own, as in a campaign. The test's parameter
+/// A test with a backend that draws in a separate process, as in a campaign. The test's parameter
 /// is the backend's specification. The program must have RASTERCHECK_PROGRAM defined.
 class DriverTest : public testing::TestWithParam<const char*> {
  protected:

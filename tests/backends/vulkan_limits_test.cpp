@@ -79,7 +79,7 @@ TEST(VulkanLimits, AreOfViewports) {
     c.viewport = beyond;
     EXPECT_EQ(lacks(all(), c), "viewports beyond -32768 to 32767 (viewportBoundsRange)");
   }
-  // Viewports with fractions are drawn: how precisely is the contract's affair, not a limit's.
+  // Viewports with fractions are drawn. The contract, not a limit, says how precisely.
   for (const cases::Viewport& fine : {cases::Viewport{0.5F, 0, 64, 64}, {0, 0, 64, -63.75F}}) {
     c.viewport = fine;
     EXPECT_EQ(lacks(all(), c), "");

@@ -155,7 +155,7 @@ double median(std::vector<double> values) {
 std::vector<Beside> drivers_beside(benchmark::State& bench, const std::string& name,
                                    unsigned threads, const Summary& summary) {
   std::vector<Configuration> all = llvmpipe_configurations();
-  // Of llvmpipe's two widths, keeps only the default, which lavapipe has as well.
+  // Keeps only the default of llvmpipe's two widths, which lavapipe has as well.
   std::erase_if(all, [](const Configuration& c) { return !c.name.ends_with("width:default"); });
   for (const Configuration& configuration : vulkan_configurations()) all.push_back(configuration);
   std::vector<Beside> beside;

@@ -83,7 +83,8 @@ TEST_F(Compare, OfAWorseOneNamesCasesToReplayAndExplain) {
   };
   EXPECT_GT(size(growth["after"]["error"]), size(growth["before"]["error"]));
   const std::string file = path("out/" + growth["file"].get<std::string>());
-  // The file holds the case itself; its law still holds, and it is drawn as the comparison says.
+  // The saved file can be replayed: the case still satisfies its law, and `explain` shows the drawn
+  // value that the comparison reports.
   const Outcome replayed = program({"replay", file, "--quiet"});
   EXPECT_EQ(replayed.code, 0) << replayed;
   EXPECT_THAT(replayed.out, HasSubstr(std::string(kLaw) + ", method:rational-linear-float: held"));
@@ -101,7 +102,8 @@ TEST_F(Compare, PrintsJson) {
   EXPECT_EQ(json::parse(outcome.out)["format"], "rastercheck-comparison");
 }
 
-// Kills: "cannot be opened", where the command that was meant is another one.
+// Kills: answering only "cannot be opened" when the user wanted to compare backends, which `run`
+// does.
 TEST_F(Compare, SaysHowToCompareBackends) {
   const Outcome both = program({"compare", "gl:llvmpipe", "cpu"});
   EXPECT_EQ(both.code, 2) << both;
@@ -113,7 +115,7 @@ TEST_F(Compare, SaysHowToCompareBackends) {
   EXPECT_EQ(one.err,
             "rastercheck: plugin:./no such.so: is a backend, and compare takes runs or baselines; "
             "to make a run of it: rastercheck run --backend 'plugin:./no such.so' --keep-cases\n");
-  // A file of that name is a file.
+  // If a file has the name of a backend, the file is meant.
   folder()->put("cpu", folder()->content("baseline.json"));
   const Outcome file = run_shell("cd " + folder()->path() + "; \"$PROGRAM\" compare cpu cpu");
   EXPECT_EQ(file.code, 0) << file;

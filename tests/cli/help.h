@@ -5,7 +5,7 @@
 
 namespace rastercheck::cli {
 
-/// What --help prints for a command.
+/// The text that --help prints for a command.
 struct Help {
   std::vector<std::string> command;   ///< {"corpus", "add"}; empty for the program itself
   std::vector<std::string> commands;  ///< the commands that it lists

@@ -247,7 +247,7 @@ class Unwritable : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Kills: minutes of work before it shows that the results cannot be written.
+// Kills: minutes of work before the program finds out that it cannot write the results.
 TEST_F(Unwritable, FromTheStartIsSaidBeforeTheWork) {
   std::filesystem::create_directories(folder_.path("out"));
   std::filesystem::permissions(folder_.path("out"), std::filesystem::perms(0555));

@@ -1,5 +1,6 @@
-// Picture files as `rastercheck judge` reads them, but for OpenEXR, whose library is read in a
-// process of its own for good reasons; and the answer of that process.
+// Picture files as `rastercheck judge` reads them, and the answers of the process that reads them
+// for it. OpenEXR files are left out: a broken file may crash their library, which therefore runs
+// only in a separate process.
 
 #include "cases/picture_process.h"
 #include "cases/picture_reader.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// What all fuzz targets have in common. A target is one file that defines LLVMFuzzerTestOneInput
-// for one reader of outside input: it gives the bytes to the reader, and checks what must hold for
+// Code that all fuzz targets share. A target is one file that defines LLVMFuzzerTestOneInput for
+// one reader of outside input: it gives the bytes to the reader, and checks what must hold for
 // anything that the reader makes of them. libFuzzer calls this function with inputs that it
 // generates; in builds without libFuzzer, replay.cpp calls it with the files it is given
 // (docs/reliability.md).

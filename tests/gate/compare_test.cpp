@@ -195,8 +195,8 @@ TEST(Compare, FewerDefectsNoticedAreWorse) {
   EXPECT_EQ(change.change, records::Change::worse);
 }
 
-// If the number of drawings differs, the drawings had other defects, or some were wrong without
-// one, so the noticed defects cannot be compared.
+// If the numbers of damaged drawings differ, different defects were put into them (drawings that
+// were wrong already are not damaged), so the noticed defects cannot be compared.
 TEST(Compare, DefectsOfOtherDrawingsAreNotCompared) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;

@@ -120,8 +120,8 @@ RC_GTEST_PROP(CascadeCut, LevelsGiveTheVerdictsOfEachSample, ()) {
   RC_ASSERT(wrong == "");
 }
 
-/// A case of cut_case() in front of or behind another triangle, which has no open choices or
-/// different ones.
+/// A case of cut_case() with a second triangle in front of it or behind it. The contract may leave
+/// less open about the second triangle, or more.
 cases::Case framed_case() {
   cases::Case c = cut_case();
   c.depth_test = cases::DepthTest::less;

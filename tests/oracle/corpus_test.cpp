@@ -223,8 +223,8 @@ TEST(Corpus, FacingIsThatOfTheDisplay) {
       {{"cull-negative-height", ccw}, {"cull-back-behind-the-eye", "..../..../0000/0000"}});
 }
 
-// At equal depths the first triangle drawn stays. The planes of the diagonal meet on u = v, and for
-// u < v and u > v each plane is nearer on one half.
+// At equal depths the first triangle drawn stays. In depth-test-equal-on-a-diagonal, the planes of
+// the two triangles meet on u = v, and each plane is nearer on one side of this line.
 TEST(Corpus, EqualDepthsKeepTheFirstDrawn) {
   expect_drawn({{"depth-test-equal", "0000/0000/0000/0000"},
                 {"depth-test-equal-different-w", "0000/0000/0000/0000"},

@@ -49,7 +49,8 @@ struct FourPointError {
 
 class FourPointMap {
  public:
-  /// An error names the first three such points of the first such side.
+  /// Fails if three points of a side lie on a line. The error names the first three such points, on
+  /// the first side that has any.
   static tl::expected<FourPointMap, FourPointError> infer(const FourPoints& from,
                                                           const FourPoints& to);
 

@@ -25,8 +25,9 @@ using records::JudgedPicture;
 using records::PixelFreedom;
 using records::PixelVerdict;
 
-// Kills: rows upside down; a channel beside its own; samples left out of a mean; a rounding that
-// the store's slack does not hold; the first drawn triangle where the last one counts.
+// Kills: rows upside down; a neighbouring channel read instead of the right one; samples left out
+// of a mean; a slack too small for the rounding of the store; showing the triangle drawn first
+// instead of the one drawn last.
 RC_GTEST_PROP(PictureJudge, CallsFaultlessPicturesRightInEveryStorage, ()) {
   const cases::Case c = two_triangles();
   const SceneTruth scene(c, cases::contract_of(c));

@@ -180,8 +180,8 @@ TEST(RasterizationSlides, BothFormsOfRAgree) {
 // (u, v, w) but means (u w, v w, w), and the fourth repeats the mistake.
 //   P − C = (−32/35, −96/35, 416/35)
 //   u a + v b + w c = (7/2 − 256/35, 5/2 − 256/35, 5/2 + 256/35)
-// The printed line does not lead to the line of w below it either: applied to its right side, (1 −
-// k − l) + k + l = 1 means −u/16 − 3v/32 + w = 1, w = 1 + 7/32 + 15/64 = 93/64, not 64/35.
+// Nor does the printed line imply the line for w below it: its two sides, solved for 1 − k − l, k
+// and l and summed, give 1 = −u/16 − 3v/32 + w, so w = 1 + 7/32 + 15/64 = 93/64, not 64/35.
 TEST(RasterizationSlides, ThirdLineLacksWOnUAndV) {
   const Drawn drawn(camera_case(1));
   const FieldVector3 p(drawn.value(4, 3, 2), drawn.value(5, 3, 2), drawn.value(6, 3, 2));

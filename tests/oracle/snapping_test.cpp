@@ -125,9 +125,10 @@ TEST(Snapping, OffTheGridLeavesOpenWhatNoPlacementDecides) {
   }
 }
 
-// By hand, in whole pixels. (0, 0), (1, 0), (0, 1) lie on the grid and have one placement each,
-// although their mean is not farther from the edges than vertices may be from their positions. If
-// the second vertex lies off the grid, it may be placed on the first.
+// By hand, in whole pixels. (0, 0), (1, 0), (0, 1) lie on the grid and have one placement each, so
+// the orientation is certain. The quick test of has_certain_orientation() cannot show this, because
+// the mean of the vertices is no deeper inside than vertices may move. If the second vertex lies
+// off the grid, it may be placed on the first.
 TEST(Orientation, IsCertainWhereNoPlacementTurnsTheTriangle) {
   const auto is_certain = [](float u, float z, const cases::Coverage& coverage) {
     cases::Case c = small_case(cases::Rules::vulkan, 4, 4,

@@ -1,5 +1,5 @@
-// What floats are stored as, against arithmetic that is exact in doubles, long doubles, and the
-// float16 of OpenEXR.
+// Compares the values that floats are stored as with arithmetic that is exact in doubles, with long
+// doubles, and with the float16 of OpenEXR.
 
 #include "oracle/stored_values.h"
 

@@ -104,7 +104,8 @@ RC_GTEST_PROP(ValueRanges, HoldAllThatAClosedContractPermits, ()) {
   RC_CLASSIFY(judged.values > judged.free, "judges values");
 }
 
-// Kills: a radius for samples at centres; slopes of the wrong sign; a range of the vertices alone.
+// Kills: using the radius R of samples for values at pixel centres; slopes of the wrong sign; a
+// range that holds only the vertices' values.
 RC_GTEST_PROP(ValueRanges, HoldAllThatAnOpenContractPermits, ()) {
   const cases::Case c = open_case();
   cases::Contract contract = open_contract(c);

@@ -16,7 +16,8 @@
 namespace rastercheck::rasterizer {
 
 /// The parameter is the name of a method; an empty name stands for the rasterizer's own way. The
-/// members hide the functions of the same names, which always draw in the own way.
+/// members hide the free functions of the same names, which always draw in the rasterizer's own
+/// way.
 class EitherWay : public ::testing::TestWithParam<std::string_view> {
  public:
   static auto ways() { return ::testing::Values(std::string_view(), "rational-linear"); }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tests compare the rasterizer's arithmetic with: GMP's rationals, which share nothing
-// with it; and random numbers of every size.
+// GMP's rationals, with which the tests compare the rasterizer's arithmetic and which share nothing
+// with that arithmetic; and random numbers of every size.
 
 #include <gmpxx.h>
 

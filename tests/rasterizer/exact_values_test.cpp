@@ -257,8 +257,8 @@ FramedDraw sliver_about(Random& random, const SampleOffset& at) {
   return framed;
 }
 
-// Weights that lose most of their digits. Kills: treating every value as certified; 2^18 instead of
-// 2^32.
+// Weights that lose most of their digits. Kills: treating every value as certified; a certificate
+// with the constant 2^18 instead of 2^32.
 TEST(ExactValues, CertificatesHoldOfSlivers) {
   Random random(74);
   Certified count;

@@ -67,9 +67,9 @@ SmallMesh flat_triangles(Random& random, const State& state, int count) {
 class ShadeOnTarget : public testing::TestWithParam<std::int64_t> {};
 INSTANTIATE_TEST_SUITE_P(AllTargets, ShadeOnTarget, testing::ValuesIn(all_targets()), target_name);
 
-// Kills: a depth function confused with another; colours blended in another order, with another
-// alpha, or rounded once for several; drawn helpers of a cell; cells that overlap at a tile's right
-// border.
+// Kills: a depth function confused with another; colours blended in the wrong order or with the
+// wrong alpha; one rounding after several blends; helper lanes that are drawn; cells that overlap
+// at a tile's right border.
 TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveByEveryFunction) {
   const OnTarget on_target(GetParam());
   Random random(11);
@@ -89,8 +89,8 @@ TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveByEveryFunction) {
   }
 }
 
-// Kills: lanes that are not evaluated like fragments; rows that are left to the lanes and yet drawn
-// twice.
+// Kills: lanes evaluated differently from fragments; rows drawn by the row kernels although the
+// lanes draw them too.
 TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveOfAnyDraw) {
   const OnTarget on_target(GetParam());
   Random random(12);

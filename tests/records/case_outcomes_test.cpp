@@ -33,7 +33,7 @@ Result<CaseOutcomeSet> read_back(const json& array) {
   return cases::read_json(array.dump(), "outcomes", &cases::read_as<CaseOutcomeSet>);
 }
 
-/// What the reader says of the second entry after a change.
+/// Returns the reader's error for the second entry after a change.
 std::string error_after(const char* key, const char* value) {
   json array = cases::json_of(two_backends());
   array[1][key] = json::parse(value);

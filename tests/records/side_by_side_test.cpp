@@ -18,8 +18,8 @@ IndexSet numbers(const std::vector<std::uint64_t>& all) {
   return set;
 }
 
-/// Two backends on random cases 0 to 9 of one law. `b` was not judged on case 9, its case 8 is
-/// another one, and it has a known defect in case 3.
+/// Two backends on random cases 0 to 9 of one law. `b` was not judged on case 9, got a different
+/// case as number 8, and has a known defect in case 3.
 Run two_backends() {
   Run run;
   run.plan.backends = {"a", "b"};

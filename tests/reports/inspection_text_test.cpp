@@ -113,7 +113,7 @@ TEST(InspectionText, SaysWhatIsExactWhatWasDrawnAndHowFarOff) {
             "  Here e = (0.5, 0.375, 0.125), and 1/w = D = Σ e_i = 1.\n");
 }
 
-// Of 80 columns, 24 and the axis are taken, so 27 remain on either side, which stand for 1.75.
+// 24 of 80 columns and the axis are taken, so 27 remain on either side, which stand for 1.75.
 // Kills: a bar on the wrong side; a total that is not shown.
 TEST(InspectionText, SplitsAnErrorByStage) {
   Inspection one = small_inspection();

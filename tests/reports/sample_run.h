@@ -172,7 +172,7 @@ inline records::CaseRecordSet sample_cases(const std::string& law, const std::st
 }
 
 /// Outcomes of two backends on 60 random cases of a law: the second backend is wrong in two of
-/// them, has a known defect in another, and got another case in three.
+/// them, has a known defect in another and, for three numbers, got a different case.
 inline records::CaseOutcomeSet sample_outcomes(const std::string& law,
                                                const std::vector<std::string>& backends) {
   using namespace records;

@@ -34,8 +34,8 @@ void set_viewport(const Capabilities& has, const cases::Viewport& v) {
   }
 }
 
-/// Which face a triangle shows is defined as displayed. In Vulkan, window y points down, so a
-/// framebuffer is displayed the other way up.
+/// Whether a triangle is front- or back-facing is defined by how it appears on the display. In
+/// Vulkan, window y points down, so the framebuffer is displayed the other way up.
 void set_faces(const cases::Case& c) {
   set(GL_CULL_FACE, c.cull != cases::Cull::none);
   glCullFace(c.cull == cases::Cull::front ? GL_FRONT : GL_BACK);

@@ -15,7 +15,8 @@ namespace rastercheck::backends::gl {
 
 /// The vertex data of a pass, three vertices per triangle. Each vertex has its position, varyings
 /// and clip distances as vectors of four floats, then the triangle's number in the span, counted
-/// from 1. Missing values are 0. Clip distances that the case lacks are set to a value inside.
+/// from 1. Missing values are 0. Clip distances that the case lacks are positive, so that they clip
+/// nothing.
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass);
 

@@ -52,7 +52,8 @@ VkCullModeFlags cull_of(cases::Cull cull) {
 }
 
 /// Vulkan defines counter-clockwise for a window whose y points down. With OpenGL's rules y points
-/// up: the rows stay the same, but the display is flipped.
+/// up. A window y lies in the same row of the framebuffer either way, but with OpenGL's rules row 0
+/// is displayed at the bottom, so the winding is reversed.
 VkFrontFace front_face_of(const cases::Case& c) {
   const bool is_ccw = c.front_face == cases::FrontFace::ccw;
   const bool is_up = c.rules == cases::Rules::opengl;

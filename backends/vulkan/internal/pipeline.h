@@ -11,9 +11,9 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// The parts of a pipeline that draws lists of triangles. Set when a draw is recorded: the
-/// viewport, the scissor, culling, the front face and the function of the depth test. That test
-/// writes depth.
+/// The parts of a pipeline that draws lists of triangles. Not among them are the viewport, the
+/// scissor, culling, the front face and the function of the depth test, which are set when a draw
+/// is recorded. The depth test writes depth.
 struct PipelineSource {
   std::span<const std::uint32_t> vertex_shader;
   std::span<const std::uint32_t> fragment_shader;

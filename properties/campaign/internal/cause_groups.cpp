@@ -58,8 +58,8 @@ std::size_t laws_in(const Members& members) {
   return laws.size();
 }
 
-/// True if removing the feature leaves all triangles in place, so that the law then does not hold
-/// by mere chance.
+/// True if removing the feature leaves all triangles in place. If the law then holds, this is not
+/// mere chance.
 bool leaves_geometry(std::string_view id) {
   constexpr std::array<std::string_view, 11> kIds{
       "camera",      "clip distances", "noperspective", "flat",    "large values", "small values",
@@ -96,8 +96,8 @@ Members needing_only(const Members& members, std::string_view need, std::string_
 }
 
 /// True if the member fails without this feature: its case still failed after the removal, or
-/// certainly lacks the feature. A case certainly lacks a feature if the feature was not removed,
-/// although it can always be removed where present.
+/// certainly lacks the feature. Some features can always be removed if they are present; a case
+/// from which such a feature was not removed certainly lacks it.
 bool does_without(const CauseMember& member, std::string_view id) {
   if (member.indifferent.contains(id)) return true;
   const bool is_told = leaves_geometry(id) || id == "snapping" || id == "samples";
@@ -286,7 +286,8 @@ bool is_part_of(const CauseGroup& group, const CauseGroup& larger) {
   if (is_of_one_change(group.members, larger.members)) return true;
   const bool is_of_one_law = laws_in(group.members) == 1 && laws_in(larger.members) == 1;
   if (is_of_one_law && group.members[0].law() == larger.members[0].law()) return true;
-  // Wrong fragments may make the laws of a stage fail, but a wrong stage makes no fragment wrong.
+  // Wrong fragments may also violate laws about what happens before or after them
+  // (CauseKind::stage), but a fault before or after them leaves the fragments right.
   if (group.kind.part && !larger.kind.part) return false;
   VariationIds needs = sure_needs(common_needs(larger.members), larger.kind);
   if (!larger.kind.part) {

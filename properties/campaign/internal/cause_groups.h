@@ -54,8 +54,8 @@ struct CauseGroup {
 std::vector<CauseGroup> cause_groups_of(const std::vector<records::Counterexample>& all);
 
 /// Returns the features that may characterize a fault and that at least half of the members need
-/// (inherent needs included). Leaves out a feature if more than two members do without it for every
-/// three that need it.
+/// (inherent needs included). Leaves out a feature if the number of members that do without it is
+/// more than 2/3 of the number that need it.
 VariationIds common_needs(const std::vector<CauseMember>& members);
 
 /// Returns the changes that make at least half of the members' wrong drawings right, in the order

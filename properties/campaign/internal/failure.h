@@ -23,8 +23,8 @@ namespace rastercheck::properties {
 /// `kind` and `condition` are empty if nothing was drawn.
 void set_failure(cases::Found& found, const cases::Case& c, const records::Violation& violation);
 
-/// Replaces each word with a digit in a plugin's message by "#": numbers may differ in each case,
-/// and reasons are counted by text.
+/// In a plugin's message, replaces each word that contains a digit by "#": numbers may differ in
+/// each case, and reasons are counted by text.
 std::string without_numbers(std::string_view why);
 
 }  // namespace rastercheck::properties

@@ -33,7 +33,7 @@ float permitted(const std::optional<oracle::ValueRange>& range) {
 struct Repairs {
   std::map<SamplePlace, std::size_t> too_many;  ///< number of fragments to remove from a place
   std::map<SamplePlace, std::vector<float>> missing;  ///< depth, then attributes
-  /// By attribute; nothing: depth.
+  /// The value to write, by place and attribute. An empty attribute stands for the depth.
   std::map<SamplePlace, std::map<std::optional<std::uint32_t>, float>> wrong;
 
   bool is_none() const { return too_many.empty() && missing.empty() && wrong.empty(); }

@@ -119,7 +119,8 @@ void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
            search.offer_changed([=](Case& c) { c.framebuffer.*side = size; });
   };
   if (offer(least)) return;
-  // Otherwise removes fewer, or more if the law also fails in another pixel.
+  // If that is not accepted, removes fewer columns or rows. This may even remove more of them, if
+  // the law then fails in another pixel.
   for (int step = search.current().framebuffer.*side / 2; step > 0; step /= 2) {
     while (search.current().framebuffer.*side - step >= 1 &&
            offer(search.current().framebuffer.*side - step)) {
@@ -242,7 +243,7 @@ void lessen_exponents(ShrinkSearch& search) {
   const std::size_t count = groups_of(search.current())[0].last;
   for (std::size_t i = 0; i < count && !search.is_over(); ++i) {
     const Group one{i, i + 1};
-    for (const int divisor : {0, 4, 2}) {  // of the exponent
+    for (const int divisor : {0, 4, 2}) {  // divides the exponent; 0 sets it to 0
       const bool is_taken = offer_group(search, one, [divisor](float v) {
         if (v == 0) return v;
         const int exponent = std::ilogb(v);

@@ -60,7 +60,8 @@ bool offer_alone(ShrinkSearch& search, std::size_t triangle) {
   Case alone = with_triangles(search.current(), {{triangle}});
   if (search.offer(alone)) return true;
   for (std::uint64_t other = 0; other < kMostOther; ++other) {
-    // The product spreads over all bits, as laws take one choice after the other from the bits.
+    // Laws take successive choices from different bits of the number, so the multiplication changes
+    // all bits and not only the lowest.
     alone.choices = other * 0x9e3779b97f4a7c15U;
     if (search.offer(alone)) return true;
   }

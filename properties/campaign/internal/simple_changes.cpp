@@ -338,8 +338,8 @@ void add_grids(Changes& changes) {
       changes.add(
           "positions are snapped to " + step,
           [&](Case& c) { place_on_grid(c, cases::Rounding::nearest_even); }, grid);
-      // Rounding down equals rounding to nearest after a move by half a step. Borders and unsnapped
-      // positions move along.
+      // Rounding down equals rounding to nearest after a move by half a step. The viewport's
+      // borders and the unsnapped positions move by the same half step.
       changes.add(
           "positions are rounded down to " + step,
           [&](Case& c) {

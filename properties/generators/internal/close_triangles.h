@@ -41,8 +41,9 @@ float tiny_float(Draw& draw);
 /// that exact cases stay exact.
 void nudge_any(Draw& draw, std::span<float* const> numbers);
 
-/// Returns a factor for a sample's homogeneous position before the position is split: a short one,
-/// so that parts of about the same size exist, or a long one.
+/// Returns a whole number of up to 4, 10 or 16 bits by which to multiply a sample's homogeneous
+/// position before it is split. If the factor has few bits, exact parts of about the same size
+/// exist.
 double short_factor(Draw& draw);
 
 /// Adds a triangle with an edge through a sample or next to it. One end's coordinates may be tiny,
@@ -51,8 +52,9 @@ void add_close_edge(Draw& draw, cases::Case& c);
 
 /// Adds a triangle as thin as the spacing of floats, with a sample strictly inside, at weights 1 :
 /// 1 : 1. Two corners appear at the same point up to ±t in x or in y, with an exponent of t in
-/// `thickness`; the third corner is the rest of the sample's position. At the sample, values are
-/// means of the corners' values, but arithmetic in double cannot show this.
+/// `thickness`; the third corner is the sample's homogeneous position, times a factor, minus the
+/// other two corners. At the sample, values are means of the corners' values, but arithmetic in
+/// double cannot show this.
 void add_needle(Draw& draw, cases::Case& c, const Exponents& thickness = kTiny);
 
 /// Adds three corners in one plane with the eye: the third is m a + n b with small integers m and

@@ -27,11 +27,12 @@ struct ValueAllowance {
 
 ValueAllowance depth_allowance(const cases::Case& c, const cases::Contract& contract);
 
-/// The allowance for an attribute located at the sample. Empty if the attribute is free, or if its
-/// bound depends on more than the vertices' values and w (cases::ValueBound). Also empty if the
-/// bound grows towards a horizon that may be anywhere, because some w <= 0 or because the sample
-/// need not be covered. If all w > 0 and the sample is covered, 1/w is a mean of the vertices' 1/w,
-/// and the horizon ratio is at most max w / min w.
+/// The allowance for an attribute located at the sample. Empty if the APIs leave the value open (an
+/// attribute that is linear in window space, and some w <= 0), or if its bound depends on more than
+/// the vertices' values and w (cases::ValueBound). Also empty if the bound grows towards a horizon
+/// that may be anywhere, because some w <= 0 or because the sample need not be covered. If all w >
+/// 0 and the sample is covered, 1/w is a mean of the vertices' 1/w, and the horizon ratio is at
+/// most max w / min w.
 std::optional<ValueAllowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
                                               const cases::Triangle& triangle,
                                               std::size_t attribute);
@@ -44,7 +45,7 @@ std::optional<ValueAllowance> value_allowance(const cases::Case& c, const cases:
 ///   |f − g| <= u ulp(max(M, h / (1 − u 2^-23)))       u < 2^22, else unlimited
 double greatest_difference(const ValueAllowance& both, double f, double g);
 
-/// What may differ between two drawings of the same triangles.
+/// The permitted differences between two drawings of the same triangles.
 struct Closeness {
   /// The allowances of both drawings together, for an attribute's values or (without an attribute)
   /// for depths. If empty, the values are not compared.

@@ -58,7 +58,8 @@ struct Parted {
 ///   needed, since the boundary in the oracle is snapped, too
 /// - in a triangle with a part that is clipped, or whose orientation may flip
 /// - permitted for the whole
-/// - permitted for a part, under a contract that names no tie rule or keeps no grid
+/// - permitted for a part, under a contract that names no tie rule or may place vertices off the
+///   grid
 Result<Check> check_parted(const Parted& parted, backends::Backend& backend);
 
 }  // namespace rastercheck::properties

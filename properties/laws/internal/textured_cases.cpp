@@ -94,8 +94,8 @@ float random_coordinate(Draw& draw, CoordinateSort kind, int parts) {
   return draw.spread(24, 127);
 }
 
-/// Sets values of one kind; fractions are multiples of 1/parts, the size of a texel in many
-/// textures.
+/// Sets random coordinates of one CoordinateSort. Coordinates of the sort `fractions` are multiples
+/// of 1/parts, the size of a texel in many textures.
 void set_free_coordinate(Draw& draw, cases::Case& c, std::size_t attribute) {
   const auto kind = draw.pick(std::array{
       CoordinateSort::fractions, CoordinateSort::fractions, CoordinateSort::near_fractions,

@@ -46,7 +46,7 @@ class ValueFindings {
   const cases::Case& source() const { return *case_; }
   const cases::Contract& contract() const { return *contract_; }
 
-  /// The bound for an attribute or the depth, without its share for the horizon.
+  /// The contract's bound for an attribute or, if `attribute` is empty, for the depth.
   const cases::ValueBound& bound_of(std::optional<std::uint32_t> attribute) const;
 
   /// True if a triangle is one plane for all vertex positions that the contract allows. A snapped

@@ -81,7 +81,8 @@ class ClipPlane {
       if (d_a > 0) append(result, settled(a, b, d_a, d_b));
       result.vertices[result.size - 1].closed = closed_;
     } else if (d_b > 0) {
-      // Entering: the rest of the old edge. (If d_b = 0 that is only b, which the next edge adds.)
+      // Entering: from here the edge continues as the old edge. (If d_b = 0, only b is inside, and
+      // the next edge adds b.)
       ClipVertex p = settled(b, a, d_b, d_a);
       p.closed = a.closed;
       append(result, p);

@@ -23,9 +23,9 @@
 //
 // Locations. `sample`: the fragment's sample. `center`: the centre, interpolated on the span of the
 // centre's row if that span covers the centre, otherwise computed from the plane of s_i; undefined
-// if s_{n+1} <= 0 there. The plane is that of the whole triangle, because the clipped part may be
-// too thin to define one. With the centre as origin of window space and e_0 = X_1 Y_2 - X_2 Y_1 and
-// so on,
+// if 1/w <= 0 there. The plane is that of the whole triangle, because the clipped part may be too
+// thin to define one. With the centre as origin of window space and e_0 = X_1 Y_2 - X_2 Y_1 and so
+// on,
 //
 //   s_k = (sum of p_ik e_i) / (sum of w_i e_i),   p_ik linear in clip space (r, r w, or 1).
 //
@@ -136,9 +136,9 @@ class LinearFormula : public ScanFormula<T> {
 /// quotient). These 67 u are less than 2^-22 scale ULP, as ulp(m) >= 2^-24 m.
 inline constexpr MethodBound kScannedLinearBound{.constant = 0.5 + 0x1p-22};
 
-/// Bound of quotients r_i = s_i / s_{n+1} of values with the bound above: |δr_i| <= (|δs_i| + |r_i|
-/// |δs_{n+1}|) / s_{n+1} + u |r_i| <= 135 u max|r_i| g, which is less than 2^-21 g. With
-/// Claim::perspective it also holds for centres that are not covered.
+/// Bound of quotients r_i = s_i / s_{n+1}, where s_{n+1} = 1/w, of values with the bound above:
+/// |δr_i| <= (|δs_i| + |r_i| |δs_{n+1}|) / s_{n+1} + u |r_i| <= 135 u max|r_i| g, which is less
+/// than 2^-21 g. With Claim::perspective it also holds for centres that are not covered.
 inline constexpr MethodBound kScannedPerspectiveBound{.constant = 0.5 + 0x1p-22,
                                                       .per_horizon = 0x1p-21};
 

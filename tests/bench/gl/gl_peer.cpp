@@ -6,8 +6,9 @@
 //   (started)     ok RENDERER
 //   scene NAME COLOR SAMPLES [KIND]
 //                 ok                 the scene is built, uploaded and drawn to warm up; COLOR is
-//                                    rgba32f or rgba8; KIND is how (draw_kinds.h), by default
-//                                    attributes as colours where depth is less
+//                                    rgba32f or rgba8; KIND is a kind of draw (draw_kinds.h); the
+//                                    default draws attributes as colours, with the depth test
+//                                    `less`
 //   draw COUNT    ok SECONDS         that many frames, each finished before the next
 //   summary       ok COVERED RED GREEN DEPTH    of the last frame (summary.h)
 //   probes        ok PROBES          of the last frame, one sample per pixel (probes.h)

@@ -161,7 +161,7 @@ TEST(TaskRunner, NamesWhatThereIsNot) {
             "no law: no property is called this");
   EXPECT_EQ(to_string(runner.run({"cpu", kCoverage, TaskKind::corpus, 0, 2}).error()),
             "the corpus: has fewer cases than a task asks for");
-  for (int twice = 0; twice < 2; ++twice) {  // a failure is not cached instead of a backend
+  for (int twice = 0; twice < 2; ++twice) {  // a failure must not be cached like a backend
     EXPECT_THAT(to_string(runner.run({"gpu", kCoverage, TaskKind::random, 0, 1}).error()),
                 HasSubstr("gpu: unknown backend"));
   }

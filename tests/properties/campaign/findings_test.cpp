@@ -100,7 +100,7 @@ TEST(Merge, TakesTheCorpusBeforeSavedCasesAndTheseBeforeOthers) {
   EXPECT_THAT(all.counterexamples, SizeIs(1));
 }
 
-// Kills: a reader who has to start with nine vertices and a mirrored drawing.
+// Kills: showing first a counterexample with many triangles, or one of a law that changes the case.
 TEST(FirstToRead, IsOfTheCaseAsItStandsAndSmall) {
   const auto one = [](const char* law, std::size_t triangles) {
     Counterexample counterexample;

@@ -197,8 +197,8 @@ cases::Case rich_scene() {
   return c;
 }
 
-/// Moves fragments to the places that a changed case has them at, or back: each change of places is
-/// its own inverse.
+/// Moves fragments to where they lie in the changed case. The same call moves them back, because
+/// each of these changes is its own inverse.
 void move(const SimpleChange& change, cases::Fragments& drawn) {
   if (change.place_of == nullptr) return;
   for (std::size_t i = 0; i < drawn.size(); ++i) {

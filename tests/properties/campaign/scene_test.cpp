@@ -67,7 +67,7 @@ TEST(JudgeScene, RecordsTheTwoLawsThatHoldOfEveryCase) {
   EXPECT_FALSE(records.contains(key("constants-stay-constant")));
 }
 
-// Of 64 samples, one is missing, one has a wrong value, and one is drawn by both triangles. Kills:
+// One of 64 samples is missing, one has a wrong value, and one is drawn by both triangles. Kills:
 // counting samples that may be drawn or not as judged.
 TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
   const cases::Case c = scene();

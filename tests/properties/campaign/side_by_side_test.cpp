@@ -44,7 +44,7 @@ Findings checked(const records::Plan& plan) {
   return gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
 }
 
-// Kills: comparing what are different cases on the two backends, or leaving out equal ones.
+// Kills: comparing two backends on cases that differ; leaving out cases that are the same on both.
 TEST(UnlikeCases, AreThoseThatWereMadeToFit) {
   const records::Plan plan = with_limits();
   const Findings findings = checked(plan);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of generators have in common: their cases, and counts of what the cases reach, by
+// Code that the tests of generators share: makes their cases, and counts what the cases reach, by
 // the exact oracle.
 
 #include <array>

@@ -107,7 +107,8 @@ TEST(Inspect, TellsErrorFromExcess) {
   const Inspection found = inspected(c, backend, {{0, 1, 2, 0}, 0}).value();
   const InspectedValue x = sample_of(found, 2, 1).values.at(1);
   EXPECT_EQ(x.exact, "3");
-  // The value was drawn half a pixel from there, where snapping moved the vertices, and is 1/4 off.
+  // The vertices snap back by half a pixel, where x is 2 1/2, and the damage adds 1/4. So x was
+  // drawn 1/4 below its exact value, 3, and the contract allows this.
   EXPECT_EQ(x.scale_error, exactly(-0x1p18));
   EXPECT_EQ(x.excess, exactly(0));
 }

@@ -113,8 +113,9 @@ TEST(StripsAndFans, FindOddTrianglesWoundTheOtherWay) {
   EXPECT_THAT(*found.notes.begin(), HasSubstr(" of vertices "));
 }
 
-// The provoking vertex of OpenGL: right for the third of the cases with OpenGL's rules. In the
-// other cases the triangles have the right winding but the wrong provoking vertex.
+// Strips with OpenGL's provoking vertex. They are right in the cases with OpenGL's rules, which are
+// a third of all cases. In the other cases the triangles have the right winding but the wrong
+// provoking vertex.
 TEST(StripsAndFans, FindAnotherProvokingVertex) {
   StripsBy backend([](std::span<const std::uint32_t> run, std::size_t i) {
     const bool is_odd = i % 2 == 1;

@@ -236,8 +236,8 @@ TEST(ProbeOfBent, FindsThePositionError) {
   bending.before = [](Case c) { return moved(std::move(c), 0.2F / 256); };
   const records::Probe probe = probe_of(bending, ask(Snapping{8}));
   EXPECT_THAT(measured(probe, "subpixel grid"), StartsWith("8 bits"));
-  // The error is found in powers of two, from positions that are a few fractions of a unit apart:
-  // at least 1/8.
+  // The probe reports the position error as a power of two. It draws positions that are some
+  // fractions of a unit apart, so it cannot report less than 1/8.
   EXPECT_THAT(measured(probe, "position error"),
               ::testing::AnyOf("0.125 grid units", "0.25 grid units"));
 }
