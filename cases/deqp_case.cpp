@@ -1,4 +1,4 @@
-// Cases of what dEQP's tests have drawn (cases/deqp_log.h).
+// Makes cases from the drawings in logs of dEQP (cases/deqp_log.h).
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace rastercheck::cases {
 namespace {
 
-/// Vertices in an order in which the rules' provoking vertex is the one of the primitive: the last
-/// one in OpenGL. In Vulkan it is the first, and that of a fan's triangle the one after the centre.
-/// Nothing is culled, so the winding does not matter.
+/// Puts the API's provoking vertex where our rules look for it: last under OpenGL, first under
+/// Vulkan. In a Vulkan fan, the provoking vertex is the one after the centre. Nothing is culled, so
+/// the winding does not matter.
 std::vector<Triangle> triangles_of(const DeqpDrawing& drawing, bool is_vulkan) {
   std::vector<Triangle> triangles;
   const auto count = static_cast<std::uint32_t>(drawing.vertices.size());
@@ -27,8 +27,8 @@ std::vector<Triangle> triangles_of(const DeqpDrawing& drawing, bool is_vulkan) {
   return triangles;
 }
 
-/// Pictures begin with window y = 0, which is the lowest row in OpenGL. Alpha is not judged:
-/// default framebuffers need not have it.
+/// Returns the layout of a drawing's picture. Its first row has window y = 0, which is at the
+/// bottom in OpenGL. Alpha is not judged, because default framebuffers need not have it.
 PictureLayout layout_of_drawing(const DeqpDrawing& drawing, bool is_vulkan) {
   const bool has_colors = drawing.vertices.front().color.has_value();
   PictureLayout layout;
@@ -38,7 +38,7 @@ PictureLayout layout_of_drawing(const DeqpDrawing& drawing, bool is_vulkan) {
   }
   if (drawing.image.channels == 4) layout.channels.push_back({"A", "-", std::nullopt});
   layout.storage = Storage::unorm8;
-  // OpenGL ES 3.0, 2.1.6.2: either of the two closest integers, although the nearest is preferred.
+  // OpenGL ES 3.0, §2.1.6.2, prefers the nearest integer, but permits either of the two closest.
   layout.rounding = StoreRounding::either;
   layout.first_row = is_vulkan ? FirstRow::top : FirstRow::bottom;
   return layout;
@@ -73,10 +73,10 @@ Case case_of(const DeqpTest& test, const DeqpDrawing& drawing) {
   return c;
 }
 
-// With w off by at most e, x/w is off by at most (d + |x/w| e) / (|w| - e), where d is how far off
-// x is. A smooth value is a mean of the vertices' with weights b/w, b depending on window positions
-// only. If every w has a relative error of at most s, weights change by factors of at most
-// 1/(1 - s), and so do their sums; the mean changes by less than 2 s/(1 - s) of the values' range.
+// If w is off by at most e and x by at most d, x/w is off by at most (d + |x/w| e) / (|w| - e). A
+// smooth value is a mean of the vertices' values with weights b/w, where b depends only on window
+// positions. If every w has a relative error of at most s, weights and their sums change by factors
+// of at most 1/(1 - s), so the mean changes by less than 2 s/(1 - s) of the values' range.
 std::optional<DeqpUncertainty> uncertainty_of(const DeqpDrawing& drawing) {
   DeqpUncertainty all;
   const std::array<double, 2> half_sizes{drawing.image.width / 2.0, drawing.image.height / 2.0};

@@ -15,7 +15,7 @@
 namespace rastercheck::cases {
 namespace {
 
-/// The digits that dEQP prints: those of a C++ stream that nobody has set up.
+/// The number of digits that dEQP prints: the default precision of a C++ stream.
 constexpr std::size_t kDigits = 6;
 
 constexpr std::string_view kBegin = "#beginTestCaseResult ";
@@ -28,7 +28,7 @@ bool take(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// The number after a prefix that is all of the text, as in "Sample count = 4".
+/// Returns the number if the text is the prefix and a number, as in "Sample count = 4".
 std::optional<int> integer_after(std::string_view text, std::string_view prefix) {
   if (!take(text, prefix)) return std::nullopt;
   int number = 0;
@@ -46,8 +46,8 @@ std::size_t significant_digits(std::string_view number) {
   return count;
 }
 
-/// Removes a number from the front of a text. Its uncertainty is that of a rounded number if it has
-/// as many digits as are printed; else 0, for the moment (mark_rounded).
+/// Removes a number from the front of a text. For now, its uncertainty is only a flag: 1 if the
+/// number has all kDigits digits, else 0. mark_rounded() replaces it by the real uncertainty.
 std::optional<DeqpNumber> take_number(std::string_view& text) {
   double printed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), printed);
@@ -72,9 +72,9 @@ std::optional<std::array<DeqpNumber, 4>> take_vector(std::string_view& text) {
   return numbers;
 }
 
-/// Where one number of a column has all digits, the others had zeros at their ends, and all may be
-/// off by half a unit of the last digit, and by the rounding to float32 here. A column of fewer
-/// digits was written by hand, as floats are in source text: the nearest float32 is the one.
+/// If one number in a column has six digits, shorter ones only lost zeros at their ends. All may
+/// then be off by half a unit of the sixth digit, plus our rounding to float32. If all are shorter,
+/// they were literals in the test's source, so the nearest float32 is the number that was drawn.
 void mark_rounded(std::vector<DeqpVertex>& vertices, std::size_t column, bool is_color) {
   const auto number_of = [&](DeqpVertex& vertex) -> DeqpNumber& {
     return is_color ? (*vertex.color)[column] : vertex.position[column];
@@ -97,7 +97,7 @@ class TestReader {
  public:
   TestReader(DeqpTest& test, const std::string& file) : test_(test), file_(file) {}
 
-  /// Reads the document of a test; without a verdict if it breaks off and `may_break_off`.
+  /// Reads the document of a test. If `may_break_off`, the document may end before its verdict.
   Result<void> read(std::string_view document, bool may_break_off);
 
  private:
@@ -115,9 +115,9 @@ class TestReader {
 
   DeqpTest& test_;
   const std::string& file_;
-  std::vector<std::string> open_;      ///< elements
-  std::vector<std::string> sections_;  ///< their descriptions
-  std::string text_;                   ///< of the innermost element
+  std::vector<std::string> open_;      ///< names of the open elements
+  std::vector<std::string> sections_;  ///< descriptions of the open sections
+  std::string text_;                   ///< text of the innermost element so far
   std::optional<DeqpDrawing> drawing_;
   bool is_result_image_ = false;
   DeqpImage image_;
@@ -203,7 +203,7 @@ void TestReader::message(std::string_view text) {
   if (drawing_ && (text.starts_with("Triangle ") || text.starts_with("\t("))) add_vertices(text);
 }
 
-/// True for the first message about a drawing that cannot be judged, and then says why.
+/// If a message shows that the test's drawing cannot be judged, keeps the reason and returns true.
 bool TestReader::is_of_something_else(std::string_view text) {
   const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
   if (text.starts_with("Drawing gray triangles") || text.starts_with("Drawing test pattern")) {
@@ -291,7 +291,7 @@ void TestReader::finish_drawing() {
   test_.drawings.push_back(std::move(drawing));
 }
 
-/// Removes the line at the front of a text, and returns it without its end.
+/// Removes the first line of a text, and returns the line without its line end.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   std::string_view line = text.substr(0, end);
@@ -300,8 +300,8 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Where the first of the lines begins that end a test; the text's size if none does. Looks at each
-/// line once: logs have tens of thousands of tests.
+/// Returns the start of the first line that ends a test, or the text's size if no line does. Looks
+/// at each line once, because logs have tens of thousands of tests.
 std::size_t end_of_document(std::string_view text) {
   std::size_t line = 0;
   while (true) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads the logs (.qpa) of dEQP, Khronos' conformance tests: what the tests of rasterization say
-// they have drawn, the picture that they judged, and their verdict.
+// Reads the logs (.qpa) of dEQP, Khronos' conformance tests. From each rasterization test, takes
+// the triangles that were drawn, the picture that the test judged, and its verdict.
 //
 // Such a log is lines of text and one XML document for each test:
 //
@@ -22,10 +22,10 @@
 //   </TestCaseResult>
 //   #endTestCaseResult
 //
-// Limits of a log. Clip positions have six significant digits, so a number with all six may be off
-// by half a unit of the last one; tests with numbers written by hand have fewer, which are exact.
-// The tests of fill rules and of culling print no positions. Positions of samples, and with Vulkan
-// also the subpixel bits, are not in the log.
+// Limits of a log. Numbers are printed with six significant digits, so a number with all six may be
+// off by half a unit of the last one. Shorter numbers are literals of the test's source, and exact.
+// The tests of fill rules and culling print no positions. Logs never contain the positions of
+// samples, and logs of Vulkan tests do not contain the subpixel bits.
 
 #include <array>
 #include <optional>
@@ -41,8 +41,8 @@ namespace rastercheck::cases {
 /// How vertices form triangles.
 enum class DeqpTopology { list, strip, fan };
 
-/// A number as printed: the float32 nearest to it, and how far the printed number may be from the
-/// one that was drawn.
+/// A number from the log: the float32 nearest to the printed number, and how far the number that
+/// was drawn may be from it.
 struct DeqpNumber {
   float value = 0;
   double uncertainty = 0;
@@ -50,7 +50,7 @@ struct DeqpNumber {
 
 struct DeqpVertex {
   std::array<DeqpNumber, 4> position;  ///< clip x, y, z, w
-  /// Red, green, blue and alpha; empty where all that is drawn is white.
+  /// Red, green, blue and alpha; empty if the test draws everything in white.
   std::optional<std::array<DeqpNumber, 4>> color;
 };
 
@@ -58,12 +58,12 @@ struct DeqpVertex {
 struct DeqpImage {
   int width = 0;
   int height = 0;
-  bool is_png = false;  ///< else rows of bytes, RGB or RGBA
+  bool is_png = false;  ///< if false, `bytes` are rows of RGB or RGBA
   std::string bytes;
   int channels = 0;  ///< 3 or 4
 };
 
-/// One drawing of a test, and the picture of it that the test judged.
+/// One drawing of a test, and the picture of this drawing that the test judged.
 struct DeqpDrawing {
   std::string section;  ///< "Test iteration 1 / 3"; empty outside of sections
   DeqpTopology topology = DeqpTopology::list;
@@ -73,31 +73,31 @@ struct DeqpDrawing {
 
 struct DeqpTest {
   std::string path;    ///< "dEQP-GLES3.functional.…"
-  std::string status;  ///< "Pass", "Fail", "QualityWarning"…; empty if the log ends before
+  std::string status;  ///< "Pass", "Fail", "QualityWarning"…; empty if the log has none
   std::vector<DeqpDrawing> drawings;
-  std::optional<int> subpixel_bits;  ///< as the driver reports; not in logs of Vulkan tests
-  /// Why the drawings are not all that the test judged, or cannot be judged by what the log says.
-  /// Empty if they can be.
+  std::optional<int> subpixel_bits;  ///< as the driver reports; empty for Vulkan tests
+  /// Why the log does not suffice to judge the test: drawings are missing, or facts about them are.
+  /// Empty if the log suffices.
   std::string reason;
 
   bool is_vulkan() const { return path.starts_with("dEQP-VK"); }
 };
 
-/// Reads all tests of a log; `file` is the name used in errors. Tests of other things have no
-/// drawings, and a reason. Fails where the text is no log, or a test's document is broken.
+/// Reads all tests of a log; `file` is the name used in errors. Tests that draw no triangles get no
+/// drawings, and a reason. Fails if the text is not a log, or if a test's document is malformed.
 Result<std::vector<DeqpTest>> parse_deqp_log(std::string_view text, const std::string& file);
 
 /// The case of a drawing, with its picture's layout. Attributes are r, g and b, if vertices have
 /// colours.
 Case case_of(const DeqpTest& test, const DeqpDrawing& drawing);
 
-/// How far the log's digits leave a drawing open.
+/// How far the drawing may be from the log's numbers, because they have too few digits.
 struct DeqpUncertainty {
-  double pixels = 0;   ///< window x and y of a vertex, in pixels
-  double weights = 0;  ///< a vertex's share of a smooth value, as a share of it
+  double pixels = 0;   ///< largest error of a vertex's window x or y, in pixels
+  double weights = 0;  ///< largest error of a smooth value, as a share of its range
 };
 
-/// Empty if they leave a vertex anywhere, because its w may be 0.
+/// Empty if a vertex may be anywhere, because the digits do not exclude w = 0.
 std::optional<DeqpUncertainty> uncertainty_of(const DeqpDrawing& drawing);
 
 }  // namespace rastercheck::cases

@@ -14,8 +14,8 @@ enum class DriverPromise {
   /// The text of both APIs: single operations accurate to one part in 10^5. Assumes that values are
   /// evaluated relative to a point of the triangle's bounding box.
   spec,
-  /// The tolerance of Khronos' conformance tests, which every conformant driver passed: colours of
-  /// 8 bits.
+  /// The tolerance of Khronos' conformance tests, which compare colours of 8 bits. Every conformant
+  /// driver passed them.
   conformance,
   /// A hypothesis rather than a promise: single operations rounded as IEEE 754 float32.
   ieee,

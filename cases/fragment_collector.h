@@ -1,6 +1,6 @@
 #pragma once
 
-// Fragments in any order, as files list them, brought into the order of cases::Fragments.
+// Collects fragments in any order, and sorts them into the order of cases::Fragments.
 
 #include <span>
 #include <string>
@@ -18,11 +18,11 @@ class FragmentCollector {
   /// The case must outlive the collector.
   explicit FragmentCollector(const Case& c);
 
-  /// Adds a fragment with one value for each attribute. Returns the reason why the case has no such
-  /// triangle or sample, or an empty text.
+  /// Adds a fragment with one value for each attribute. Returns an empty text, or the reason why
+  /// the fragment does not fit the case.
   std::string add(const SamplePlace& at, float depth, std::span<const float> attributes);
 
-  /// Takes the fragments in their order. Fails with a reason if a place occurs twice.
+  /// Returns the sorted fragments. Fails with a reason if a triangle has two fragments at a sample.
   tl::expected<Fragments, std::string> take();
 
  private:

@@ -21,7 +21,7 @@ struct Fragments {
   std::vector<float> depth;
   std::vector<float> attributes;  ///< [fragment][attribute]
   /// [fragment][attribute][2]: ∂r/∂u and ∂r/∂v at the attribute's location, per pixel of window x
-  /// and y (RULES §4); empty if the backend gives none.
+  /// and y (RULES §4); empty if the backend does not give derivatives.
   std::vector<float> derivatives;
 
   std::size_t size() const { return triangle.size(); }

@@ -14,7 +14,7 @@
 namespace rastercheck::cases {
 namespace {
 
-/// A number that a rasterizer wrote, which may be any float32.
+/// Reads a number that a rasterizer wrote: any float32, even infinite or NaN.
 float drawn_float(const JsonNode& node) {
   if (node.is_string()) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();

@@ -7,7 +7,7 @@
 //     …
 //   ]}
 //
-// A fragment without "sample" is of sample 0. Depths and attributes may be numbers as well.
+// A fragment without "sample" is at sample 0. Depths and attributes may also be JSON numbers.
 
 #include <functional>
 #include <string>

@@ -33,9 +33,9 @@ enum class ResolveOf { linear, stored };
 enum class Alpha { straight, premultiplied };
 
 /// The result of drawing colour s, with alpha s_a, over a target that holds d. off: s; over: s_a s
-/// + (1 − s_a) d, with alpha s_a + (1 − s_a) d_a; additive: s + d, and so for alpha. Premultiplied,
-/// s itself stands for s_a s, so that over is s + (1 − s_a) d. Targets of integers clamp s and s_a
-/// to [0, 1] first.
+/// + (1 − s_a) d, with alpha s_a + (1 − s_a) d_a; additive: s + d, and so for alpha. If colours are
+/// premultiplied, s already contains the factor s_a, so `over` is s + (1 − s_a) d. Integer targets
+/// clamp s and s_a to [0, 1] first.
 enum class Blend { off, over, additive };
 
 /// The kinds of things that a channel shows where a triangle is drawn.

@@ -15,7 +15,7 @@
 
 namespace rastercheck::cases {
 
-/// Half of the machine's memory and two minutes: more than any file that can be used needs.
+/// Half of the machine's memory and two minutes: enough to read any usable file.
 ProcessLimits default_reader_limits();
 
 /// Runs `command` (program and arguments), which must call serve_reply(), and returns its answer.

@@ -30,7 +30,7 @@ struct PictureFlags {
 
 void add_picture_flags(CLI::App& app, PictureFlags& flags);
 
-/// The words that give these options again.
+/// Returns the command-line arguments that set these options.
 std::vector<std::string> words_of(const PictureFlags& flags);
 
 /// The layout of a case's pictures; fails if an option makes no sense.
@@ -45,7 +45,7 @@ struct PicturePromise {
   std::string backend;   ///< a backend whose promise counts
 };
 
-/// The words that give these options again.
+/// Returns the command-line arguments that set these options.
 std::vector<std::string> words_of(const PicturePromise& promise);
 /// Says for people who makes the promise: "what gl:llvmpipe promises".
 std::string promise_text(const PicturePromise& promise);

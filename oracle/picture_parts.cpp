@@ -23,7 +23,7 @@ std::size_t index_of(const JudgedPicture& judged, int x, int row) {
          static_cast<std::size_t>(x);
 }
 
-/// A part of kPartSide pixels with this one in the middle, or as near to it as the picture allows.
+/// A part of kPartSide pixels a side with this pixel as near to its middle as the picture allows.
 PicturePart part_around(const JudgedPicture& judged, std::size_t place) {
   PicturePart part;
   part.x = static_cast<int>(place % static_cast<std::size_t>(judged.width));
@@ -45,7 +45,7 @@ class PartChoice {
   explicit PartChoice(const JudgedPicture& judged)
       : judged_(&judged), is_in_part_(judged.pixels.size(), false) {}
 
-  /// Adds, for each kind of wrong pixel in turn, the one that is farthest off and in no part yet.
+  /// For each kind of wrong pixel in turn, adds a part around the farthest one in no part yet.
   void add_farthest() {
     std::vector<std::vector<std::size_t>> queues = queues_by_kind();
     for (std::size_t turn = 0; !queues.empty() && parts_.size() < kFarthestParts;) {
@@ -61,7 +61,7 @@ class PartChoice {
     }
   }
 
-  /// Adds wrong pixels in no part yet, spread evenly over all of them in the file's order.
+  /// Adds parts around wrong pixels in no part yet, evenly spread in the file's order.
   void add_sample() {
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < judged_->pixels.size(); ++i) {
@@ -75,7 +75,7 @@ class PartChoice {
   }
 
   std::vector<PicturePart> parts() && {
-    // The page begins with the pixel that it names as the farthest off.
+    // The report names one pixel as the farthest off, and shows its part first.
     std::stable_sort(
         parts_.begin(), parts_.end(),
         [this](const PicturePart& a, const PicturePart& b) { return steps_of(a) > steps_of(b); });
@@ -83,8 +83,8 @@ class PartChoice {
   }
 
  private:
-  /// The pixels of each kind of wrong ones, the farthest off last; of equally far ones, the first
-  /// last. Without any, the pixels that were not judged.
+  /// Groups the wrong pixels by kind, or the pixels not judged if none is wrong. Each group ends
+  /// with the pixel that is farthest off; of several equally far ones, the first in the file.
   std::vector<std::vector<std::size_t>> queues_by_kind() const {
     const bool is_any_wrong = judged_->wrong() > 0;
     std::vector<std::vector<std::size_t>> queues(records::kPixelVerdicts);
@@ -122,7 +122,7 @@ class PartChoice {
   std::vector<PicturePart> parts_;
 };
 
-/// The part that is the whole picture. Its pixel is the one that is farthest off, else one that was
+/// Makes the whole picture one part. Its pixel is the one that is farthest off, else one that was
 /// not judged, else the middle.
 PicturePart whole(const JudgedPicture& judged) {
   PicturePart part;
@@ -172,7 +172,7 @@ struct Rows {
   int y1 = 0;
 };
 
-/// The rows of all parts, each once and in order, so that none is drawn twice.
+/// Returns the rows of all parts in ascending order, without repeats, so that none is drawn twice.
 std::vector<Rows> rows_of(const std::vector<PicturePart>& parts, const cases::PictureView& view) {
   std::vector<Rows> all;
   for (const PicturePart& part : parts) {

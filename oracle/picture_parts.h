@@ -1,9 +1,9 @@
 #pragma once
 
-// Looks closer at parts of a judged picture: what each of their pixels stores, and everything that
-// it may show. A picture of at most kWholeSide pixels a side is one part. Of a larger one, parts
-// around single pixels are chosen: of each kind of wrong pixel in turn, the one that is farthest
-// off and in no part yet; the last parts are a sample of the wrong pixels that remain.
+// Looks closer at parts of a judged picture: what each of their pixels stores, and what it may
+// show. A picture of at most kWholeSide pixels a side is one part. In a larger picture, parts are
+// chosen around single pixels: for each kind of wrong pixel in turn, the one that is farthest off
+// and in no part yet. The last parts are a sample of the wrong pixels that remain.
 
 #include <vector>
 
@@ -21,11 +21,11 @@ inline constexpr int kWholeSide = 64;
 inline constexpr int kPartSide = 17;
 /// The largest number of parts.
 inline constexpr std::size_t kMostParts = 16;
-/// How many of them are chosen for being farthest off.
+/// The largest number of parts that are chosen because their pixel is farthest off.
 inline constexpr std::size_t kFarthestParts = 10;
 
-/// The parts of a picture that are worth a look; their pixels are still empty. Without a wrong
-/// pixel, a part of a large picture shows one that was not judged, if there is one.
+/// Chooses the parts of a picture that are worth a look; their pixels are still empty. If no pixel
+/// of a large picture is wrong, the parts show pixels that were not judged, if any.
 std::vector<records::PicturePart> choose_parts(const records::JudgedPicture& judged);
 
 /// Fills in the pixels of parts, but no outlines. The picture must be the one that was judged.

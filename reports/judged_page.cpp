@@ -28,7 +28,7 @@ using records::PicturePart;
 using records::PixelVerdict;
 using records::WrongPixel;
 
-/// The most bytes of the parts' pixels in the page.
+/// The largest size of the parts' data in the page, in bytes.
 constexpr std::size_t kMostPartData = 1'000'000;
 
 struct Headline {
@@ -55,7 +55,7 @@ std::string file_name(const std::string& file) { return file == "-" ? "standard 
 
 std::string pixel_name(int x, int row) { return fmt::format("pixel ({}, {})", x, row); }
 
-/// "triangle 3": the answer that a pixel was compared with, the closest one.
+/// Names the permitted answer that is closest to the pixel: "triangle 3".
 std::string compared_with(const WrongPixel& pixel, const JudgedPage& page) {
   if (pixel.triangle) return fmt::format("triangle {}", *pixel.triangle);
   return page.view.size.samples > 1 ? "the mean of its samples" : "the background";
@@ -70,7 +70,7 @@ std::string fault_sentence(const WrongPixel& pixel, const JudgedPage& page) {
   return text + ", compared with " + compared_with(pixel, page);
 }
 
-/// A wrong pixel of a part, as compared with the closest of its answers.
+/// Returns the part's chosen pixel, compared with the closest of its permitted answers.
 WrongPixel wrong_pixel_of(const PicturePart& part) {
   const records::DetailedPixel& pixel = part.at(part.x, part.row);
   WrongPixel wrong{part.x, part.row, pixel.verdict, {}, {}, 0};
@@ -89,7 +89,7 @@ std::string kinds_table(const JudgedPicture& judged) {
   std::string text =
       "<table class=\"kinds\">\n<thead><tr><th>verdict</th><th class=\"number\">pixels</th>"
       "<th class=\"number\">share</th><th>meaning</th></tr></thead>\n<tbody>\n";
-  // Wrong ones first, then those not judged; right ones last.
+  // Wrong pixels come first, then those not judged, and right ones last.
   std::vector<std::size_t> order;
   for (std::size_t i = 1; i < records::kPixelVerdicts; ++i) order.push_back(i);
   order.push_back(0);
@@ -108,7 +108,7 @@ std::string kinds_table(const JudgedPicture& judged) {
   return text + "</tbody>\n</table>\n";
 }
 
-/// The words of `explain` for a pixel of the file. They name the framebuffer's pixel.
+/// Returns the `explain` command for a pixel of the file, whose row it converts to window y.
 std::string explain_text(const JudgedPage& page, const WrongPixel& pixel) {
   std::vector<std::string> words = page.explain;
   words.insert(words.end(),

@@ -1,7 +1,7 @@
 #pragma once
 
-// A judged picture as a self-contained page: whether it is right, which pixels are not, and each
-// pixel of the parts that are worth a look.
+// A judged picture as a self-contained page: shows whether the picture is right, which pixels are
+// wrong, and each pixel of the parts that are worth a look.
 
 #include <string>
 #include <vector>
@@ -23,12 +23,12 @@ struct JudgedPage {
   cases::Contract contract;
   records::JudgedPicture judged;
   std::vector<records::PicturePart> parts;
-  std::string case_file;  ///< "-" for standard input, as the next
-  std::string picture_file;
+  std::string case_file;     ///< "-" for standard input
+  std::string picture_file;  ///< "-" for standard input
   /// Who makes the promise: "what the case asks for", "what gl:llvmpipe promises".
   std::string judged_by;
-  std::vector<std::string> command;  ///< the words that judge the picture again
-  /// The words of `rastercheck explain` for the case, without a pixel; empty if it cannot be asked.
+  std::vector<std::string> command;  ///< judges the picture again: the program and its arguments
+  /// Explains the case, without --pixel; empty if the case cannot be read a second time.
   std::vector<std::string> explain;
 };
 
@@ -38,7 +38,7 @@ bool is_upwards(const JudgedPage& page);
 /// Names the part of the case that a channel shows, for people: "x", "depth", "the number 0.5".
 std::string shown_text(const JudgedPage& page, std::size_t channel);
 
-/// Fails if the pictures in it cannot be encoded.
+/// Returns the page as HTML. Fails if one of its pictures cannot be encoded.
 Result<std::string> judged_html(const JudgedPage& page);
 
 }  // namespace rastercheck::reports

@@ -10,7 +10,7 @@
 
 namespace rastercheck::reports {
 
-/// How many pixels may differ.
+/// Says how many pixels the case leaves open, for readers.
 std::string mask_text(const records::PictureMask& mask);
 /// As JSON, "rastercheck-mask", version 1.
 std::string mask_json(const records::PictureMask& mask);
@@ -19,7 +19,7 @@ std::string mask_json(const records::PictureMask& mask);
 cases::PictureFile mask_picture(const records::PictureMask& mask);
 std::string mask_legend();
 
-/// Two channels for each of the mask's: the least number, lower.NAME, and the greatest, upper.NAME.
+/// Has two channels per channel NAME of the mask: lower.NAME and upper.NAME, the permitted range.
 cases::PictureFile bounds_picture(const records::PictureMask& mask);
 
 }  // namespace rastercheck::reports

@@ -1,6 +1,6 @@
 #pragma once
 
-// A case as a file of 32-bit numbers, little-endian, for programs that read no JSON: the members
+// A case as a file of little-endian 32-bit numbers, for programs that do not read JSON: the members
 // and arrays of rastercheck_draw (plugin.h), one after the other.
 //
 //   8 bytes   "RCDRAW1\n"
@@ -12,7 +12,7 @@
 //   arrays    sample_positions [samples][2], positions [V][4] (floats), attributes [A][2],
 //             attribute_values [V][A], clip_distances [V][D] (floats), indices [T][3]
 //
-// The triangles are those of the whole case. Without a depth test, each is drawn alone.
+// The file has all triangles of the case. Without a depth test, each triangle is drawn alone.
 
 #include <string>
 
@@ -21,8 +21,8 @@
 
 namespace rastercheck::backends {
 
-/// The file's bytes for a case without a camera. `promised` is the promise for the case of whoever
-/// draws it.
+/// Returns the file's bytes for a case without a camera. `promised` is what the backend that will
+/// draw the case promises about it.
 std::string draw_file(const cases::Case& c, const cases::Contract& promised);
 
 }  // namespace rastercheck::backends

@@ -1,4 +1,4 @@
-// The backend `drawn:DIR`, whose drawings another machine made (folder.h).
+// The backend `drawn:DIR`, which reads drawings that another machine made (folder.h).
 
 #include <memory>
 #include <string>

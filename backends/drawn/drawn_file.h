@@ -1,6 +1,6 @@
 #pragma once
 
-// A drawing as a file of 32-bit numbers, little-endian, the answer to a draw file (draw_file.h):
+// A drawing as a file of little-endian 32-bit numbers. It answers a draw file (draw_file.h):
 //
 //   8 bytes   "RCDRAWN1"
 //   1 word    number of draws: one for each triangle or, with a depth test, one for all
@@ -23,8 +23,8 @@
 
 namespace rastercheck::backends {
 
-/// Reads the drawing of a case. Fails as `unsupported` if one of its draws says so; `file` is the
-/// name used in errors.
+/// Reads the drawing of a case. Fails as `unsupported` if a draw's status is
+/// RASTERCHECK_UNSUPPORTED; `file` is the name used in errors.
 Result<cases::Fragments> parse_drawn(std::string_view bytes, const std::string& file,
                                      const cases::Case& c);
 

@@ -38,10 +38,10 @@ std::string path_of(const std::string& folder, const std::string& name) {
   return (std::filesystem::path(folder) / name).string();
 }
 
-/// The endings of drawings.
+/// The endings of the file names of drawings.
 constexpr std::array<std::string_view, 4> kEndings{".drawn", ".json", ".npy", ".exr"};
 
-/// Returns the files that hold the drawing of a case; there should be one.
+/// Returns all files that claim to be the drawing of a case; more than one is an error.
 std::vector<std::string> drawings_of(const std::string& folder, const std::string& name) {
   std::vector<std::string> found;
   for (const std::string_view ending : kEndings) {

@@ -9,8 +9,8 @@
 //   drawn/NAME.drawn    its drawing (drawn_file.h); or NAME.json, as `rastercheck render --json`
 //                       writes it; or NAME.npy or NAME.exr (fragment_picture.h)
 //
-// A case's name is a digest of everything that is drawn, so that laws find the drawing of a case
-// that they make.
+// A case's name is a digest of everything that affects the drawing. So when a law makes the same
+// case again, its drawing is found.
 
 #include <set>
 #include <string>
@@ -27,11 +27,11 @@ namespace rastercheck::backends {
 
 struct DrawnCampaign {
   std::string program;  ///< version that made the cases
-  /// Its only backend is the one whose promises the drawings are judged by.
+  /// Has exactly one backend: the drawings are judged by its promises.
   records::Plan plan;
 };
 
-/// The name of a case without a camera: 16 hexadecimal digits.
+/// Returns the name that a case without a camera has in the folder: 16 hexadecimal digits.
 std::string drawn_name(const cases::Case& c);
 
 Result<DrawnCampaign> read_drawn_campaign(const std::string& folder);
@@ -43,23 +43,23 @@ struct DrawnCount {
 };
 Result<DrawnCount> count_drawn(const std::string& folder);
 
-/// Reads the drawing of a case. Fails as `unsupported` if there is none, or if it says that the
-/// case is not supported.
+/// Reads the drawing of a case. Fails as `unsupported` if the folder has no drawing of it, or if
+/// the drawing says that the case is not supported.
 Result<cases::Fragments> read_drawing(const std::string& folder, const cases::Case& c);
 
-/// The abilities of a backend that another machine, which only draws fragments, shares: the
-/// promises and limits, but not the driver, because the machine's driver may have other known
+/// Turns the description of the backend that makes the promises into that of a machine that draws
+/// fragments in its place. Removes the driver, because the machine's driver may have other known
 /// defects.
 About drawn_about(About promiser);
 
 /// Fills a folder with cases.
 class CaseFolder {
  public:
-  /// Makes the folder. Fails if it exists and is not empty.
+  /// Creates the folder. Fails if the folder exists and is not empty.
   static Result<CaseFolder> make(const std::string& folder);
 
-  /// Writes a case, unless the folder has it already. `promised` is the promise for the case of
-  /// whoever draws it.
+  /// Writes a case, unless the folder already has it. `promised` is what the backend that will draw
+  /// the case promises about it.
   Result<void> add(const cases::Case& c, const cases::Contract& promised);
 
   /// Writes the list and the campaign.

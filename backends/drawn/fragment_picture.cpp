@@ -11,8 +11,8 @@
 namespace rastercheck::backends {
 namespace {
 
-/// Returns, for each of the channels that a drawing has, its index in the file; fewer if one is
-/// missing.
+/// Returns the indices in the file of the channels triangle, depth, value0, value1…; stops at the
+/// first channel that is missing.
 std::vector<std::size_t> channels_of(const cases::PictureFile& picture, std::size_t attributes) {
   std::vector<std::string> names{"triangle", "depth"};
   for (std::size_t k = 0; k < attributes; ++k) names.push_back(fmt::format("value{}", k));
@@ -28,7 +28,7 @@ std::vector<std::size_t> channels_of(const cases::PictureFile& picture, std::siz
   return found;
 }
 
-/// The index of the triangle that a number stands for, plus 1; -1 if it stands for none.
+/// Returns the number as an integer: 0, or a triangle's index plus 1. Returns -1 if it is neither.
 std::int64_t triangle_of(float number, std::size_t triangles) {
   if (!(number >= 0 && number <= static_cast<float>(triangles))) return -1;
   const auto index = static_cast<std::int64_t>(number);

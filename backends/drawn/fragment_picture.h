@@ -1,12 +1,12 @@
 #pragma once
 
-// A drawing as a picture of numbers (EXR, NPY): one sample in each column, so that a picture of a
-// framebuffer is `width * samples` wide. Its channels are the index of the triangle seen there plus
-// 1, or 0; its depth; and its attributes, in order. An EXR file names them `triangle`, `depth`,
-// `value0`, `value1`…; an array has them in this order. The first row has the least window y.
+// A drawing as a picture of numbers (EXR, NPY). Each column is one sample, so there are `width *
+// samples` columns. The channels are the index plus 1 of the triangle seen at the sample, or 0; the
+// depth; and the attributes in order. An EXR file names them `triangle`, `depth`, `value0`,
+// `value1`…; an array has them in this order. The first row has the least window y.
 //
-// A picture shows one triangle at a sample. So it holds only drawings of cases with a depth test,
-// or of one triangle.
+// A picture shows one triangle per sample. So it can only hold drawings of cases with a depth test
+// or with a single triangle.
 
 #include <string>
 
@@ -17,7 +17,7 @@
 
 namespace rastercheck::backends {
 
-/// Takes the drawing of a case from a picture. Fails as `unsupported` for a case of several
+/// Reads the drawing of a case from a picture. Fails as `unsupported` for a case of several
 /// triangles without a depth test; `file` is the name used in errors.
 Result<cases::Fragments> fragments_of_picture(const cases::PictureFile& picture,
                                               const std::string& file, const cases::Case& c);

@@ -8,8 +8,8 @@
 
 namespace rastercheck::backends {
 
-/// Wraps a backend and adds every case that it is asked to draw to a folder, even if it refuses the
-/// case: the other machine may draw it. Draws only fragments, as that machine does.
+/// Wraps a backend, and adds to a folder every case that the backend is asked to draw, even if it
+/// refuses the case: another machine may draw it. Draws only fragments, as that machine does.
 class RecordingBackend : public Backend {
  public:
   /// The folder must outlive the backend.
@@ -19,7 +19,7 @@ class RecordingBackend : public Backend {
   About about() const override { return drawn_about(inner_->about()); }
   cases::Contract promise(const cases::Case& c) const override { return inner_->promise(c); }
 
-  /// Why a case could not be written; empty if all were.
+  /// The first error while writing a case; empty if all cases were written.
   const std::optional<Error>& failure() const { return failure_; }
 
  private:

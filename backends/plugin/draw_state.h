@@ -11,7 +11,7 @@
 namespace rastercheck::backends {
 
 /// The state of a case's draws and the lengths of its arrays, without the arrays and triangles.
-/// `promised` is the promise for the case of whoever draws it.
+/// `promised` is what the backend that will draw the case promises about it.
 rastercheck_draw draw_state(const cases::Case& c, const cases::Contract& promised);
 
 /// rastercheck_draw.sample_positions: [sample][2], within the pixel.

@@ -17,7 +17,7 @@ std::optional<std::string> from_base64(std::string_view text) {
     const std::size_t digit = c == '=' ? 0 : kDigits.find(c);
     if (digit == std::string_view::npos) return std::nullopt;
     if (c == '=') ++padding;
-    // Nothing but padding follows padding, and only the last two digits of all can be that.
+    // Padding is at most two characters, and only padding may follow padding.
     if ((padding > 0 && c != '=') || padding > 2) return std::nullopt;
     bits = (bits << 6U) | static_cast<std::uint32_t>(digit);
     if (++digits % 4 != 0) continue;

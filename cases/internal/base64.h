@@ -6,8 +6,8 @@
 
 namespace rastercheck::cases {
 
-/// The bytes of a base64 text (RFC 4648, §4) with spaces and line ends anywhere; empty if it is not
-/// one.
+/// Returns the bytes of a base64 text (RFC 4648, §4), which may have spaces and line ends anywhere;
+/// empty if the text is not base64.
 std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace rastercheck::cases

@@ -25,7 +25,7 @@ bool skip(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// A text with characters for its entities. An & that begins none of the five stays as it is.
+/// Replaces the five named entities by their characters. Any other & stays as it is.
 std::string unescaped(std::string_view text) {
   constexpr auto kEntities = std::to_array<std::pair<std::string_view, char>>(
       {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&apos;", '\''}, {"&quot;", '"'}});

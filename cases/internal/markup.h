@@ -1,8 +1,8 @@
 #pragma once
 
 // Reads the XML that dEQP writes into its logs: elements, attributes, text and the five named
-// entities. No comments, CDATA, processing instructions but the first, or document types, which
-// dEQP does not write.
+// entities. Does not read comments, CDATA, document types, or processing instructions after the
+// first; dEQP writes none of these.
 
 #include <cstddef>
 #include <optional>
@@ -13,25 +13,25 @@
 
 namespace rastercheck::cases {
 
-/// An element begins (with its attributes) or ends, or text between two of these.
+/// The beginning of an element, with its attributes; the end of an element; or text between tags.
 struct MarkupEvent {
   enum class Kind { begin, end, text, none };
   Kind kind = Kind::none;  ///< `none`: the document has ended
-  std::string name;        ///< of the element
+  std::string name;        ///< the element's name
   std::vector<std::pair<std::string, std::string>> attributes;
   std::string text;
 
-  /// An attribute's value; empty if there is none of this name.
+  /// The value of the attribute with this name; empty if the element has none.
   std::string_view attribute(std::string_view wanted) const;
 };
 
-/// Goes through a document once. Does not check that elements nest: its caller does.
+/// Reads a document once, from front to back. The caller must check that elements nest properly.
 class MarkupReader {
  public:
   explicit MarkupReader(std::string_view document) : rest_(document) {}
 
-  /// The next event; empty after what is no markup. An element without content, `<a />`, begins and
-  /// ends at once.
+  /// Returns the next event; empty if the text is malformed. An element without content, `<a />`,
+  /// gives two events: its beginning and its end.
   std::optional<MarkupEvent> next();
   /// The part of the document that was not read.
   std::string_view rest() const { return rest_; }
@@ -40,7 +40,7 @@ class MarkupReader {
   std::optional<MarkupEvent> next_tag();
 
   std::string_view rest_;
-  std::string ends_;  ///< the element that ended with its first tag
+  std::string ends_;  ///< name of an element like <a />, whose end comes next
 };
 
 }  // namespace rastercheck::cases

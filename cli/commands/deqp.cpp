@@ -35,7 +35,7 @@ using cases::DeqpDrawing;
 using cases::DeqpTest;
 using nlohmann::json;
 
-/// The least that OpenGL and Vulkan allow.
+/// The smallest number of subpixel bits that OpenGL and Vulkan allow.
 constexpr int kLeastSubpixelBits = 4;
 
 struct Options {
@@ -58,7 +58,7 @@ struct JudgedTest {
   std::string reason;  ///< why there is no opinion
 };
 
-/// Reads a PNG file that is in memory, in a separate process.
+/// Decodes the bytes of a PNG file in a separate process.
 Result<cases::PictureFile> picture_of_png(const std::string& bytes, const std::string& file) {
   // The file is not closed on exec, because the process that reads it inherits the descriptor.
   const cases::Descriptor memory(::memfd_create("picture", 0));
@@ -96,7 +96,7 @@ Result<cases::PictureFile> picture_of(const cases::DeqpImage& image, const std::
   return picture;
 }
 
-/// The promise of the case's API, and what the log's digits leave open on top.
+/// The API's promise for the case, widened by the uncertainty of the log's numbers.
 cases::Contract contract_for(const cases::Case& c, int subpixel_bits, cases::DriverPromise promise,
                              const cases::DeqpUncertainty& open) {
   cases::Contract contract = backends::api_promise(c, {subpixel_bits}, promise);
@@ -116,7 +116,7 @@ cases::Contract contract_for(const cases::Case& c, int subpixel_bits, cases::Dri
   return contract;
 }
 
-/// A name for files of a test's drawing; its path is as the log has it, and may be anything.
+/// Returns a file name for a test's drawing: the test's path, with `_` for unusual characters.
 std::string file_name_of(const DeqpTest& test, std::size_t number) {
   std::string name = test.path.substr(0, 200);
   for (char& c : name) {
@@ -127,7 +127,7 @@ std::string file_name_of(const DeqpTest& test, std::size_t number) {
   return fmt::format("{}-{}", name, number);
 }
 
-/// Judges one drawing of a test, and adds its pixels to the test's. Returns why it cannot, or "".
+/// Judges one drawing and adds its pixels to `judged`. Returns why it cannot be judged, or "".
 Result<std::string> judge_drawing(const Options& options, const DeqpDrawing& drawing,
                                   const std::string& name, JudgedTest& judged) {
   const DeqpTest& test = *judged.test;
@@ -139,7 +139,7 @@ Result<std::string> judge_drawing(const Options& options, const DeqpDrawing& dra
   if (!view) return tl::unexpected(view.error());
   const int bits = options.subpixel_bits.value_or(test.subpixel_bits.value_or(kLeastSubpixelBits));
   const auto open = cases::uncertainty_of(drawing);
-  // Room for the promise's own error, below the largest that contracts may have.
+  // Half of the largest position error of a contract is left for the promise's own error.
   if (!open || std::ldexp(open->pixels, bits) > cases::kMaxPositionError / 2) {
     return std::string("the log has too few digits of a small w");
   }
@@ -162,7 +162,7 @@ Result<std::string> judge_drawing(const Options& options, const DeqpDrawing& dra
 }
 
 Opinion opinion_of(const std::string& status, std::uint64_t wrong) {
-  // Warnings are verdicts on lines; they pass.
+  // dEQP gives warnings only about how lines are drawn, so such a test passed.
   const bool passed = status == "Pass" || status.ends_with("Warning");
   if (!passed && status != "Fail") return Opinion::none;
   return passed == (wrong == 0) ? Opinion::same : Opinion::opposite;
@@ -178,7 +178,7 @@ Result<JudgedTest> judge_test(const Options& options, const DeqpTest& test) {
     if (!reason) return tl::unexpected(reason.error());
     if (judged.reason.empty()) judged.reason = *std::move(reason);
   }
-  // Pixels that are not judged may be right; one wrong pixel is enough to be sure.
+  // If some pixels were not judged, only a wrong pixel gives a sure opinion.
   if (!judged.reason.empty() && judged.wrong == 0) return judged;
   judged.reason.clear();
   judged.opinion = opinion_of(test.status, judged.wrong);

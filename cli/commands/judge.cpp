@@ -1,5 +1,5 @@
-// `rastercheck judge CASE PICTURE`: which pixels of a finished picture are wrong; and
-// `rastercheck judge --drawn DIR`: a campaign whose drawings another machine made.
+// `rastercheck judge CASE PICTURE` says which pixels of a finished picture are wrong. `rastercheck
+// judge --drawn DIR` judges a campaign whose drawings another machine made.
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ struct Options {
   bool quiet = false;
 };
 
-/// Writes the verdicts as a picture, whose texts say what its colours mean.
+/// Writes the verdicts as a picture; a text in the file says what the colours mean.
 Result<void> write_mask(const records::JudgedPicture& judged, const std::string& file) {
   const reports::Image image = reports::verdict_image(judged);
   cases::PictureFile mask;
@@ -57,7 +57,7 @@ Result<void> write_mask(const records::JudgedPicture& judged, const std::string&
   return cases::write_picture(mask, file, {{"Comment", reports::verdict_legend()}});
 }
 
-/// The outlines of the triangles that some pixel of a part may show, in pixels of the file.
+/// Returns the outlines of the triangles that may be seen in the part, in pixels of the file.
 std::vector<records::TriangleOutline> outlines_of(const oracle::SceneTruth& scene,
                                                   const cases::PictureView& view,
                                                   const records::PicturePart& part) {
@@ -76,7 +76,7 @@ std::vector<records::TriangleOutline> outlines_of(const oracle::SceneTruth& scen
   return outlines;
 }
 
-/// The words that judge the picture again.
+/// Returns the command line that judges the picture again, as a list of arguments.
 std::vector<std::string> judge_words(const Options& options) {
   std::vector<std::string> words{"rastercheck", "judge", options.file, options.picture};
   const auto add = [&words](const std::vector<std::string>& more) {
@@ -88,8 +88,8 @@ std::vector<std::string> judge_words(const Options& options) {
   return words;
 }
 
-/// The words of `explain` for the case, without a pixel; empty for standard input, which cannot be
-/// read twice.
+/// Returns the arguments of `explain` for the case, without --pixel. Empty for standard input,
+/// which cannot be read twice.
 std::vector<std::string> explain_words(const Options& options) {
   if (options.file == "-") return {};
   std::vector<std::string> words{"rastercheck", "explain", options.file, "--backend",
@@ -148,13 +148,13 @@ ExitCode judge_drawn(const Options& options) {
   run.plan = campaign->plan;
   run.plan.backends = {"drawn:" + options.drawn};
   run.plan.keeps_cases = options.run.plan.keeps_cases;
-  // Smaller cases would have to be drawn.
+  // No shrinking: a smaller case would have no drawing.
   run.plan.shrinking.tries = 0;
   run.seed = campaign->plan.seed;
   run.json = options.json;
   run.quiet = options.quiet;
   run.all = options.all;
-  // The folder has settled what is drawn, so a baseline of something else is refused.
+  // The folder determines the plan, so a baseline of another plan is refused.
   return run_campaign(run, [](const char* /*option*/) { return true; });
 }
 

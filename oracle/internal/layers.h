@@ -1,6 +1,6 @@
 #pragma once
 
-// Finds the samples that several triangles may be drawn at, where blending would mix them.
+// Finds the samples where several triangles may be drawn, so that blending would mix them.
 
 #include <cstdint>
 #include <utility>
@@ -18,7 +18,7 @@ class LayerBand {
   /// Adds a triangle that may cover pixels of the band.
   void add(std::uint32_t triangle);
 
-  /// [y − y0][x][sample]: true if two triangles may be drawn there, whatever a depth test removes.
+  /// [y − y0][x][sample]: true if two triangles may be drawn there, ignoring any depth test.
   std::vector<bool> take_overlaps() && { return std::move(overlaps_); }
 
  private:

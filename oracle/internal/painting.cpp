@@ -16,7 +16,7 @@ using cases::Blend;
 using cases::Storage;
 
 constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
-/// Sums of greater terms may overflow on the way.
+/// If the terms are larger than this, an intermediate sum may overflow.
 constexpr double kHalfOfFloats = std::numeric_limits<float>::max() / 2.0;
 
 bool is_integer(Storage storage) {
@@ -41,7 +41,7 @@ ValueSpan exactly(double number) { return {number, number, false}; }
 ValueSpan product_of(const ValueSpan& a, const ValueSpan& b) {
   if (a.is_free || b.is_free) return {};
   const std::array corners{a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi};
-  // 0 times infinity.
+  // A product is NaN if it is 0 times infinity.
   if (std::any_of(corners.begin(), corners.end(), [](double one) { return std::isnan(one); })) {
     return {};
   }
@@ -59,7 +59,7 @@ ValueSpan mixed(const Mixture& mixture) {
   const double s = greatest_size(source);
   const double d = greatest_size(held);
   const double size = (multiplies ? a : 1) * s + (covers ? 1 + a : 1) * d;
-  // Written so that NaN is free.
+  // If the size is NaN, this comparison is false, so the result is free.
   if (!(std::max(size, s + d) < kHalfOfFloats)) return {};
   double least = kBeyondAll;
   double greatest = -kBeyondAll;
@@ -92,7 +92,7 @@ Painting::Painting(const cases::PictureView& view) : view_(&view) {
   }
 }
 
-/// The numbers that the target's background stands for.
+/// The range of the stored background's numbers, decoded from the target's storage.
 ValueSpan Painting::held_in(std::size_t channel) const {
   const ValueSpan& background = background_[channel];
   const Storage storage = view_->channels[channel].storage;
@@ -121,7 +121,7 @@ ValueSpan Painting::blended(std::size_t channel, const ValueSpan& shown,
   const bool clamps = is_integer(view_->channels[channel].storage);
   Mixture mixture{shown, alpha, held_[channel], true, view_->blend == Blend::over};
   if (channel == view_->alpha_channel) {
-    // Alpha is drawn like a colour of 1 that counts alpha times.
+    // For the alpha channel, the source is 1 · alpha.
     mixture.source = exactly(1);
     mixture.alpha = shown;
   } else if (!needs_alpha(channel)) {

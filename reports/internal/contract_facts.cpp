@@ -47,10 +47,10 @@ std::string_view ties_text(cases::TieRule rule) {
   return "open: either triangle may own the samples on an edge";
 }
 
-/// The bounds of one kind of value: of all triangles, or of each.
+/// The bounds of one kind of value: the contract's own, and one for each promised triangle.
 struct KindOfBound {
   cases::ValueBound of_all;
-  /// Members of the triangles' promises; empty if all have the same.
+  /// From each triangle's promise that is made; empty if the contract has no such promises.
   std::vector<cases::ValueBound> of_triangles;
 };
 
@@ -62,7 +62,7 @@ KindOfBound bounds_of(const Contract& contract, cases::ValueBound cases::ValueBo
   return bounds;
 }
 
-/// A bound from which on all digits may be lost, so that nothing is promised (ValueBound).
+/// At this bound or above, all digits may be lost, so nothing is promised (ValueBound).
 constexpr float kNoBound = 0x1p24F;
 
 std::string bound_text(const KindOfBound& bounds) {

@@ -9,7 +9,7 @@
 
 namespace rastercheck::reports {
 
-/// The promises of a contract that matter for a case, for people: (term, words).
+/// Returns the promises that matter for a case, for readers: pairs of a term and its description.
 std::vector<std::pair<std::string, std::string>> contract_facts(const cases::Contract& contract,
                                                                 const cases::Case& source);
 

@@ -22,8 +22,8 @@ std::optional<NumberRange> numbers_in(const std::string& text);
 /// takes as many as a message may have.
 std::string exact_text(const std::string& exact, std::size_t most = 0);
 
-/// The fewest digits, at least 3, that tell the drawn number from both ends of the right ones, and
-/// these from each other.
+/// Returns the fewest digits, at least 3, with which the drawn number and the two ends of the
+/// permitted range `right` all look different.
 int distinct_digits(double drawn, const NumberRange& right);
 
 }  // namespace rastercheck::reports

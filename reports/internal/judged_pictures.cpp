@@ -22,15 +22,15 @@ namespace {
 
 using records::PixelVerdict;
 
-/// The largest PNG files of the picture and of the other two, in bytes.
+/// The largest PNG files, in bytes: of the picture, and of the verdicts and the differences.
 constexpr std::size_t kMostOfPicture = 600'000;
 constexpr std::size_t kMostOfOthers = 250'000;
 
-/// Pixels of this size or less are shown as squares.
+/// Pictures narrower and lower than this, in pixels, are shown with square pixels.
 constexpr int kSmallPicture = 320;
 
-/// The kinds of pixels in the picture of differences, the worst last; the viewer's steps
-/// (reports/viewer/part_views.js) have the same colours.
+/// The colours of wrong pixels in the picture of differences, the largest difference last. The
+/// viewer (reports/viewer/part_views.js) uses the same colours.
 struct DifferenceStep {
   double most;  ///< steps, inclusive
   Color color;
@@ -50,8 +50,8 @@ Color difference_color(double steps) {
   return kDifferenceSteps.back().color;
 }
 
-/// A picture in which a pixel stands for a block of block × block pixels. `is_worse(a, b)` tells
-/// that place b must be seen rather than a; without it, a block has the mean colour of its pixels.
+/// Makes each block of block × block pixels one pixel, in the colour of the block's worst pixel
+/// (`is_worse(a, b)`: b is worse than a), or in the mean colour if `is_worse` is empty.
 Image reduced(const Image& whole, int block,
               const std::function<bool(std::size_t a, std::size_t b)>& is_worse) {
   if (block == 1) return whole;
@@ -90,7 +90,7 @@ struct Encoded {
   int block = 1;
 };
 
-/// The picture as PNG, smaller if it would have too many bytes.
+/// Encodes a picture as PNG, shrunk until the file has at most `most` bytes.
 Result<Encoded> encoded(const Image& image, std::size_t most,
                         const std::function<bool(std::size_t, std::size_t)>& is_worse) {
   for (int block = 1;; ++block) {
@@ -100,7 +100,7 @@ Result<Encoded> encoded(const Image& image, std::size_t most,
   }
 }
 
-/// Frames around the parts, each a link to it; empty if the picture is one part.
+/// Frames around the parts; each frame links to its part. Empty if the picture is one part.
 std::string frames_of(const JudgedPage& page) {
   const int width = page.picture.width;
   const int height = page.picture.height;
@@ -115,7 +115,7 @@ std::string frames_of(const JudgedPage& page) {
         inspection_link(i), part.left, top, part.width, part.height, i + 1, part.x, part.row);
   }
   if (text.empty()) return "";
-  // The list below leads to the same parts, by keys too.
+  // Hidden from keys and screen readers, because the list below links to the same parts.
   return fmt::format(
       "<svg class=\"frames\" viewBox=\"0 0 {} {}\" aria-hidden=\"true\">\n{}</svg>\n", width,
       height, text);
@@ -135,7 +135,7 @@ std::string whole_picture(const JudgedPage& page, const Encoded& encoded, std::s
       page.picture.height, name, frames_of(page), name, caption, smaller);
 }
 
-/// How a verdict ranks in a block of pixels: wrong before not judged before right.
+/// The rank of a verdict in a block of pixels: wrong above not judged, and not judged above right.
 int rank_of(PixelVerdict verdict) {
   if (verdict == PixelVerdict::right) return 0;
   return verdict == PixelVerdict::not_judged ? 1 : 2;
@@ -190,7 +190,7 @@ std::string picture_key(const JudgedPage& page, const PictureColors& colors) {
   return text;
 }
 
-/// The steps or the verdicts of all pixels as a picture, as displayed.
+/// Makes a picture with a colour for each pixel of the file, in the order of rows as displayed.
 template <typename ColorOf>
 Image drawn(const JudgedPage& page, const ColorOf& color_at) {
   const records::JudgedPicture& judged = page.judged;
@@ -210,7 +210,7 @@ Image drawn(const JudgedPage& page, const ColorOf& color_at) {
 
 Result<std::string> pictures_section(const JudgedPage& page, const PictureColors& colors) {
   const records::JudgedPicture& judged = page.judged;
-  // A place as displayed, as a place of the file.
+  // Converts the index of a pixel as displayed to its index in the file.
   const auto in_file = [&](std::size_t place) {
     const auto width = static_cast<std::size_t>(judged.width);
     const auto height = static_cast<std::size_t>(judged.height);

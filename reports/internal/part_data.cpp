@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A number in the fewest digits that name the float32, and a text for what JSON has no number for.
+/// Gives the fewest digits that identify the float32; gives NaN and infinities as texts.
 json stored_data(float value) {
   if (std::isfinite(value)) return std::strtod(fmt::format("{}", value).c_str(), nullptr);
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -48,8 +48,8 @@ json verdicts_data() {
   return all;
 }
 
-/// A triangle, or null; then the range of each channel: null if it is free, one number if both ends
-/// are equal.
+/// The triangle or null, then each channel's range: null if the channel is free, one number if both
+/// ends are equal.
 json answer_data(const records::PermittedAnswer& answer) {
   json ranges = json::array();
   for (const records::StoredRange& range : answer.channels) {

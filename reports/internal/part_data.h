@@ -7,8 +7,8 @@
 
 namespace rastercheck::reports {
 
-/// One part of a judged picture as JSON for the page's viewer (reports/viewer/part.js), safe within
-/// a <script> element.
+/// Returns one part of a judged picture as JSON for the page's viewer (reports/viewer/part.js). The
+/// text is safe within a <script> element.
 std::string part_data(const JudgedPage& page, const PictureColors& colors,
                       const records::PicturePart& part);
 

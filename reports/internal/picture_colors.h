@@ -11,8 +11,8 @@ namespace rastercheck::reports {
 
 /// How the pixels of a picture file look on a screen: the channels R, G and B, else the first
 /// three, else the first as grey. Integers are taken as they are, which is what image viewers do.
-/// Floats from 0 to 1 run from black to white; a channel with others is stretched from its least to
-/// its greatest number. What is no finite number is magenta.
+/// Floats from 0 to 1 run from black to white; a channel with numbers outside [0, 1] is stretched
+/// from its least to its greatest. NaN and infinities are magenta.
 class PictureColors {
  public:
   /// The picture must outlive the object.

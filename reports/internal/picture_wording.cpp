@@ -16,8 +16,8 @@ using records::PixelVerdict;
 constexpr int kScale8 = 255;
 constexpr int kScale16 = 65535;
 
-/// A number that a stored value stands for; integers have as many decimals as tell neighbours
-/// apart.
+/// Formats the number that a stored value stands for. Numbers of integers get enough decimals to
+/// tell neighbours apart.
 std::string number_of(const ChannelUnit& unit, float stored, int digits) {
   if (std::isnan(stored)) return "NaN";
   if (unit.is_encoded) return fmt::format("{}", stored);
@@ -118,7 +118,7 @@ ChannelUnit unit_of(const cases::PictureView& view, std::size_t channel) {
 }
 
 bool is_wrong(const records::WrongChannel& channel) {
-  // NaN lies in no range.
+  // NaN fails these comparisons, so it is never within a range.
   const bool is_within = channel.actual >= channel.least && channel.actual <= channel.greatest;
   return !channel.is_free && !is_within;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Shared wording of judged pictures: verdicts, stored values, and the rest of a result in
-// sentences.
+// Shared wording of judged pictures: verdicts, stored values, and sentences about what was
+// judged.
 
 #include <cstdint>
 #include <string>
@@ -36,12 +36,12 @@ ChannelUnit unit_of(const cases::PictureView& view, std::size_t channel);
 /// True if a channel's stored value is not among the permitted ones.
 bool is_wrong(const records::WrongChannel& channel);
 
-/// "R was drawn as 0.141 and must be 0.161 to 0.165 (36, not 41 to 42, of 255)", for each channel
-/// that is wrong, up to four.
+/// Describes each wrong channel, up to four: "R was drawn as 0.141 and must be 0.161 to 0.165 (36,
+/// not 41 to 42, of 255)".
 std::string fault_of(const records::WrongPixel& pixel, const cases::PictureView& view);
 
-/// "off by 5 steps"; empty for NaN and for a million steps or more, as between floats whose digits
-/// say it all.
+/// "off by 5 steps"; empty for NaN and from a million steps on: for floats so far apart, the
+/// numbers themselves say more.
 std::string steps_text(double steps);
 
 }  // namespace rastercheck::reports
