@@ -33,15 +33,15 @@
 //
 // 3. Values. If w > 0 at all vertices, the values are those of planes over the triangle in the
 //    window, with the errors derived in internal/plane_error.cpp. Errors of positions move
-//    vertices. The contract's coverage and basis allow for every such placement of the vertices, so
-//    values need no further bound for it.
+//    vertices. The contract's rules for where vertices may lie (Contract::coverage and ::basis)
+//    already allow for this, so values need no further bound for it.
 //
 //    If some w <= 0, no triangle in the window exists. The planes are then evaluated in clip space,
 //    about the window's origin, where the weight of vertex i is a sum of terms. Each term is off by
 //    15δ: at most 2 · 5 operations for two positions, the product, the difference, the product with
-//    u and two sums. Multiplying by r_i and adding takes 4δ more in the numerator, 3δ more in the
-//    denominator, and the quotient 2δ. The errors of both sums come from terms whose magnitudes add
-//    up to K times the denominator (cases::ValueBound), so
+//    the sample's u and two sums. Multiplying by r_i and adding takes 4δ more in the numerator, 3δ
+//    more in the denominator, and the quotient 2δ. The errors of both sums come from terms whose
+//    magnitudes add up to K times the denominator (cases::ValueBound), so
 //
 //      |Δr| <= (19 + 18) δ K / (1 − 18 δ K) max|r| + 2δ |r|,
 //
@@ -59,8 +59,8 @@
 //    viewport is at most 1 + 2e/W times as large, and shrinks triangles to no less than 1 − 2e/W of
 //    their size, where e is cases::Contract::viewport_error. Errors of planes do not depend on the
 //    scale of an axis; only distances in pixels grow. In the K of section 3, each |X|
-//    (cases::ValueBound) is at most 1 + 4e/W times as large, because |X| >= |w| W/2 and so |w| e <=
-//    2e/W |X|.
+//    (the size in cases::ValueBound, not section 1's X) is at most 1 + 4e/W times as large, because
+//    |X| >= |w| W/2 and so |w| e <= 2e/W |X|.
 //
 // 5. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
 //    TriangleInterpolator) accepts every colour that the weights anywhere in a square give, with
@@ -287,7 +287,7 @@ class OneTriangle {
   cases::Triangle indices_;
   std::array<Vertex, 3> vertices_;
   double viewport_error_ = 0;  ///< e, pixels
-  double grown_ = 1;           ///< growth of a pixel if the viewport is as small as allowed
+  double grown_ = 1;           ///< largest ratio of the viewport's size to the driver's
   double position_ = 0;        ///< error of given vertices, in pixels
   double new_position_ = 0;    ///< error of new vertices, in pixels
   double cut_at_sides_ = 0;    ///< error of new vertices that the viewport's sides make, in pixels
@@ -371,7 +371,7 @@ cases::TrianglePromise OneTriangle::promise() {
   }
   const double units = std::ldexp(kRest, limits_.subpixel_bits);
   // A new vertex is rounded to the grid as well. This moves the edges on which it lies by a unit.
-  // These may be edges between given vertices, however given vertices are rounded.
+  // Such an edge may join two given vertices, so the unit is added however these are rounded.
   const double rounded = clipped.is_cut_at_the_sides ? 1 : 0;
   const double position = (position_ + cut_at_sides_) * units + rounded;
   const double new_position = (position_ + new_position_) * units + 1;
@@ -384,7 +384,7 @@ cases::TrianglePromise OneTriangle::promise() {
   promise_.clip_tolerance = std::max(of_new - double{promise_.position_error}, 0.0);
   // New vertices may be as far off a viewport side as off an edge.
   if (clipped.is_cut_at_the_sides) promise_.side_tolerance = of_new;
-  // The first plane cuts by exact distances.
+  // The first plane only sees given vertices, whose distances have no error of clipping.
   if (clipped.planes > 1) {
     promise_.clip_error = kRest * clipped.planes * kClipping * arithmetic_.operation;
   }
@@ -513,8 +513,8 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
     evaluation.away = from_origin(window, case_->framebuffer);
     for (double& distance : evaluation.away) distance = (distance + viewport_error_) * grown_;
   }
-  // A cut triangle's pieces may hold samples outside the triangle between the placed vertices,
-  // because given vertices may move one way and new vertices the other.
+  // A cut triangle's pieces may hold samples outside the triangle that its placed given vertices
+  // span, because given vertices may move one way and new vertices the other.
   const double outside = is_cut ? reach : 0;
   WindowTriangle flat = window;
   flat.w = {1, 1, 1};

@@ -54,8 +54,8 @@ struct BackendFactory {
   std::optional<cases::ContractTerms> terms = std::nullopt;
   /// The preferred way of drawing for backends with several ways (Backend::prefer()).
   std::optional<cases::DrawBy> draw_by = std::nullopt;
-  /// Replaces each backend that was made, such as by one that also records what it draws. Empty:
-  /// does not.
+  /// Replaces each new backend, for example by one that also records the cases that it draws. If
+  /// empty, backends stay as they are.
   std::function<std::unique_ptr<Backend>(std::unique_ptr<Backend>)> wrap = {};
 
   /// Makes the backend of a specification. An error gives the specification as its file. The

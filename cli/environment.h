@@ -12,7 +12,7 @@ namespace rastercheck::cli {
 /// build, machine, current time and duration.
 std::map<std::string, std::string> environment(int jobs, double seconds);
 
-/// environment(), and for each backend of a plan what draws, such as a driver's name and version
+/// environment(), plus facts about each backend of the plan, such as a driver's name and version
 /// (records::drawn_by_key()).
 std::map<std::string, std::string> environment_of(const records::Plan& plan,
                                                   const backends::BackendFactory& factory, int jobs,

@@ -11,9 +11,9 @@
 
 namespace rastercheck::gate {
 
-/// Draws again, with the current side's backend, the cases that grew most and the kept parts that
-/// changed most. Leaves out those that cannot be drawn here, or are drawn differently now. `corpus`
-/// is the corpus of both sides.
+/// Draws again, with the current side's backend, the cases that grew most and the kept parts of
+/// drawings (records::Specimen) that changed most. Leaves out those that cannot be drawn here, or
+/// are drawn differently now. `corpus` is the corpus of both sides.
 std::vector<records::CloserLook> look_closer(const records::Comparison& comparison,
                                              const records::Baseline& before,
                                              const records::Baseline& after,

@@ -228,8 +228,8 @@ bool is_work(records::Stage stage) {
   return stage != records::Stage::left_open && stage != records::Stage::excess;
 }
 
-/// True if the backend reported any stage. Other backends only have `left_open`, `excess` and
-/// `transform`, which describes their input.
+/// True if the backend reported any stage. Other backends only have `left_open` and `excess`, and
+/// `transform`, which describes the input.
 bool has_work(const Means& means) {
   return std::any_of(means.begin(), means.end(), [](const auto& of) {
     return of.first != records::Stage::transform && is_work(of.first);

@@ -254,7 +254,7 @@ float stored_near(Storage storage, double number) {
 }
 
 /// Finds the outermost stored value that is not beyond a range's end, by steps from a value near
-/// the end. `up`: the values beyond the end are the lesser ones.
+/// the end. `up` is true for the range's lower end; smaller values lie beyond this end.
 template <typename IsBeyond>
 float first_not(const IsBeyond& is_beyond, Storage storage, float value, bool up) {
   while (is_beyond(value)) value = next_stored(storage, value, up);

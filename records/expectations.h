@@ -2,7 +2,7 @@
 
 // Reads and writes expectation lists, as drivers' CI keeps them, one name per line:
 //
-//   NAME-fails.txt    laws that are violated: no violation is new, and a law that holds is reported
+//   NAME-fails.txt    laws expected to fail: a violation is not new; a law that holds is reported
 //   NAME-flakes.txt   laws that are sometimes violated
 //   NAME-skips.txt    laws that are not checked at all
 //

@@ -60,8 +60,8 @@ class Histogram {
     if (size > kBorders.back()) return kOverflowBucket;
     // The exponent and the first three bits of the fraction cut each octave into eight equal steps,
     // which exclude their lower ends. As 2^(i/8) <= 1 + i/8 <= 2^((i+1)/8) for i = 0…8, step i
-    // reaches from bucket i of the octave at most into the next, so one comparison with the border
-    // between decides.
+    // reaches from bucket i of the octave at most into the next, so a comparison with the border
+    // between these two buckets decides.
     const std::uint64_t from_zero = (std::bit_cast<std::uint64_t>(size) - 1) >> kBitsBelowStep;
     const auto step = static_cast<std::size_t>(from_zero - kFirstStep);
     return size <= kBorders[step + 1] ? step + 2 : step + 3;

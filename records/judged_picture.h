@@ -21,8 +21,8 @@ enum class PixelVerdict {
   extra,           ///< not the background, where nothing may be drawn
   missing,         ///< the background, where something must be drawn
   not_a_number,    ///< NaN
-  not_judged,      ///< wrong for all triangles with a promise, while others may be seen anywhere;
-                   ///< or several may be blended
+  not_judged,      ///< wrong for all triangles with a promise, but one without may be seen there;
+                   ///< or several triangles may be blended there
 };
 
 constexpr auto names_of(PixelVerdict /*type*/) {

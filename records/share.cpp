@@ -29,8 +29,8 @@ std::string share_text(std::uint64_t part, std::uint64_t whole) {
   if (part == 0) return "0%";
   if (part == whole) return "100%";
 
-  // `smaller * all` is at most 500 times `whole` with one decimal, and less than 100 times `whole`
-  // with more; `all` is no larger. So nothing comes near 2^128.
+  // With one decimal, `smaller * all` is at most 500 times `whole`; with more, it is less than 100
+  // times `whole`. `all` is at most `smaller * all`. So nothing comes near 2^128.
   constexpr Wide kTwoDigits = 10;
   const Wide smaller = std::min(part, whole - part);
   int decimals = 1;

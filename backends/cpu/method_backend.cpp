@@ -111,13 +111,13 @@ cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
 /// covers both errors for viewports up to 2^14 pixels; the grid of 2^-16 pixels is only the
 /// contract's way to say where vertices may be. Clipping adds an error that grows with the
 /// amplification A of the triangle: 2^-50 A half widths for a new vertex, which is the clip
-/// tolerance. Values along an edge belong to the edge's own positions. So if an edge is off, values
-/// change no more than if the vertices had been moved.
+/// tolerance. A method interpolates along an edge by the positions that it has for this edge. So if
+/// an edge is off, values change no more than if the vertices had been moved.
 ///
-/// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A, because
-/// the guard band is 2^10. So A 2^-34 scale ULP are added to the other errors. For depth, the other
-/// errors are the rounding to float32 and an error of less than 2^-24. A vertex that only the
-/// method clips has the clip tolerance as its position error.
+/// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A: 2^-50 A
+/// half widths, relative to the band's 2^10. So A 2^-34 scale ULP are added to the other errors.
+/// For depth, these are the rounding to float32 and less than 2^-24 from the computation in double.
+/// A vertex that only the method clips has the clip tolerance as its position error.
 void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
                          cases::Contract& contract) {
   contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
@@ -131,7 +131,7 @@ void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
 
   const double amplification = clip_amplification(c);
   constexpr double kGridUnits = 0x1p16;
-  // Exceeds every window coordinate, which is below 2^277 half widths, each below 2^127.
+  // Exceeds every window coordinate: it is below 2^277 half widths, and a half width below 2^127.
   constexpr double kMostTolerance = 0x1p480;
   contract.clip_tolerance =
       std::isinf(amplification)

@@ -24,35 +24,35 @@
 // lose.
 //
 // Each term takes 9 operations: 1 for relative positions, 1 for a product, 1 for a difference, 1
-// for u − P, 1 for a product with that, 2 for two sums, and 2 for the quotient by D, which may be a
-// reciprocal and a product. D itself takes 5 operations on terms that sum to at most S: 1 for
-// relative positions, 1 for a product, 1 for a difference and 2 for two sums.
+// for u relative to P, 1 for a product with that, 2 for two sums, and 2 for the quotient by D,
+// which may be a reciprocal and a product. D itself takes 5 operations on terms that sum to at most
+// S: 1 for relative positions, 1 for a product, 1 for a difference and 2 for two sums.
 //
 // A value linear in window space, r = Σ r_i e_i / D, takes 4 more: a product with r_i or with a
 // difference of two values, that difference, and two sums. Values may be evaluated from differences
-// to one vertex, r_0 + b_1 (r_1 − r_0) + b_2 (r_2 − r_0), or by a gradient made of such
-// differences. A difference is at most 2 max|r|, so these terms sum to at most 2 S max|r|.
-// Altogether
+// to one vertex, r_0 + β_1 (r_1 − r_0) + β_2 (r_2 − r_0) with the weights β_i = e_i/D, or by a
+// gradient made of such differences. A difference is at most 2 max|r|, so these terms sum to at
+// most 2 S max|r|. Altogether
 //
 //   |Δr| <= (2 · 13 + 5) δ k / (1 − 5 δ k) max|r|.
 //
-// A value linear in clip space is N/M with N = Σ b_i r_i/w_i and M = Σ b_i/w_i. Here 1/w_i is one
+// A value linear in clip space is N/M with N = Σ β_i r_i/w_i and M = Σ β_i/w_i. Here 1/w_i is one
 // operation and its product with r_i another. By the same count, with q the greatest 1/w_i,
 //
-//   |ΔN| <= (2 · 15 + 5 x) δ k q max|r| / (1 − 5 δ k),  |ΔM| <= (2 · 14 + 5) δ k q / (1 − 5 δ k),
+//   |ΔN| <= (2 · 15 + 5 λ) δ k q max|r| / (1 − 5 δ k),  |ΔM| <= (2 · 14 + 5) δ k q / (1 − 5 δ k),
 //
-// where x is such that |N| <= x q max|r|. The quotient takes two more operations. Where M = q/g and
-// |r| <= y max|r|,
+// where λ is such that |N| <= λ q max|r|. The quotient takes two more operations. Where M = q/g and
+// |r| <= μ max|r|,
 //
-//   |Δr| <= (30 + 5 x + 33 y) δ k g / (1 − 5 δ k − 33 δ k g) max|r| + 2 δ y max|r|.
+//   |Δr| <= (30 + 5 λ + 33 μ) δ k g / (1 − 5 δ k − 33 δ k g) max|r| + 2 δ μ max|r|.
 //
-// Inside the triangle x = y = 1, and g is at most q over the least 1/w_i. If vertices were moved,
+// Inside the triangle λ = μ = 1, and g is at most q over the least 1/w_i. If vertices were moved,
 // 1/w at the same place differs by at most reach |∇(1/w)|, which g allows for.
 //
 // Outside the triangle, by up to h along each axis, a weight may be as low as −ν_i with
-// ν_i = h (|a_i| + |b_i|)/D. So a value linear in window space is at most x max|r| with
-// x = 1 + Σ ν_i; N is at most x q max|r|, so y = x g; and 1/w may be below the least 1/w_i by
-// h |∇(1/w)|, which bounds g.
+// ν_i = h (|a_i| + |b_i|)/D. So a value linear in window space is at most λ max|r| with λ = 1 + Σ
+// ν_i; N is at most λ q max|r|, so μ = λ g; and 1/w may be below the least 1/w_i by h |∇(1/w)|,
+// which bounds g.
 //
 // D, S and the gradients are those of the moved triangle, whose relative positions differ from the
 // exact ones by at most twice the reach.

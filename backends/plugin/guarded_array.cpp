@@ -92,7 +92,7 @@ void describe(SignalLine& line, const Guarded& array, std::uintptr_t address) {
 
 /// Reports which array was accessed, then lets the signal have its usual effect.
 void report(int signal, siginfo_t* info, void* /*context*/) {
-  if (info->si_code <= 0) {  // sent by a process: there is no access that would be repeated
+  if (info->si_code <= 0) {  // a process sent the signal, so returning would not raise it again
     ::raise(signal);
     return;
   }

@@ -45,7 +45,7 @@ Result<properties::MergedRun> merged_run(const Options& options) {
   return std::move(merge).finish();
 }
 
-/// Adds inspections; says why if they are only the shards' own.
+/// Inspects samples of the merged run. If this fails, keeps the shards' inspections and says why.
 void add_inspections(properties::MergedRun& merged) {
   const properties::Conduct conduct = conduct_of(merged.run.plan, "", 1);
   const Result<void> inspected = properties::inspect_merged(merged, conduct, &read_scene);

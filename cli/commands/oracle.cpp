@@ -33,7 +33,7 @@ struct Options {
   bool all = false;
 };
 
-/// The referee checks the first fragments, and then one of every kCheckedEvery.
+/// The self-check tests the first kCheckedFirst fragments, and then one in kCheckedEvery.
 constexpr std::size_t kCheckedFirst = 16;
 constexpr std::size_t kCheckedEvery = 256;
 

@@ -11,10 +11,10 @@
 
 namespace rastercheck::gate {
 
-/// True if the magnitude of `a` is larger than that of `b`. Error enclosures are the narrowest in
-/// doubles and depend on the fragment alone. So the lexicographically larger pair of ends (far end
-/// first) belongs to the larger error, unless doubles cannot tell the two errors apart (as in
-/// records/record.cpp). Equal errors never count as grown.
+/// True if the magnitude of `a` is larger than that of `b`. An error's enclosure is the narrowest
+/// pair of doubles around it, and depends on the fragment alone. So the lexicographically larger
+/// pair of ends (far end first) belongs to the larger error, unless doubles cannot tell the two
+/// errors apart (as in records/record.cpp). Equal errors never count as grown.
 bool is_larger(const records::Enclosure& a, const records::Enclosure& b);
 
 /// Returns the number of grown cases per entry (Figure::grown_cases); leaves out entries with none.

@@ -8,10 +8,10 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// The distance, in bands, by which lines are moved inwards. A band is at least 8u of the line's
-/// terms. A computed value is off by at most one band, and a cut uses two values. Each of up to
-/// kMostLines cuts rounds a position once along each axis, by u of the line's terms. All this adds
-/// up to less than 6 bands.
+/// The distance, in bands, by which lines are moved inwards. A line's band is at least 8u of its
+/// terms, u = 2^-53. A computed value is off by at most one band, and a cut uses two values. Each
+/// of up to kMostLines cuts rounds a position once along each axis, by u of the line's terms. All
+/// this adds up to less than 6 bands.
 constexpr double kBandsInwards = 16;
 
 double at(const FilterLine& line, const std::array<double, 2>& p) {

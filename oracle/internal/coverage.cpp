@@ -123,8 +123,8 @@ bool is_outside_hull(const Point& p, const Placements& placements) {
   });
 }
 
-/// Compares |line(p)| with tolerance · (|A| + |B|), the largest change of the line's value under a
-/// move by the tolerance along both axes: 1 inside, −1 outside, 0 within.
+/// Compares |line(p)| with tolerance · (|A| + |B|), the line's largest change if p moves by the
+/// tolerance along both axes. Returns 0 if |line(p)| is not larger, else 1 inside, −1 outside.
 int side_within(const Line& line, const Ring& tolerance, const Point& p) {
   const double near_tolerance = near_double(tolerance);
   if (has_normal_products(near_tolerance, tolerance)) {

@@ -28,10 +28,10 @@ std::optional<double> placement_radius(const TriangleSetup& triangle);
 /// The bound includes every placement, even one that does not cover p, if all keep their
 /// orientation (as they do for ρ < 1) and have 1/w > 0 at p; otherwise all depths between the
 /// vertices' depths are permitted. The 1/w of a placement at p is the exact triangle's 1/w at q, Σ
-/// α_i(q)/w_i. As p lies in some placement, q is within 2 reach/(1 − ρ) of a point of the exact
-/// triangle, where no α_i is negative. Σ ∂α_i = 0 and Σ |∂α_i| = ρ/reach, so the negative α_i(q)
-/// sum up to at most N = ρ/(1 − ρ). So 1/w > 0 if N/(1 + N) = ρ is less than the ratio of the least
-/// w to the greatest.
+/// α_i(q)/w_i with the weights α_i of placement_filter.h. As p lies in some placement, q is within
+/// 2 reach/(1 − ρ) of a point of the exact triangle, where no α_i is negative. Σ ∂α_i = 0 and Σ
+/// |∂α_i| = ρ/reach, so the negative α_i(q) sum up to at most N = ρ/(1 − ρ). So 1/w > 0 if N/(1 +
+/// N) = ρ is less than the ratio of the least w to the greatest.
 ///
 /// Otherwise, as in triangles of a few grid units, the enclosure holds all depths between the
 /// vertices' depths, and the exact triangle's own depth, which the basis unspecified permits.

@@ -298,7 +298,7 @@ void CountErrors(const ErrorLimits& limits, const Batch<double>& lo, const Batch
     const auto high = hn::LoadU(d, hi.data() + k);
     const auto low_size = hn::Abs(low);
     const auto high_size = hn::Abs(high);
-    // NaN fails these comparisons, so it keeps no limit.
+    // NaN fails these comparisons, so it never counts as within the limits.
     const auto keeps_bound = hn::And(hn::Le(low_size, bound), hn::Le(high_size, bound));
     const auto keeps_limits = hn::And(hn::Ge(low, least_limit), hn::Le(high, most_limit));
     const auto is_asked = hn::And(hn::And(keeps_bound, keeps_limits),

@@ -156,7 +156,7 @@ struct ShiftedReadings {
 ///
 ///   H = fl(Σ |g_i| (edge_error_i + 16u |e_i|)).                        (proofs/shifted.g)
 ///
-/// Samples whose shifts or reciprocal are NaN get bit 0.
+/// The bits of samples whose shifts or reciprocal are NaN are cleared.
 void find_between_readings(const ValueFilter& value, const ShiftedReadings& readings,
                            const BatchWeights& weights, const BatchShifts& shifts,
                            const Batch<double>& computed, int count,

@@ -14,7 +14,7 @@ using cases::Storage;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// The index of a triangle plus 1, as a channel stores it: its last bits in integers.
+/// The index of a triangle plus 1, as a channel stores it. Integers keep only its lowest bits.
 double shown_index(Storage storage, std::uint32_t triangle) {
   const std::uint32_t number = triangle + 1;
   switch (storage) {

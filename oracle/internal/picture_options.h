@@ -24,7 +24,7 @@ class PictureOptions {
   /// The values that the channels show: the depth, then each attribute.
   const std::vector<bool>& wanted_values() const { return is_wanted_; }
 
-  /// The triangles that answers have to know of.
+  /// The triangles that answers must contain: those seen or, if blending mixes several, all.
   Layers wanted_layers() const {
     return view_->blend == cases::Blend::off ? Layers::seen : Layers::all;
   }

@@ -28,7 +28,7 @@ std::optional<cases::Case> received_case(const records::SampleTrace& trace, case
 /// One number per corner.
 using Weights = std::array<Ring, 3>;
 
-/// A value as Σ n_c E_c / Σ d_c E_c, for any common multiple E_c of e_c.
+/// A value as Σ n_c E_c / Σ d_c E_c, where all E_c are e_c times one common factor.
 struct Terms {
   Weights numerators;
   Weights denominators;

@@ -237,7 +237,7 @@ std::vector<HomogeneousPoint> TriangleSetup::corners_beside(std::size_t edge) co
     for (std::size_t i = 0; i < polygon.size(); ++i) all.push_back(polygon.vertex(i));
   };
   take(clipped_to_triangle(guard_band_of(*scene)));
-  if (promise.clip_error > 0) {  // adds the corners as close to the edge as they may come
+  if (promise.clip_error > 0) {  // adds the corners if planes cut off as much as they may
     ConvexRegion least = guard_band_of(*scene);
     for (std::size_t i = 0; i < 3; ++i) least.clip(ideal.edge(i));
     for (const ClipFunctional& functional : clip_functionals()) {

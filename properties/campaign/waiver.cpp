@@ -215,7 +215,7 @@ records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
     const bool is_needed = conditions.needs->contains(std::string(need));
     const bool is_of_coverage = conditions.kinds == std::set{AttributeKind::coverage};
     if (!is_needed || (fact == KnownFact::tie && !is_of_coverage)) continue;
-    // A sample drawn by a degenerate triangle lies on its edges, or far from the triangle.
+    // `tie` says nothing here: without an inside, a triangle only draws ties or far samples.
     if (fact == KnownFact::tie && are_degenerate) continue;
     if (fact == KnownFact::tie && conditions.reach > 0) {
       entry.when.limits[records::KnownLimit::distance_at_most] = conditions.reach;

@@ -1,7 +1,7 @@
 // clipping: triangles that leave the view volume in every possible way. One, two or three vertices
 // far outside in each of the 26 directions of the volume's sides, edges and corners; polygons that
 // all six planes cut; fans and quads many times larger than the volume, through its middle and
-// close to its planes; weights of either sign one float from 0.
+// close to its planes; clip w of either sign, one float from 0.
 
 #include <algorithm>
 #include <array>

@@ -10,8 +10,8 @@
 //
 //   required there  <=  sum  <=  required or permitted there
 //
-// Samples: all; samples without any triangle must keep their 0. The case's numbers decide whether
-// the attribute is flat or smooth. Only backends that draw pictures are judged.
+// Samples: all; samples without any triangle must keep their 0. A pseudorandom choice (choices.h)
+// decides whether the attribute is flat or smooth. Only backends that draw pictures are judged.
 
 #include <fmt/format.h>
 

@@ -10,17 +10,17 @@
 //   state    a viewport with a number that is not finite, or a depth outside [0, 1]; a scissor of
 //            negative size
 //   target   no pixels, or too many, along a side; a sample count without a pattern
-//   empty    one vertex in each triangle that is not finite, or a viewport of width or height 0
+//   empty    one non-finite vertex in each triangle, or a viewport of width or height 0
 //
 // Faults of the last kind must merely have no effect: the backend may return an error or draw no
 // fragments. It may leave out a triangle that is not finite, and a triangle without area covers
 // nothing. Attribute values and clip distances that are not finite are not faults: backends draw
 // with them as they are.
 //
-// The case's numbers choose the fault and its place. The case itself is valid, so that it can be
-// saved. The picture is drawn from the valid case with additive blending and without a depth test,
-// so that anything that is drawn over it again shows. All samples are compared. Under a sanitizer
-// the law also shows that no array is read out of bounds.
+// A pseudorandom number of the case (choices.h) chooses the fault and its place. The case itself is
+// valid, so that it can be saved. The picture is drawn from the valid case with additive blending
+// and without a depth test, so that anything that is drawn over it again shows. All samples are
+// compared. Under a sanitizer the law also shows that no array is read out of bounds.
 
 #include <array>
 #include <cstddef>

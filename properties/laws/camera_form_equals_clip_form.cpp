@@ -30,7 +30,7 @@
 //
 // Samples: all drawn ones; but if values come from snapped vertices, only those of unclipped
 // triangles. Depths: only if nothing is snapped or clamped. If a contract does not say where
-// vertices are placed, the oracle judges.
+// vertices are placed, the oracle judges the drawing.
 
 #include <algorithm>
 #include <array>

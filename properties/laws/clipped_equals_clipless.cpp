@@ -13,7 +13,7 @@
 //   near, far             L = z (OpenGL: z + w), w − z      the depth clamp is turned off
 //   a side                L = w ± x, w ± y                  nothing is drawn beyond it
 //   a clip distance       L = d
-//   near, through the eye as for near; w = L + 1/2 unit, so that w < 0 at vertices with L < 0
+//   near, through eye     L as for near; w = L + 1/2 unit, so that w < 0 at vertices with L < 0
 //
 // Both drawings are within the bound of the same exact value, so they differ by at most twice the
 // bound. For attributes and depth tests see laws/splitting_a_triangle.cpp.

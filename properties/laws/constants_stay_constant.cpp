@@ -41,8 +41,8 @@ bool is_constant(const cases::Case& c, const cases::Triangle& triangle, std::siz
          is_same(first, c.attributes_of(triangle[2])[attribute]);
 }
 
-/// True if the promise may be strong enough somewhere. g >= 1 except at extrapolated centres, K >=
-/// 1, and the range of a constant is 0.
+/// True if the promise may be strong enough somewhere. In cases::ValueBound, g >= 1 except at
+/// extrapolated centres, K >= 1, and a constant's range is 0.
 bool may_be_exact(const cases::ValueBound& bound) {
   return double{bound.constant} + double{bound.per_horizon} + double{bound.per_condition} <
          kMostBound;

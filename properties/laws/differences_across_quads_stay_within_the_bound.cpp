@@ -14,10 +14,10 @@
 // a helper pixel need not have a centroid; noperspective values with some w <= 0; and contracts
 // that allow several placements.
 //
-// The case's numbers choose x or y. Without depth test and blending, the last triangle drawn is
-// visible. Samples: some of the drawn samples at which the last triangle is required; up to half of
-// the checked samples lie beside a sample that was not drawn. Only backends that draw pictures and
-// promise a bound are judged.
+// x or y is chosen at random (choices.h). Without depth test and blending, the last triangle drawn
+// is visible. Samples: some of the drawn samples at which the last triangle is required; up to half
+// of the checked samples lie beside a sample that was not drawn. Only backends that draw pictures
+// and promise a bound are judged.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// Discarding draws what keeping the kept texels draws: with Texturing::discard_below, the picture
-// is drawn as if only the fragments existed whose texel's alpha is at least the limit. The others
-// affect neither colour nor depth.
+// Discarded fragments leave no trace: with Texturing::discard_below, the picture is drawn as if
+// only the fragments existed whose texel's alpha is at least the limit. The others affect neither
+// colour nor depth.
 //
 // Why. MIT 6.837 2000, lecture 18, draws transparency this way: if a texel's alpha is 0, neither
 // the pixel nor its depth is written, and what lies behind shows. A fragment's texel is exact
@@ -8,9 +8,9 @@
 // See properties/laws/internal/picture_model.h for how fragments make a picture. Their depths are
 // those that the backend itself draws.
 //
-// The case's numbers choose the texture, its wrap modes, the limit, whether depths are written,
-// blend and format. Filtering is nearest, and the depth test is `less`. The coordinates are the
-// first two attributes.
+// A pseudorandom number of the case (choices.h) chooses the texture, its wrap modes, the limit,
+// whether depths are written, blend and format. Filtering is nearest, and the depth test is `less`.
+// The coordinates are the first two attributes.
 //
 // Samples: some of those at which both coordinates of every fragment have a single exact value.
 // Depths and colours must agree to the bit. Only backends that draw pictures are judged.

@@ -9,8 +9,8 @@
 // triangles turned; if the backend does not support this either, there is no other case.
 //
 // Samples: all, with values and derivatives, even those that the contract leaves open. Backends
-// that draw pictures also draw a picture each time, with a pipeline from the case's numbers. The
-// other two drawings are compared with the middle one, which follows a drawing of the same case.
+// that draw pictures also draw a picture each time, with a random pipeline (choices.h). The other
+// two drawings are compared with the middle one, which follows a drawing of the same case.
 
 #include <algorithm>
 #include <optional>

@@ -8,8 +8,8 @@
 // contract allows. That gives an enclosure of the level and so a range of colours, to which the
 // bound is added.
 //
-// The case's numbers choose the texture's size, its wrap modes, and the filter; texels are noise,
-// much of it black and white. The coordinates are the first two attributes.
+// The texture's size, wrap modes and filter are random (choices.h); texels are noise, much of it
+// black and white. The coordinates are the first two attributes.
 //
 // Samples: as in "texels-are-those-of-the-exact-coordinates"; for trilinear filtering, derivatives
 // must have a single exact value, too. Only backends that draw pictures and promise a bound are

@@ -3,7 +3,7 @@
 //
 //   left and right   (u, v) → (W − u, v)        up and down   (u, v) → (u, H − v)
 //
-// where W × H is the framebuffer's size. The case's numbers choose one mirror or both.
+// where W × H is the framebuffer's size. One mirror or both are chosen at random (choices.h).
 //
 // Why. Since u = x0 + w/2 + x/w w/2, the viewport at W − x0 − w and the clip position (−x, y, z, w)
 // give exactly the mirrored window position. v is mirrored in the same way or, under Vulkan's

@@ -7,15 +7,15 @@
 //   min(x0, x0 + W) <= u < max(x0, x0 + W)
 //
 // and likewise for v. On the far border, which OpenGL and Vulkan leave open, nothing is checked.
-// This depends neither on the contract's coverage nor on any grid: the borders are not snapped. If
-// a contract allows the viewport's position an error, the viewport's sides may lie that much
-// farther out. u is a multiple of 1/16 below 2^15 and exact in double. The sum x0 + W of two floats
-// need not be exact in double, but is compared without rounding. The scissor contains the pixels
-// with x <= i < x + width, in integers; it may reach beyond the framebuffer or have no area.
+// The inside depends neither on the contract's coverage nor on a grid: its borders are not snapped.
+// If a contract allows the viewport's position an error, the sides may lie that much farther out. u
+// is a multiple of 1/16 below 2^15 and exact in double. The sum x0 + W of two floats need not be
+// exact in double, but is compared without rounding. The scissor contains the pixels with x <= i <
+// x + width, in integers; it may reach beyond the framebuffer or have no area.
 //
 // Samples: all samples outside, whether or not anything is near them; other laws check the inside.
 // Backends that draw pictures draw a picture without a depth test, so that anything that reaches a
-// sample is written. The case's numbers give the clear values.
+// sample is written. The clear values are random (choices.h).
 
 #include <array>
 #include <cstddef>

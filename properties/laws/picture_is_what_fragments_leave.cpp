@@ -8,10 +8,10 @@
 // values; the model takes the fragments that the backend itself draws of the case without a depth
 // test.
 //
-// The case's numbers choose the pipeline: one of the eight depth functions, whether depths are
-// written, the clear depth, a blend (`over` only with four channels), a format, and whether the
-// samples are resolved. Channels are the attributes or, as vertex colours (Gouraud shading), the
-// first three or four of them.
+// A pseudorandom number of the case (choices.h) chooses the pipeline: one of the eight depth
+// functions, whether depths are written, the clear depth, a blend (`over` only with four channels),
+// a format, and whether the samples are resolved. Channels are the attributes or, as vertex colours
+// (Gouraud shading), the first three or four of them.
 //
 // Samples: all, including those without a fragment. Any two NaNs are the same. Only backends that
 // draw pictures are judged.

@@ -15,7 +15,7 @@
 // a coordinate, so no backend has a reason for either.
 //
 // Coordinates: k is chosen so that every coordinate stays a finite float32 with the same digits,
-// and normal if it was normal. k comes from the case's numbers and differs from triangle to
+// and normal if it was normal. k is chosen at random (choices.h) and differs from triangle to
 // triangle. So triangles get vertices of their own, also in the drawing for comparison. A case is
 // left out if each of its triangles spans the whole range of float32.
 

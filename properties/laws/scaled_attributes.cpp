@@ -23,7 +23,7 @@
 // or 2^-40 <= |r_i| <= 2^40, and values above 2^-100, must agree to the bit; zeros of either sign
 // are the same.
 //
-// α and β come from the case's numbers, separately for each attribute. All α r_i + β must be
+// α and β are pseudorandom (choices.h), separately for each attribute. All α r_i + β must be
 // float32 without rounding; else β becomes 0. If some α r_i would still be rounded, the attribute
 // stays unchanged. Not judged: values that the rules leave free or undefined, and moved values if
 // the bound has a share of the vertices' range, since moving changes the size of that share in

@@ -1,5 +1,5 @@
-// Scissors that part the window part what is drawn: if the scissor is cut into four rectangles by a
-// column and a row, the drawings of the rectangles together equal the whole drawing, bit for bit.
+// Scissors that divide the window divide the drawing: if the scissor is cut into four rectangles by
+// a column and a row, the drawings of the rectangles together equal the whole drawing, bit for bit.
 // No fragment is drawn in two of them, and none outside its drawing's rectangle.
 //
 // Why. A scissor tests pixels (i, j), x <= i < x + width and y <= j < y + height. Nothing else
@@ -10,7 +10,7 @@
 // framebuffer.
 //
 // Samples: all, with values and derivatives, even those that the contract leaves open. The column
-// and the row come from the case's numbers, and leave at least one pixel on each side if there are
+// and the row are pseudorandom (choices.h), and leave at least one pixel on each side if there are
 // two.
 
 #include <array>

@@ -7,9 +7,9 @@
 // below 0 in MIT 6.837 2000, lecture 18. Every texel's colour identifies the texel, so a violation
 // tells which one was taken.
 //
-// The case's numbers choose the texture's size, its wrap modes and the picture's format; the
-// coordinates are the first two attributes. Without depth test and blending, the last triangle
-// drawn is visible.
+// A pseudorandom number of the case (choices.h) chooses the texture's size, its wrap modes and the
+// picture's format; the coordinates are the first two attributes. Without depth test and blending,
+// the last triangle drawn is visible.
 //
 // Samples: some of the drawn samples at which the last triangle is required and both coordinates
 // have a single exact value. That excludes noperspective coordinates of triangles with some w <= 0,

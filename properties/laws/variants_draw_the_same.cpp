@@ -8,9 +8,9 @@
 // bound may differ.
 //
 // Samples: all. At most two of the variants draw a case. They are spread over the list, from a
-// place that the case's numbers choose. If the backend and the variant draw pictures, their
-// pictures are compared as well, with a pipeline from the case's numbers. Derivatives are compared
-// if both drawings have them.
+// place chosen at random (choices.h). If the backend and the variant draw pictures, their pictures
+// are compared as well, with a pipeline chosen at random. Derivatives are compared if both drawings
+// have them.
 
 #include <algorithm>
 #include <cstdint>

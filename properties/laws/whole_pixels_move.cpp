@@ -17,9 +17,9 @@
 //                too, and removes from the moved case what enters the window. Nothing else about a
 //                fragment depends on the scissor
 //
-// The case's numbers choose the distance: a few pixels, even or odd, or more than the blocks and
-// tiles into which a rasterizer divides its window. Cases whose moved viewport is not float32 are
-// left out.
+// A pseudorandom number of the case (choices.h) chooses the distance: a few pixels, even or odd, or
+// more than the blocks and tiles into which a rasterizer divides its window. Cases whose moved
+// viewport is not float32 are left out.
 
 #include <algorithm>
 #include <array>

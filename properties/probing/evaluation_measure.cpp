@@ -3,10 +3,10 @@
 // matters whether they use one of them.
 //
 // Planes: draws small right triangles with vertices at whole pixels, w = 1, far from the window's
-// origin. A float32 plane about a point P loses about |p − P| / leg ulp, because r at P is a
-// difference of numbers that are larger by this factor. The worst error is compared with the worst
-// errors of float32 planes about a vertex, about points 16 and 64 pixels away, and about the
-// window's origin. The result is the form for which the ratio of the two errors is nearest to 1.
+// origin. At a sample p, a float32 plane about P is off by about |p − P| / leg ulp: it adds numbers
+// that are larger by this factor and cancel. The worst error is compared with the worst errors of
+// float32 planes about a vertex, about points 16 and 64 pixels away, and about the window's origin.
+// The result is the form for which the ratio of the two errors is nearest to 1.
 //
 // Division: draws triangles with constant w and constant value, which show only the arithmetic of
 // (r/w) / (1/w): each form gives different bits.

@@ -52,7 +52,7 @@ void add_random_far(Draw& draw, cases::Case& c, double distance) {
 }
 
 /// Adds a triangle with a long edge exactly through samples. Along at least one axis, the edge's
-/// slope is no binary fraction, such as 1/3 or 4/5. If the triangle is cut, the new corner
+/// slope, such as 1/3 or 4/5, is not a binary fraction. If the triangle is cut, the new corner
 /// therefore usually has to be rounded, and then the samples are no longer on the edge. Exact in
 /// float32 up to kMostExact pixels.
 void add_far_through_samples(Draw& draw, cases::Case& c, double distance) {

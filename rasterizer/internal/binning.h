@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Sorts triangles into the framebuffer tiles that they touch, a chunk of triangles at a time. A
 // small triangle becomes fragments or, if it is to be shaded, sets of covered samples. A larger

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Evaluates up to 64 samples of a row at once, in double, on the processor's widest vectors. Every
 // target computes the same bits: each product and each sum is rounded separately and never fused.

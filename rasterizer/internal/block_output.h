@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: fragments.
+// Serves the route “fragments” (docs/rasterizer.md, Routes).
 //
 // An evaluated block, and an output that appends it to a list of fragments.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: shaded frames.
+// Serves the route “shaded frames” (docs/rasterizer.md, Routes).
 //
 // The memory of a batch of cells (shading.h). Each thread has one batch. The thread fills the batch
 // with the cells of successive triangles, has the full batch shaded, and merges it into its tile.

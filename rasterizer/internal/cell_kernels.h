@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: shaded frames.
+// Serves the route “shaded frames” (docs/rasterizer.md, Routes).
 //
 // Shades by cells on the processor's widest vectors. Finds the cells of a tile that a triangle
 // touches and those in which the triangle is visible, and computes their depths and values. All

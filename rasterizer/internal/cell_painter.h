@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: shaded frames.
+// Serves the route “shaded frames” (docs/rasterizer.md, Routes).
 //
 // Draws triangles into a tile through a shader. Finds the cells that the triangles touch, fills a
 // batch with those cells, shades each full batch and merges it into the tile. If only finally

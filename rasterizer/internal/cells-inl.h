@@ -1,4 +1,4 @@
-// Route: shaded frames.
+// Serves the route “shaded frames” (docs/rasterizer.md, Routes).
 //
 // Lanes of cells, and their depth tests. Included once per SIMD target, as Highway requires.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Decides whether double precision suffices for the values of a triangle. In double, a value's
 // error comes from the E_i, each within its band, and from a few roundings of u = 2^-53 each. A

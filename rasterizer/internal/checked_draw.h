@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Wraps every way of drawing fragments or tracing a sample: checks the arguments first and, if
 // memory runs out, leaves the fragments unchanged.

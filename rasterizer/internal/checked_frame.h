@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Wraps every draw into a framebuffer: checks the arguments first, and turns exhausted memory into
 // an error value.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Clipping without a clipper (RULES §1). A clip plane with the distances g_i at the vertices is one
 // more affine functional of the window,

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: shaded frames.
+// Serves the route “shaded frames” (docs/rasterizer.md, Routes).
 //
 // Computes colours of a batch's lanes, from texels (fetched or filtered) or from attributes, on the
 // processor's widest vectors. All targets compute the same bits: each product and each sum is

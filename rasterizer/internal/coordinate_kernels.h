@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: shaded frames.
+// Serves the route “shaded frames” (docs/rasterizer.md, Routes).
 //
 // Texture coordinates of a batch's lanes, on the processor's widest vectors: the texels that the
 // coordinates lie in or between, and the level of detail. All targets compute the same bits: each

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The interface of a coverage mode, ExactCoverage (exact_coverage.h) or GridCoverage
 // (grid_coverage.h), as the templates in fragment_drawing.cpp and fallback_drawing.cpp use it.

@@ -44,7 +44,7 @@ const Coefficient& coefficient(const EdgeFunction& edge, Axis axis) {
   return axis == Axis::u ? edge.a : edge.b;
 }
 
-/// Coefficient a or b of the line opposite corner i, for placed weights. The coefficient is a whole
+/// Coefficient a or b of the line opposite corner i, for placed weights (weights.h). It is a whole
 /// number below 2^33.
 double line_coefficient(const ValueSource& source, int turn, std::size_t i, Axis axis) {
   const GridPoint& from = source.corners[(i + 1) % 3]->at;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Screen derivatives of attributes (RULES §4), rounded once. Shown for ∂/∂u; ∂/∂v likewise.
 //
@@ -26,8 +26,8 @@
 //
 // Without a certificate, d comes from the quotient rule in terms of minors. Let p_k = (x, y, w) be
 // the corners and (U, V, T) the sample. Then E_i' E_j − E_i E_j' = ± |det| U' (w_k V − y_k T),
-// where i, j, k are in cyclic order and ± is the sign of det (the product of two cross products
-// that share a factor), so
+// where i, j, k are in cyclic order and ± is the sign of det: the identity for the cross product of
+// two cross products with a common factor. So
 //
 //   d = (N' D − N D') / D² = ± |det| U' Σ (r_i − r_j) (w_k V − y_k T) / D²
 //

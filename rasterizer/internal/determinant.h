@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The determinant whose sign decides which way a triangle faces and whether it covers anything at
 // all.

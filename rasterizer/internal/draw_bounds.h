@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The samples that a draw may touch: those inside the target, the scissor and the viewport.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Data shared by the stages of a draw: the draw's setting, and one triangle.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The edge functions of a triangle in homogeneous coordinates, and their error bounds in double
 // (RULES §1, §6; Appendix 5, clipless homogeneous scan conversion).

@@ -1,4 +1,4 @@
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The evaluator of a triangle's depth and attributes (exact_values.h, plane.h) for a vector of
 // samples, in double and before any rounding. Small triangles, tiles and cells share all of it:

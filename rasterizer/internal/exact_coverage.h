@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Coverage of the mathematical triangle that the float32 clip positions define, sample by sample,
 // without snapping or clip vertices; w <= 0 is allowed (Appendix 5, clipless homogeneous scan

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Sums of doubles without rounding, for cases that double precision cannot decide (J. R. Shewchuk,
 // Adaptive Precision Floating-Point Arithmetic, 1997).

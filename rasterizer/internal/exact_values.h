@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Depth and attributes of a triangle, rounded once (RULES §6).
 //
@@ -21,9 +21,9 @@
 //
 // A corner that clipping made, with shares s_v of the vertices, has r = Σ s_v r_v, and
 // Σ s_v r_v w_v for affine values. Shares have a relative error of 2^-50 and none is negative, so r
-// has an error of at most 2^-49 max|r_i|. Float32 (float_kernels.h) is used for attributes of
-// triangles whose corners are their own vertices, if no difference overflows. All other values, and
-// those that are not certain, are computed as above.
+// has an error of at most 2^-49 max|r_i|. With Precision::float32, attributes of triangles without
+// such corners are computed in float32 (float_kernels.h) if no difference overflows. All other
+// values, and those that are not certain, are computed as above.
 
 #include <array>
 #include <glm/vec4.hpp>

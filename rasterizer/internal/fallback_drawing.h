@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Draws the triangles and rows that the kernels of frames and shaded frames leave (tile_kernels.h,
 // cell_kernels.h). Draws sample by sample, in any mode of coverage and at any location. Coverage,

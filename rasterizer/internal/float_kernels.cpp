@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// factor · E_i of the samples from j in float32, 0 unless positive. Reads at most a vector of
-/// doubles beyond `count`, because the rest is not filled in.
+/// factor · E_i of the samples from j in float32, 0 unless positive. Reads less than a vector of
+/// doubles beyond `count`; numbers farther on may be uninitialised.
 template <class D>
 auto Share(D floats, const double* e, double factor, int j, [[maybe_unused]] int count) {
 #if HWY_TARGET == HWY_SCALAR

@@ -1,11 +1,11 @@
 #pragma once
 
-// Route: fragments.
+// Serves the route “fragments” (docs/rasterizer.md, Routes).
 //
 // Computes a block's attributes in float32, the rasterizer's second precision (RULES §6).
 //
-//   r = r_p + Σ_i c_i (r_i+1 − r_i),     p the vertex of the largest share (the *pivot*),
-//   c_p = b_p+1,  c_p+2 = −b_p+2,  c_p+1 = 0,     b_i the shares, indices modulo 3.
+//   r = r_p + Σ_i c_i (r_(i+1) − r_i),   p the vertex of the largest share (the *pivot*),
+//   c_p = b_(p+1),  c_(p+2) = −b_(p+2),  c_(p+1) = 0,     b_i the shares, indices modulo 3.
 //
 // This equals r_p + (r_j − r_p) b_j + (r_k − r_p) b_k, where j and k are the other two vertices.
 // The form above lets all lanes use the same three differences; adding 0 times a difference rounds

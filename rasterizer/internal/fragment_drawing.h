@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: fragments.
+// Serves the route “fragments” (docs/rasterizer.md, Routes).
 //
 // Draws lists of fragments, and traces one sample. The stages, for each triangle, are:
 //

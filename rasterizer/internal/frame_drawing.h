@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Draws into a framebuffer on several threads. Chunks of triangles are sorted into the tiles that
 // they touch (binning.h); then one thread draws each tile, its triangles in submission order

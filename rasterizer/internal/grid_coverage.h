@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Coverage of the triangle with snapped vertices, computed in whole numbers (grid_polygon.h,
 // grid_piece.h).

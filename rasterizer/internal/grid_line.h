@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Edges between grid points, in whole numbers: a x + b y + c, in squares of grid units.
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Snapped coverage: decides in whole numbers which samples a polygon of grid points owns.
 //

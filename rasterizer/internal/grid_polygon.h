@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The polygon, with corners on the grid, that snapped coverage draws for a triangle. If no vertex
 // is clipped, it is the triangle of the snapped vertices. Otherwise clip planes cut the triangle,

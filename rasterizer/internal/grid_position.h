@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Window positions on the subpixel grid (RULES §3, `snapped`), exactly rounded.
 //

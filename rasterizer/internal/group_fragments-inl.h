@@ -1,4 +1,4 @@
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Coverage and fragments of a group's small triangles. Included once for each SIMD target.
 

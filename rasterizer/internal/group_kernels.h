@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Sets up at most eight triangles at once, one in each lane of the vectors, and draws the small
 // ones. The box of a small triangle has at most 8×8 pixels, so its coverage fits a word of 64 bits.

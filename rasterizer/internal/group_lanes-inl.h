@@ -1,4 +1,4 @@
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Triangles in the lanes of vectors, for the group kernels: corners, edges, planes, and the storage
 // of their numbers. Included once per SIMD target, as Highway requires.

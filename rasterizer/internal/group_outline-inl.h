@@ -1,4 +1,4 @@
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // The first half of a group's set-up: the triangles' bounds, visibility and boxes.
 // Included once for each SIMD target.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Copies tiles to and from framebuffers, on the processor's widest vectors. In a framebuffer the
 // numbers of a pixel lie side by side; in a tile each number of the pixel is in a separate array.

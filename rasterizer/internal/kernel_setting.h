@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // A draw and a triangle as the kernels see them (group_kernels.h, tile_kernels.h): numbers only, as
 // vectors need them. The kernels evaluate values in double and at samples, without user clip
@@ -46,7 +46,7 @@ struct KernelSetting {
   double u_grain = 0;
   double v_grain = 0;
   double t_grain = 0;
-  /// A coefficient's sign times its factor shows whether the edge owns the samples on its line.
+  /// An edge owns the samples on its line if a · u_owner > 0, or if a = 0 and b · v_owner > 0.
   double u_owner = 0;
   double v_owner = 0;
   /// Window position of an NDC position x: middle + half · x.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Bit sets in a word: the samples of a block (bit j is pixel `first + j`), the rows of a tile, or
 // lanes.

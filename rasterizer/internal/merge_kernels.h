@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: shaded frames.
+// Serves the route “shaded frames” (docs/rasterizer.md, Routes).
 //
 // Merges shaded cells into a tile on the processor's widest vectors: depth test, blending and
 // rounding to bytes. All targets compute the same bits.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Runs work on several threads. No other file of the rasterizer starts threads.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Sets up a triangle: its lines and coverage, then the values of the parts that it is drawn in.
 

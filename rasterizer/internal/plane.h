@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The sums Σ k_i E_i of a triangle's edge functions, each collected into one line A U + (B V + C).
 // The numerators and denominators of values are evaluated from these lines, with two operations per

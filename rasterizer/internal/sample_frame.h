@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Samples in homogeneous coordinates of clip space. Edge functions of such samples need no
 // division, and clip positions need no viewport transform (RULES §6).

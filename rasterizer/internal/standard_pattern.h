@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The standard sample positions, which OpenGL, Vulkan and D3D share.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: fragments.
+// Serves the route “fragments” (docs/rasterizer.md, Routes).
 //
 // Observers of a draw: the stages show every intermediate result to a Tap. NoTap ignores everything
 // and compiles away. RecordingTap records one sample (rasterizer/trace.h). With the drawing's own

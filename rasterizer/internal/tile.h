@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // A rectangle of a framebuffer that one thread draws at a time. It is small enough for the
 // processor's caches. Depths and each attribute are in separate arrays, as vectors need them.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Draws into tiles on the processor's widest vectors: larger triangles span by span, and fragments
 // of small triangles. All targets compute the same bits, and the same values as block_kernels.h.

@@ -1,4 +1,4 @@
-// Route: frames.
+// Serves the route “frames” (docs/rasterizer.md, Routes).
 //
 // Finds where a triangle lies relative to a part of a tile: beside the part, over all of it, or in
 // spans of its rows. Also finds whether the triangle is hidden there. Included once for each SIMD

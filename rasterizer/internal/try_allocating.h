@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Turns exhausted memory into an error value.
 

@@ -1,4 +1,4 @@
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // Common parts of the kernels: their vectors, masks as bits, rounding to float32. Included once for
 // each SIMD target, as Highway requires.

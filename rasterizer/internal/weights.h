@@ -1,6 +1,6 @@
 #pragma once
 
-// Route: all.
+// Serves every route (docs/rasterizer.md, Routes).
 //
 // The weights E_i from which a triangle's values are evaluated, both in double with error bounds
 // and without rounding.

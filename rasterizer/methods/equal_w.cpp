@@ -1,5 +1,5 @@
-// equal-w: if a triangle's three w are equal, no division per place (Appendix 5, "that cases have
-// an unique signature"; Heckbert & Moreton 1991, §3.3); otherwise the general form.
+// equal-w: does not divide per place if a triangle's three w are equal (Appendix 5; Heckbert &
+// Moreton 1991, §3.3). Otherwise it uses the general form.
 //
 // The mathematics. With the planes of methods/clipless_homogeneous.cpp
 //

@@ -135,7 +135,7 @@ TEST(AppendedDrawing, SortsRecordsByTriangleAndPixel) {
   EXPECT_THAT(driver.counts, ElementsAre(3));
 }
 
-// Kills: giving values of the second draw to other fragments than those of the first.
+// Kills: matching the second draw's values with the wrong fragments of the first draw.
 TEST(AppendedDrawing, TakesAttributesOfSeveralDraws) {
   FakeDriver driver(kOneEach);
   const cases::Fragments all = drawn(numbered(3), driver, kOneEach).value();

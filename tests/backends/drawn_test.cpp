@@ -39,7 +39,7 @@ cases::Case two_triangles() {
   return c;
 }
 
-/// Words, as a file has them.
+/// Builds the bytes of a file of 32-bit words.
 class File {
  public:
   explicit File(std::string begin) : bytes_(std::move(begin)) {}
@@ -63,7 +63,7 @@ class File {
   std::string bytes_;
 };
 
-/// A drawing of two_triangles(): the first covers (1, 0), the second nothing.
+/// A drawing of two_triangles(): the first triangle covers pixel (1, 0), the second covers nothing.
 File right_drawing() {
   File file("RCDRAWN1");
   file.words({2, 0, 0, 0, 2, 1, 0}).words({0, 1}).floats({9, 0.25F, 9, 7});
@@ -139,7 +139,7 @@ TEST(DrawnFile, RefusesWhatIsNoDrawingOfTheCase) {
             "pixels");
   EXPECT_EQ(fault_of(File("RCDRAWN1").words({2, 0, 0, 0, 1, 1, 0, 2, 0, 0}).bytes()),
             "it.drawn: draw 0 shows triangle 1 of 1");
-  // Lengths that overflow when they are multiplied.
+  // A message's length that overflows 32 bits when it is rounded up to whole words.
   EXPECT_THAT(fault_of(File("RCDRAWN1").words({2, 1, 0, 0, 0, 0, 0xffffffff}).bytes()),
               HasSubstr("ends too early"));
 }

@@ -8,7 +8,7 @@ namespace {
 using cases::Interpolation;
 using cases::Location;
 
-/// The limits that lavapipe reports, except for half pixels.
+/// The limits that lavapipe reports, except that viewports may begin at half pixels.
 Limits all() {
   Limits limits;
   limits.max_width = 8192;

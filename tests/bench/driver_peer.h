@@ -76,9 +76,9 @@ class DriverPeer {
 /// AVX is available.
 std::vector<Configuration> llvmpipe_configurations();
 
-/// The configurations of lavapipe, which has llvmpipe's threads, and of SwiftShader, which has as
-/// many threads as there are cores that it may use, and is limited to T cores for `threads:T`. Both
-/// use their default vectors.
+/// The configurations of lavapipe, whose threads are set like llvmpipe's, and of SwiftShader, which
+/// makes one thread per core that it may use, and is therefore limited to T cores for `threads:T`.
+/// Both use their default vectors.
 std::vector<Configuration> vulkan_configurations();
 
 /// The process of a configuration. It is started on first request, and ends with this process.

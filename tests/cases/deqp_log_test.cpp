@@ -1,4 +1,4 @@
-// Logs of dEQP: what their tests drew, how exactly the log says it, and what becomes a case.
+// Logs of dEQP: which drawings are read, how exact their numbers are, and which cases they become.
 
 #include "cases/deqp_log.h"
 
@@ -83,7 +83,7 @@ TEST(DeqpLog, NumbersOfSixDigitsWereRounded) {
   ASSERT_EQ(one.drawings.size(), 1);
   const auto open = uncertainty_of(one.drawings[0]);
   ASSERT_TRUE(open.has_value());
-  // Half a pixel of NDC to one side of a picture of one pixel, times half a unit of 1e-6.
+  // One unit of NDC is half a pixel here, and the last digit leaves half a unit of 1e-6.
   EXPECT_NEAR(open->pixels, 0.5 * 0.5e-6, 1e-8);
   EXPECT_EQ(open->weights, 0);
 

@@ -60,7 +60,7 @@ PictureFile read_back(const PictureFile& picture, const std::string& name) {
   EXPECT_TRUE(written.has_value()) << to_string(written.error());
   const Result<PictureFile> read = read_picture(folder.path(name), ArrayOrder::hwc);
   EXPECT_TRUE(read.has_value()) << to_string(read.error());
-  // Also as the process that reads pictures sends it.
+  // The picture must also survive the reply of the process that reads pictures.
   const Result<PictureFile> sent = picture_from_reply(picture_to_reply(read), name);
   EXPECT_TRUE(sent.has_value()) << to_string(sent.error());
   return sent.value_or(PictureFile());

@@ -74,7 +74,7 @@ TEST(PictureView, RefusesWhatDoesNotFit) {
   EXPECT_THAT(fault_of(layout, large), HasSubstr("has 3 x 2 pixels, the case 2 x 2"));
 }
 
-// It crashed: a picture without channels has no numbers to write.
+// A regression: a picture without channels, which has no numbers, crashed the writer.
 TEST(PictureView, RefusesPicturesThatShowNothing) {
   Case c = case_of(Rules::vulkan);
   c.attributes.clear();

@@ -17,12 +17,12 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 /// Six tests: two with the right verdict, one that fails though no pixel is wrong, one that passes
-/// though one is, and two that cannot be judged. `cpu` drew the pictures.
+/// though a pixel is wrong, and two that cannot be judged. `cpu` drew the pictures.
 std::string small_log() {
   return cases::read_text(source_file("tests/cases/deqp/small.qpa")).value();
 }
 
-/// A part of the log: the text of one test, the first with this path's end.
+/// Returns the log of the first test whose path goes on with `path` after "…rasterization.".
 std::string one_test(const std::string& path) {
   const std::string log = small_log();
   const std::size_t begin =

@@ -44,7 +44,7 @@ class DrawnCases {
     return run_program(words);
   }
 
-  /// The path of a case's drawing.
+  /// The path of the first drawing, by file name.
   std::string first_drawing() const {
     return "cases/drawn/" + folder_.files("cases/drawn").front();
   }

@@ -161,8 +161,9 @@ TEST(Judge, ReadsTheLayoutOfTheCase) {
   EXPECT_EQ(run_program({"judge", square, picture, "--storage", "unorm16"}).code, 2);
 }
 
-// Half of 0.5 on a background of 0.2 (code 51): 0.25 + 0.1 is code 89 (89.25), premultiplied over
-// 0.2 · 0.4 (20) 0.25 + 10/255, code 74 (73.75). Alpha: 0.5 + 0.5 · 0.4 is 178.5.
+// Half of 0.5 over the background 0.2 (code 51). Straight, 0.25 + 0.1 is code 89 (89.25).
+// Premultiplied, the background 0.2 · 0.4 is code 20, and 0.25 + 10/255 is code 74 (73.75). Alpha:
+// 0.5 + 0.5 · 0.4 is 178.5.
 TEST(Judge, JudgesBlendedAndPremultipliedPictures) {
   const Pictures pictures;
   for (const auto& [alpha, red] :

@@ -50,7 +50,7 @@ bool is_failure(const Outcome& outcome, int code);
 std::ostream& operator<<(std::ostream& stream, const Outcome& outcome);
 
 /// The text of a case file: the square of two triangles that fills 8×8 pixels, w = 1. Its
-/// attributes are x, which is the window x, and one, which is 1. Its name is "square".
+/// attributes are `x`, the window x, and `one`, the constant 1. Its name is "square".
 std::string square_case(const std::string& more_keys = "");
 
 /// A run.json without the line of its environment, the only line that differs between runs.

@@ -283,7 +283,7 @@ TEST_F(Run, EndsWhenItsTimeIsUpWithAllLawsCheckedAlike) {
   const auto by_cases = [](const auto& a, const auto& b) { return a.second < b.second; };
   const auto [least, most] = std::minmax_element(checked.begin(), checked.end(), by_cases);
   EXPECT_GT(least->second, 0U);
-  EXPECT_LE(most->second - least->second, 10 + most->second / 16);  // 10 is a task
+  EXPECT_LE(most->second - least->second, 10 + most->second / 16);  // a task has 10 cases
   const Outcome at_once = run({"--cases", "3", "--seed", "1", "--max-time", "0.001"});
   EXPECT_EQ(at_once.code, 5) << at_once;  // nothing was checked
 }

@@ -26,7 +26,7 @@ std::string part(int index, int count) {
   return std::to_string(index) + "/" + std::to_string(count);
 }
 
-/// The text without its line of the seed, which tells how long the run took.
+/// The text without the line of the seed, because that line also tells how long the run took.
 std::string without_time(std::string text) {
   const std::size_t start = text.find("\nSeed ");
   if (start == std::string::npos) return text;

@@ -85,7 +85,7 @@ double condition(const Quad& quad, const std::array<double, 4>& w_r, const Corne
 void judge(const Quad& quad, const std::array<double, 4>& w_r, const Split& split,
            const Fragments& drawn, int& judged) {
   const FourPointMap exact = exact_map(quad).value();
-  // n = 15, d = 14, and 6 each for w_r (quad.h).
+  // The numerator's errors (n = 15), the denominator's (d = 14), and those of w_r (6) in each.
   constexpr double kPerCondition = 2 * (15 + 14 + 2 * 6) * 0x1p-29;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const double u = drawn.x[i] + 0.5;

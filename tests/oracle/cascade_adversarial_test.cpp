@@ -507,8 +507,8 @@ TEST(CascadeValues, BeyondTheVerticesUlpGrowWithThem) {
   }
 }
 
-// If all values of a triangle are equal, each has an error of 0 ULP, to the first level too, and
-// zeros of the wrong sign are reported.
+// If all values of a triangle are equal, the first level, too, finds an error of 0 ULP for each,
+// and zeros of the wrong sign are reported.
 TEST(CascadeValues, ConstantsAndZerosAreExactToTheFirstLevel) {
   cases::Case c =
       small_case(cases::Rules::vulkan, 8, 8,

@@ -150,7 +150,7 @@ TEST(CascadeLevels, AnOrdinarySceneIsDecidedByTheFilter) {
   ASSERT_GT(drawn.size(), 5'000U);
   const records::Levels levels = judge(scene, drawn).judgement.levels;
   EXPECT_GT(share(levels.samples.filter, levels.samples), 0.99);
-  // Values that may be extremes are asked again, most of them among the first ones.
+  // Values that may be extremes go on to the next level; most of them come early.
   EXPECT_GT(share(levels.values.filter, levels.values), 0.97);
   EXPECT_EQ(levels.samples.exact, 0U);
 }

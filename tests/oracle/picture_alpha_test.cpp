@@ -68,7 +68,7 @@ TEST(PictureAlpha, RoundsProductsOnce) {
   EXPECT_EQ(mask.greatest[0], 0.1F * 0.7F);
 }
 
-// Kills: ends taken of one corner; the order of ends where a factor is negative.
+// Kills: taking both ends from one corner; not swapping the ends if a factor is negative.
 TEST(PictureAlpha, ProductsOfRangesHaveTheirEndsAtCorners) {
   const ValueSpan product = product_of({-2, 3, false}, {-5, 0.5, false});
   EXPECT_NEAR(product.lo, -15, 0x1p-40);
@@ -103,9 +103,9 @@ PictureLayout blended_layout(Storage storage, Alpha alpha, const char* color, co
   return layout;
 }
 
-// 0.8 and 0.4 are the codes 204 and 102. Straight: 255 (0.125 + 0.75 · 0.8) = 184.875, and for
-// alpha 255 (0.25 + 0.75 · 0.4) = 140.25. Premultiplied, 0.8 · 0.4 is stored as 82 (81.6), and 255
-// · 0.125 + 0.75 · 82 = 93.375.
+// 0.8 and 0.4 are the codes 204 and 102. Straight, the colour is 255 (0.125 + 0.75 · 0.8) = 184.875
+// and alpha 255 (0.25 + 0.75 · 0.4) = 140.25. Premultiplied, 0.8 · 0.4 is stored as 82 (81.6), and
+// the colour is 255 · 0.125 + 0.75 · 82 = 93.375.
 TEST(PictureAlpha, BlendsOverTheStoredBackground) {
   const auto straight = blended_layout(Storage::unorm8, Alpha::straight, "0.5", "0.25", 0.8F, 0.4F);
   EXPECT_THAT(permitted_codes(straight, 0, 0), ElementsAre(185));
@@ -118,8 +118,8 @@ TEST(PictureAlpha, BlendsOverTheStoredBackground) {
   EXPECT_THAT(permitted_codes(multiplied, 1, 0), ElementsAre(82));
 }
 
-// A quarter encodes to 136.96, and half to 187.52 (IEC 61966-2-1). Alpha is not encoded: 127.5 lies
-// in the middle. Kills: blending of codes, which gives 94 and 127.
+// A quarter encodes to 136.96, and half to 187.52 (IEC 61966-2-1). Alpha is not encoded; 127.5 may
+// become 127 or 128. Kills: blending codes, which gives 94 and 127.
 TEST(PictureAlpha, BlendsLinearNumbersAndEncodesOnce) {
   const auto over_black = blended_layout(Storage::srgb8, Alpha::straight, "0.5", "0.5", 0, 0);
   EXPECT_THAT(permitted_codes(over_black, 0, 0), ElementsAre(137));
@@ -131,7 +131,7 @@ TEST(PictureAlpha, BlendsLinearNumbersAndEncodesOnce) {
   EXPECT_THAT(permitted_codes(over_grey, 0, 0), ElementsAre(137));
 }
 
-// Integer targets clamp before they blend: the colour 3 to 1, but premultiplied 3 · 0.5 to 1.
+// Integers clamp before blending: a straight 3 to 1, times 0.5; a premultiplied 3 · 0.5 to 1.
 TEST(PictureAlpha, ClampsWhatIsBlendedIntoIntegers) {
   EXPECT_THAT(
       permitted_codes(blended_layout(Storage::unorm8, Alpha::straight, "3", "0.5", 0, 0), 0, 0),
@@ -154,8 +154,8 @@ TEST(PictureAlpha, FloatsMayDifferByTheRoundingsOfABlend) {
   EXPECT_EQ(mask.least[2], 0.75F);
 }
 
-// Kills: layers that a depth test removes but a blend may have seen; a triangle beside counted as
-// one above.
+// Kills: ignoring layers that a depth test removes but a blend may have seen; counting a triangle
+// beside another as one over it.
 TEST(PictureAlpha, DoesNotJudgeBlendsOfSeveralTriangles) {
   for (const bool is_tested : {false, true}) {
     cases::Case c = left_of_two();
@@ -223,8 +223,8 @@ void make_colors(cases::Case& c) {
   for (float& value : c.attribute_values) value = std::abs(std::fmod(value, 1.0F));
 }
 
-// Kills: a product that is not widened by its rounding; a background that is not multiplied, or not
-// stored before it is blended; the alpha of another triangle; samples without blending.
+// Kills: a product that is not widened by its rounding; a background that is not multiplied, or is
+// blended before it is stored; the alpha of another triangle; samples that are not blended.
 RC_GTEST_PROP(PictureAlpha, CallsFaultlessPicturesRight, ()) {
   cases::Case c = two_triangles();
   if (*rc::gen::arbitrary<bool>()) make_colors(c);
@@ -299,7 +299,7 @@ RC_GTEST_PROP(PictureAlpha, SeesAnyDamageWhereOneValueIsPermitted, ()) {
   const auto up = *rc::gen::arbitrary<bool>();
   const float before = value;
   value = is_step ? next_stored(storage, value, up) : damaged(storage, value);
-  RC_PRE(value != before);  // the end of integers; the zeros of both signs
+  RC_PRE(value != before);  // the last integer, or a zero of the other sign
   const JudgedPicture judged = judge_picture(scene, shown.view, shown.file);
   RC_CLASSIFY(!drawn.empty(), "of a triangle");
   RC_LOG() << cases::name_of(storage) << " " << before << " to " << value << ", permitted "

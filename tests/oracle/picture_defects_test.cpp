@@ -1,5 +1,5 @@
-// Programs that store, blend or multiply wrongly: each picture must be judged wrong, under an exact
-// contract and under one of 8 subpixel bits, while the same program without the defect is right.
+// Programs that store, blend or multiply wrongly: each picture must be judged wrong under an exact
+// contract and under a contract with 8 subpixel bits. Without the defect, it must be right.
 
 #include <gtest/gtest.h>
 
@@ -20,18 +20,18 @@ using cases::Alpha;
 using cases::Blend;
 using cases::Storage;
 
-/// How a program makes a picture of 8-bit channels R, G and A. By default without a defect.
+/// How a program makes a picture of 8-bit channels R, G and A. The defaults are free of defects.
 struct Program {
   Storage storage = Storage::unorm8;
   Alpha alpha = Alpha::straight;
   Blend blend = Blend::off;
-  bool truncates = false;             ///< codes are rounded down
-  bool encodes_first = false;         ///< sRGB: codes are blended, not the numbers they stand for
-  int rows_off = 0;                   ///< rows that the picture is too low
-  int times_multiplied = 1;           ///< the number of times that premultiplied colours were
-  bool multiplies_background = true;  ///< premultiplied
-  bool swaps_weights = false;         ///< a counts for the background, 1 − a for what is drawn
-  bool encodes_alpha = false;         ///< sRGB: of alpha too
+  bool truncates = false;             ///< rounds codes down
+  bool encodes_first = false;         ///< sRGB: blends codes, not the numbers they stand for
+  int rows_off = 0;                   ///< number of rows by which the picture is too low
+  int times_multiplied = 1;           ///< how often premultiplied colours are multiplied by alpha
+  bool multiplies_background = true;  ///< by its alpha, if colours are premultiplied
+  bool swaps_weights = false;         ///< weights: a for the background, 1 − a for the colour
+  bool encodes_alpha = false;         ///< sRGB: encodes alpha like colours
 };
 
 class Painter {
@@ -123,7 +123,7 @@ cases::Case colored_case() {
       {{{0.1F, 0.9F, 0.3F}, {0.8F, 0.2F, 0.9F}, {0.5F, 0.6F, 0.1F}}});
 }
 
-/// The same, with vertices on any point of a grid of 1/256 pixel that is within a unit.
+/// The same case, but each vertex may lie on any point of a 1/256-pixel grid within one unit.
 cases::Case snapped_case() {
   cases::Case c = colored_case();
   c.coverage = cases::Snapping{8, cases::Rounding::unspecified, 0};

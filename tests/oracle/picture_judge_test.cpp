@@ -1,5 +1,5 @@
 // Judged pictures: pictures that a faultless program makes are right in every format, and one step
-// in one channel is seen wherever the case leaves one value.
+// in one channel is found wherever the case permits only one value.
 
 #include "oracle/picture_judge.h"
 
@@ -112,7 +112,7 @@ struct Spoiled {
   double steps;
 };
 
-/// The judgement of a picture in which one pixel is another number.
+/// Judges a picture in which this pixel has been replaced by another number.
 Spoiled spoiled(int x, int row, float value) {
   const cases::Case c = near_and_far();
   const SceneTruth scene(c, cases::contract_of(c));

@@ -1,4 +1,4 @@
-// Parts of judged pictures: which are chosen, and what they say of their pixels.
+// Parts of judged pictures: which parts are chosen, and what they say about their pixels.
 
 #include "oracle/picture_parts.h"
 
@@ -19,7 +19,7 @@ using records::JudgedPicture;
 using records::PicturePart;
 using records::PixelVerdict;
 
-/// A verdict for each pixel of a large picture: right, but for some places.
+/// The verdicts of a large picture: right, except at the places passed to spoil().
 class LargePicture {
  public:
   LargePicture() {
@@ -48,7 +48,7 @@ TEST(PictureParts, ALargePictureThatIsRightHasNone) {
   EXPECT_TRUE(choose_parts(LargePicture().judged()).empty());
 }
 
-// Kills: kinds that a more frequent one pushes out; parts for neighbours; parts beyond the border.
+// Kills: a frequent kind that displaces others; one part per neighbour; parts beyond the border.
 TEST(PictureParts, ShowEveryKindOfWrongPixelTheFarthestOffFirst) {
   LargePicture picture;
   for (int x = 0; x < 200; ++x) picture.spoil(x, 50, PixelVerdict::missing, 100);

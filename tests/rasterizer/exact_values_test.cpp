@@ -346,8 +346,8 @@ TEST(ExactValues, FloorsOfConstantsAreTheirs) {
   EXPECT_GT(wraps, 3'000);
 }
 
-// The weights are g, an integer of 53 bits, -1/2 + (1 to 2) 2^-55, and almost nothing. Their sum
-// lies just above the middle between two doubles. The remainder after the first quotient equals
+// The three weights are an integer g of 53 bits; -1/2 plus 1 to 2 times 2^-55; and almost 0. Their
+// sum lies just above the middle between two doubles. The remainder after the first quotient equals
 // this sum, but ExactSum::nearest() rounds the two to different doubles, the sum to the greater
 // one. Kills: taking the floor of their quotient, 0, as the last step.
 TEST(ExactValues, AFloorAsksWhetherAWholeDenominatorIsLeft) {

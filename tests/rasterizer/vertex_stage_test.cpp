@@ -351,8 +351,8 @@ TEST(Normals, OfASingularModelAreZeroOrExact) {
                        glm::vec4(0.3F, 0.9F, 0, 0), glm::vec4(0, 0, 0, 1));
   EXPECT_EQ(normal_of(flat, {0.1F, 0.2F, 0.3F}), glm::vec3(0));
   EXPECT_EQ(normal_of(flat, {0.7F, 0.5F, 0.9F}), glm::vec3(0));
-  // The last row of the cofactors C is (0.03, 0.12, −0.09), so that the term whose number differs
-  // decides the sign.
+  // The last row of the cofactors C is (0.03, 0.12, −0.09). Its terms cancel for (0.1, 0.2, 0.3),
+  // so the term of the changed number decides the sign.
   EXPECT_EQ(normal_of(flat, {0.1F, 0.2F, 0.30000004F}), glm::vec3(0, 0, -1));
   EXPECT_EQ(normal_of(flat, {0.1F, 0.20000002F, 0.3F}), glm::vec3(0, 0, 1));
 }

@@ -151,7 +151,7 @@ TEST(InspectionFromJson, KeepsWhatIsNoNumber) {
 struct Fault {
   std::string pointer;
   std::string value;       ///< JSON text; empty: the value is removed
-  std::string reason;      ///< part of it
+  std::string reason;      ///< part of the expected reason
   std::string place = {};  ///< within the inspection; empty: same as the pointer
 };
 

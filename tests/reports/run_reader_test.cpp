@@ -127,7 +127,7 @@ struct Fault {
   std::string pointer;
   std::string value;  ///< JSON text; empty: the value is removed
   std::string place;
-  std::string reason;  ///< part of it
+  std::string reason;  ///< part of the expected reason
 };
 
 /// Used in the test's name, which would otherwise contain addresses that differ in every run.

@@ -8,7 +8,7 @@
 namespace rastercheck::reports {
 
 /// A judged picture of 4 × 2 pixels and two channels, R in 8 bits and Z in float32, with a pixel of
-/// every verdict in the first row but the last two. Texts contain markup.
+/// every verdict except not_judged. Texts contain markup.
 inline JudgedPage sample_judged() {
   using records::PixelVerdict;
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();

@@ -10,8 +10,8 @@ namespace rastercheck::backends::vulkan {
 std::size_t shader_clip_distances(std::size_t of_case);
 
 /// The SPIR-V of the shaders in shaders/, with `clip_distances` clip distances or `slots` slots (0
-/// to kMaxSlots). Shaders with centres have one boolean specialization constant for each slot,
-/// whose id is the slot's index.
+/// to kMaxSlots). Fragment shaders with `has_centers` have one boolean specialization constant for
+/// each slot. Its id is the slot's index.
 std::span<const std::uint32_t> vertex_shader(std::size_t clip_distances);
 std::span<const std::uint32_t> fragment_shader(std::size_t slots, bool has_centers);
 std::span<const std::uint32_t> appending_shader(std::size_t slots);

@@ -1,5 +1,5 @@
-// Figure 6-1 of Appendix 5: where linear interpolation is right, where it is wrong, and the correct
-// result.
+// Figure 6-1 of Appendix 5 (docs/bibliography.md): where linear interpolation is right, where it is
+// wrong, and the correct result.
 
 #include <array>
 #include <utility>

@@ -92,7 +92,7 @@ class Seen {
   std::vector<Sample> samples_;
 };
 
-/// Returns the ulp of an attribute's max |r_i| over a triangle's vertices.
+/// Returns the ulp of the attribute's largest magnitude at the triangle's vertices.
 double ulp_of(const cases::Case& scene, std::uint32_t triangle, std::uint32_t attribute) {
   double magnitude = 0;
   for (const std::uint32_t vertex : scene.triangles[triangle]) {

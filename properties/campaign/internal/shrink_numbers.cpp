@@ -119,8 +119,8 @@ void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
            search.offer_changed([=](Case& c) { c.framebuffer.*side = size; });
   };
   if (offer(least)) return;
-  // If that is not accepted, removes fewer columns or rows. This may even remove more of them, if
-  // the law then fails in another pixel.
+  // If this cut is refused, tries smaller ones. If the law then fails in another pixel, smaller
+  // cuts together may remove even more columns or rows.
   for (int step = search.current().framebuffer.*side / 2; step > 0; step /= 2) {
     while (search.current().framebuffer.*side - step >= 1 &&
            offer(search.current().framebuffer.*side - step)) {

@@ -27,8 +27,8 @@ struct SimpleChange {
   cases::Case source;  ///< the changed case
   /// Maps the place of a drawn sample to its place in the changed case; nullptr: the same place.
   cases::SamplePlace (*place_of)(const cases::FramebufferSize&, cases::SamplePlace) = nullptr;
-  /// True if the changed case is judged on its own grid instead of the contract's and, unless the
-  /// contract leaves the basis open, by its own basis.
+  /// True if the changed case's grid replaces the contract's. Its basis (cases::Basis) then
+  /// replaces the contract's too, unless the contract leaves the basis open.
   bool names_grid = false;
   bool swaps_ties = false;  ///< judges ties by the opposite of the contract's rule
 };

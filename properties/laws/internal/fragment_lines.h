@@ -24,7 +24,7 @@ struct LinePoint {
   int at = 0;
 };
 
-/// Chooses one of the four directions from the case's numbers.
+/// Chooses one of the four directions by the case's pseudorandom number (choices.h).
 LineDirection some_direction(const cases::Case& c);
 
 /// Receives the fragments of one triangle on one line, all at the same sample of their pixels, in

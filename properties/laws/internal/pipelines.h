@@ -10,9 +10,9 @@
 
 namespace rastercheck::properties {
 
-/// Chooses a pipeline without a texture, from the case's numbers alone: depth function and write
-/// mask, clear depth, blend, format, resolve, and whether attributes are channels or vertex
-/// colours.
+/// Chooses a pipeline without a texture by the case's pseudorandom number (choices.h): depth
+/// function and write mask, clear depth, blend, format, resolve, and whether attributes are
+/// channels or vertex colours.
 cases::Pipeline pipeline_of(const cases::Case& c);
 
 /// The pipeline in words, for notes.

@@ -141,8 +141,8 @@ std::vector<double> worst_of_curves() {
 double linear_error(double ratio) { return 256 * (std::sqrt(ratio) - 1) / (std::sqrt(ratio) + 1); }
 
 // Heckbert & Moreton 1991, figure 4, with w from 1 to 8. Two polygons meet at u = 1/2 and w = 4
-// 1/2. The nearer one has the larger error: that of the ratio 4 1/2, over half of u's range. Kills:
-// a piece of another size; a curve that is not drawn.
+// 1/2. The nearer one has the larger error: that of the ratio 4 1/2, halved, because it spans half
+// of u's range. Kills: a piece of another size; a curve that is not drawn.
 TEST(UOfX, MissesByWhatTheRatioOfDistancesSays) {
   const std::vector<double> worst = worst_of_curves();
   ASSERT_EQ(worst.size(), 4U);

@@ -53,8 +53,8 @@ TEST(JudgedPicture, ShowsWhatIsExactWithoutErrors) {
 /// Relative slack: errors are reported by their certified upper ends.
 constexpr double kAbove = 1e-9;
 
-// 3/256 is three texels, and 3/256 / 2^-23 = 98304 scale ULP, where M is 1. Kills: units of another
-// scale; the size of another texture.
+// 3/256 is three texels and, for values up to 1, 3/256 / 2^-23 = 98304 scale ULP. Kills: units of
+// another scale; the size of another texture.
 TEST(JudgedPicture, MeasuresErrorsInItsUnit) {
   DrawnScene drawn = square();
   const std::size_t at = fragment_at(drawn, 5, 9);

@@ -1,6 +1,6 @@
-// The generators whose cases depend on the last bit reach the decisions that they are made for:
-// hairline those that doubles cannot make, snap-ties those of rounding to a grid. The exact oracle
-// counts them.
+// The generators whose cases depend on the last bit reach their aims: cases of `hairline` need
+// decisions that doubles cannot make, and cases of `snap-ties` need ties of rounding to a grid. The
+// exact oracle counts both.
 
 #include <gtest/gtest.h>
 

@@ -290,7 +290,7 @@ TEST(ProbeOfBent, FindsWherePlanesAreEvaluated) {
   EXPECT_EQ(measured(probe_of(valued(about_origin), ask(Coverage())), kRow),
             "as about the window's origin");
   // Relative to the corner of a tile of 64 pixels, which is 32 pixels away on average; 16 and 64
-  // are equally near to this.
+  // both differ from this by a factor of two.
   const auto about_tile = [](const Case& c, const cases::Triangle& t, float x, float y) {
     return by_plane(c, t, x, y, std::floor(x / 64) * 64, std::floor(y / 64) * 64);
   };

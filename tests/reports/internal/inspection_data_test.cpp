@@ -109,7 +109,7 @@ TEST(InspectionData, LeavesOutDigitsWhereAllAreTooMany) {
   EXPECT_EQ(kept.size(), 401U);
 }
 
-// 8 pixels on either side of (20, 3), of 32 by 8 pixels.
+// Keeps the pixels up to 8 pixels away from (20, 3), out of 32 by 8 pixels.
 TEST(InspectionData, LeavesOutWhatIsFarNext) {
   records::Inspection inspection = sample_counterexample_inspection();
   inspection.width = 32;
