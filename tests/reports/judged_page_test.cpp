@@ -24,8 +24,8 @@ std::string page_of(const JudgedPage& page) {
   return text ? *text : to_string(text.error());
 }
 
-/// The page without what the viewer shares with report.html, and without the bytes of pictures,
-/// which another zlib compresses otherwise.
+/// The page without the parts that it shares with report.html, and without the bytes of pictures,
+/// which differ between versions of zlib.
 std::string without_viewer(std::string text) {
   for (const std::string& part : {viewer_scripts(), viewer_policy(), std::string(kViewerStyle)}) {
     if (const std::size_t at = text.find(part); at != std::string::npos) {
@@ -40,7 +40,7 @@ std::string without_viewer(std::string text) {
   return text;
 }
 
-/// A picture of this size, of which no pixel is wrong, without parts.
+/// A page without parts, for a picture of this size that has no wrong pixel.
 JudgedPage right_page(int width, int height) {
   JudgedPage page = sample_judged();
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -77,7 +77,7 @@ TEST(JudgedPage, BeginsWithTheVerdictAndThePixelThatIsFarthestOff) {
                               "0.25 grid units"));
 }
 
-// `explain` asks for the framebuffer's pixel, whose y runs against the rows of a flipped file.
+// `explain` takes the framebuffer's pixel. In a flipped file, y and the row run opposite ways.
 TEST(JudgedPage, NamesTheFramebuffersPixelInCommands) {
   JudgedPage page = sample_judged();
   page.view.is_flipped = true;
@@ -105,7 +105,7 @@ TEST(JudgedPage, LetsNoTextBecomeMarkup) {
   }
 }
 
-// Kills: pictures of noise, whose PNG files are as large as they are.
+// Kills: not shrinking a picture of noise, which PNG cannot compress.
 TEST(JudgedPage, StaysSmallForALargePicture) {
   JudgedPage page = right_page(1920, 1080);
   std::uint32_t state = 1;
