@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <ranges>
 #include <vector>
 
 #include "cases/internal/half.h"
@@ -149,8 +150,8 @@ class Painter {
     std::vector<std::size_t> layers;
     for (std::size_t i = last; i != kNothingDrawn; i = stacks_.below[i]) layers.push_back(i);
     float value = background;
-    for (auto i = layers.rbegin(); i != layers.rend(); ++i) {
-      value = stored(storage, blended(channel, *i, averaged(storage, ResolveOf::linear, value)));
+    for (const std::size_t layer : std::views::reverse(layers)) {
+      value = stored(storage, blended(channel, layer, averaged(storage, ResolveOf::linear, value)));
     }
     return value;
   }

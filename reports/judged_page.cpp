@@ -153,10 +153,11 @@ std::string judged_gaps(const JudgedPicture& judged) {
 
 std::string storage_text(const JudgedPage& page) {
   std::string text;
-  for (std::size_t c = 0; c < page.view.channels.size(); ++c) {
-    const std::string_view name = cases::name_of(page.view.channels[c].storage);
-    if (text.find(name) == std::string::npos)
+  for (const cases::ShownChannel& channel : page.view.channels) {
+    const std::string_view name = cases::name_of(channel.storage);
+    if (text.find(name) == std::string::npos) {
       text += (text.empty() ? "" : ", ") + std::string(name);
+    }
   }
   text += page.view.rounding == cases::StoreRounding::nearest ? ", rounded to nearest"
                                                               : ", either neighbour";

@@ -30,7 +30,8 @@ std::vector<std::size_t> channels_of(const cases::PictureFile& picture, std::siz
 
 /// Returns the number as an integer: 0, or a triangle's index plus 1. Returns -1 if it is neither.
 std::int64_t triangle_of(float number, std::size_t triangles) {
-  if (!(number >= 0 && number <= static_cast<float>(triangles))) return -1;
+  const bool is_in_range = number >= 0 && number <= static_cast<float>(triangles);  // false for NaN
+  if (!is_in_range) return -1;
   const auto index = static_cast<std::int64_t>(number);
   return static_cast<float>(index) == number ? index : -1;
 }

@@ -203,7 +203,8 @@ std::string text_of(const std::vector<JudgedTest>& tests, bool is_brief) {
   std::array<std::size_t, 3> counts{};
   for (const JudgedTest& one : tests) {
     ++counts[static_cast<std::size_t>(one.opinion)];
-    const std::string_view status = one.test->status.empty() ? "unfinished" : one.test->status;
+    const std::string& told = one.test->status;
+    const std::string status = told.empty() ? "unfinished" : told;
     text += fmt::format("{:<10}  {}: {}\n", name_of(one.opinion), cases::printable(one.test->path),
                         cases::printable(status));
     text += one.opinion == Opinion::none

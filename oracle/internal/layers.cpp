@@ -18,12 +18,16 @@ void LayerBand::add(std::uint32_t triangle) {
   const PreparedTriangles::Prepared& prepared = triangles_->of(triangle);
   if (prepared.filter->is_empty()) return;
   const cases::FramebufferSize& size = scene_->source().framebuffer;
+  const auto width = static_cast<std::size_t>(size.width);
+  const auto samples = static_cast<std::size_t>(size.samples);
   const PixelBox& box = prepared.filter->box();
   records::LevelCounts unused;
   for (int y = std::max(y0_, box.y0); y < std::min(y1_, box.y1); ++y) {
     row_.classify(*prepared.truth, *prepared.filter, y, unused);
     row_.for_each_covered([&](int x, int s, const records::SampleVerdict&) {
-      const auto sample = static_cast<std::size_t>(((y - y0_) * size.width + x) * size.samples + s);
+      const std::size_t pixel =
+          static_cast<std::size_t>(y - y0_) * width + static_cast<std::size_t>(x);
+      const std::size_t sample = pixel * samples + static_cast<std::size_t>(s);
       overlaps_[sample] = overlaps_[sample] || covered_[sample];
       covered_[sample] = true;
     });

@@ -94,7 +94,7 @@ TEST(JudgedPage, SaysWhatWasNotJudgedAndWhy) {
   const std::string text = page_of(page);
   EXPECT_THAT(text,
               HasSubstr("<h1 class=\"mixed\">Not judged: 1 of 8 pixels; the others are right"));
-  EXPECT_THAT(text, HasSubstr("1 pixel was not judged: nothing is promised about 2 triangles"));
+  EXPECT_THAT(text, HasSubstr("1 pixel was not judged. Nothing is promised about 2 triangles"));
 }
 
 TEST(JudgedPage, LetsNoTextBecomeMarkup) {
