@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <ranges>
 #include <vector>
 
 #include "cases/internal/half.h"
@@ -150,7 +149,8 @@ class Painter {
     std::vector<std::size_t> layers;
     for (std::size_t i = last; i != kNothingDrawn; i = stacks_.below[i]) layers.push_back(i);
     float value = background;
-    for (const std::size_t layer : std::views::reverse(layers)) {
+    std::reverse(layers.begin(), layers.end());
+    for (const std::size_t layer : layers) {
       value = stored(storage, blended(channel, layer, averaged(storage, ResolveOf::linear, value)));
     }
     return value;
