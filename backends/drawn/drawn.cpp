@@ -26,7 +26,10 @@ class DrawnBackend : public Backend {
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
-    return read_drawing(folder_, c);
+    const std::string lacks = cases::lacked_by(promiser_->about().capabilities, c);
+    if (lacks.empty()) return read_drawing(folder_, c);
+    return tl::unexpected(
+        Error{"", "", promised_by_ + " does not draw " + lacks, Failure::unsupported});
   }
 
   std::string folder_;

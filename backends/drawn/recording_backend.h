@@ -8,13 +8,15 @@
 
 namespace rastercheck::backends {
 
-/// Wraps a backend, and adds to a folder every case that the backend is asked to draw, even if it
-/// refuses the case: another machine may draw it. Draws only fragments, as that machine does.
+/// Wraps a backend and adds every case that it is asked to draw to a folder. Leaves out cases
+/// beyond its declared capabilities, which nobody promises to draw; a case that it refuses for
+/// other reasons is added, because the other machine may draw it. Draws only fragments, as that
+/// machine does.
 class RecordingBackend : public Backend {
  public:
   /// The folder must outlive the backend.
   RecordingBackend(std::unique_ptr<Backend> inner, CaseFolder& folder)
-      : inner_(std::move(inner)), folder_(folder) {}
+      : inner_(std::move(inner)), capabilities_(inner_->about().capabilities), folder_(folder) {}
 
   About about() const override { return drawn_about(inner_->about()); }
   cases::Contract promise(const cases::Case& c) const override { return inner_->promise(c); }
@@ -24,7 +26,7 @@ class RecordingBackend : public Backend {
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
-    if (!failure_) {
+    if (!failure_ && cases::lacked_by(capabilities_, c).empty()) {
       const Result<void> added = folder_.add(c, contract(c));
       if (!added) failure_ = added.error();
     }
@@ -32,6 +34,7 @@ class RecordingBackend : public Backend {
   }
 
   std::unique_ptr<Backend> inner_;
+  cases::Capabilities capabilities_;
   CaseFolder& folder_;
   std::optional<Error> failure_;
 };
