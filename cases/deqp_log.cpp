@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "cases/internal/base64.h"
+#include "cases/base64.h"
 #include "cases/internal/markup.h"
 #include "cases/json.h"
 
@@ -35,6 +35,12 @@ std::optional<int> integer_after(std::string_view text, std::string_view prefix)
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
+}
+
+/// Removes the line ends and the indentation that dEQP writes into the bytes of an image.
+std::string without_spaces(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
+  return text;
 }
 
 std::size_t significant_digits(std::string_view number) {
@@ -176,7 +182,7 @@ std::optional<std::string> TestReader::end(const MarkupEvent& event) {
   const std::string text = std::exchange(text_, {});
   if (event.name == "Text") message(text);
   if (event.name == "Image" && is_result_image_) {
-    std::optional<std::string> bytes = from_base64(text);
+    Result<std::string> bytes = from_base64(without_spaces(text));
     if (!bytes) return "the image Result is not base64";
     image_.bytes = std::move(*bytes);
     return finish_image();

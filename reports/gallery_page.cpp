@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/base64.h"
 #include "records/enclosure.h"
-#include "reports/base64.h"
 #include "reports/internal/gallery_style.h"
 #include "reports/internal/html.h"
 #include "reports/internal/report_style.h"
@@ -31,7 +31,7 @@ constexpr std::string_view kUnits =
 /// Returns an image as the value of `src` or `url()`.
 Result<std::string> data_of(const Image& image) {
   return to_png(image).map(
-      [](const std::string& png) { return "data:image/png;base64," + to_base64(png); });
+      [](const std::string& png) { return "data:image/png;base64," + cases::to_base64(png); });
 }
 
 struct PictureData {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/base64.h"
+#include "cases/base64.h"
 #include "reports/internal/html.h"
 #include "reports/internal/page.h"
 #include "reports/internal/picture_wording.h"
@@ -131,7 +131,7 @@ std::string whole_picture(const JudgedPage& page, const Encoded& encoded, std::s
       "<figure><div class=\"whole\"><img{} src=\"data:image/png;base64,{}\" width=\"{}\" "
       "height=\"{}\" alt=\"{}\">\n{}</div><figcaption><strong>{}.</strong> {}{}</figcaption>"
       "</figure>\n",
-      is_small ? " class=\"small\"" : "", to_base64(encoded.png), page.picture.width,
+      is_small ? " class=\"small\"" : "", cases::to_base64(encoded.png), page.picture.width,
       page.picture.height, name, frames_of(page), name, caption, smaller);
 }
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "reports/base64.h"
+#include "cases/base64.h"
 #include "reports/internal/html.h"
 
 namespace rastercheck::reports {
@@ -16,7 +16,7 @@ std::string picture_figure(const records::Picture& picture) {
   return fmt::format(
       "<figure><img{} src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\">"
       "<figcaption>{}</figcaption></figure>\n",
-      style, to_base64(picture.png), picture.width, picture.height, html(picture.name),
+      style, cases::to_base64(picture.png), picture.width, picture.height, html(picture.name),
       html(picture.caption));
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "cases/base64.h"
 #include "cases/json_members.h"
 #include "records/case_outcomes_json.h"
 #include "records/case_record_json.h"
@@ -20,7 +21,6 @@
 #include "records/run.h"
 #include "records/shard_json.h"
 #include "records/specimen_json.h"
-#include "reports/base64.h"
 
 namespace rastercheck::reports {
 
@@ -30,10 +30,10 @@ struct Base64Text {
   T& bytes;
 
   friend void write_value(nlohmann::json& to, const Base64Text& view) {
-    cases::write_value(to, to_base64(view.bytes));
+    cases::write_value(to, cases::to_base64(view.bytes));
   }
   friend void read_value(const cases::JsonNode& node, Base64Text& view) {
-    Result<std::string> read = from_base64(node.text());
+    Result<std::string> read = cases::from_base64(node.text());
     if (!read) node.refuse(read.error().reason);
     view.bytes = std::move(read).value_or("");
   }

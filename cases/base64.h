@@ -5,7 +5,7 @@
 
 #include "cases/error.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::cases {
 
 /// Encodes as in RFC 4648, section 4: with the standard alphabet and padding, without line breaks.
 std::string to_base64(std::string_view bytes);
@@ -14,4 +14,4 @@ std::string to_base64(std::string_view bytes);
 /// misplaced padding, nonzero padding bits.
 Result<std::string> from_base64(std::string_view text);
 
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::cases

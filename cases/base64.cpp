@@ -1,11 +1,11 @@
-#include "reports/base64.h"
+#include "cases/base64.h"
 
 #include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
-namespace rastercheck::reports {
+namespace rastercheck::cases {
 namespace {
 
 namespace iterators = boost::archive::iterators;
@@ -59,4 +59,4 @@ Result<std::string> from_base64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::cases

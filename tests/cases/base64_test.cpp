@@ -1,11 +1,11 @@
-#include "reports/base64.h"
+#include "cases/base64.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <string>
 
-namespace rastercheck::reports::base64_test {
+namespace rastercheck::cases::base64_test {
 namespace {
 
 // RFC 4648, section 10. Kills: padding that is too short by one; reading beyond the last byte.
@@ -43,4 +43,4 @@ INSTANTIATE_TEST_SUITE_P(Base64, BadBase64,
                                            "Zh==", "Zm9=", "Zg==Zg=="));
 
 }  // namespace
-}  // namespace rastercheck::reports::base64_test
+}  // namespace rastercheck::cases::base64_test
