@@ -303,8 +303,8 @@ double viewport_error(const cases::Viewport& viewport, int subpixel_bits) {
     return units == std::floor(units) ? 0 : unit;
   };
   const auto error = [&rounded](double origin, double size) {
-    // A viewport of negative size may be handed to the driver turned (upright_viewport.h). It then
-    // starts at its other side.
+    // The driver may get an upright viewport in place of one with negative size
+    // (upright_viewport.h). The upright viewport's origin is origin + size.
     const double from_there = size < 0 ? rounded(origin + size) : 0;
     return std::max(rounded(origin), from_there) + rounded(size);
   };
@@ -370,8 +370,9 @@ cases::TrianglePromise OneTriangle::promise() {
     if (clipped.planes > 0) add_new_vertices(clipped, least_w);
   }
   const double units = std::ldexp(kRest, limits_.subpixel_bits);
-  // A new vertex is rounded to the grid as well. This moves the edges on which it lies by a unit.
-  // Such an edge may join two given vertices, so the unit is added however these are rounded.
+  // Rounding a new vertex to the grid moves the edges that end there by up to a unit. If such an
+  // edge lies on one between two given vertices, their own rounding does not cover this, so a unit
+  // is added for triangles that the sides cut.
   const double rounded = clipped.is_cut_at_the_sides ? 1 : 0;
   const double position = (position_ + cut_at_sides_) * units + rounded;
   const double new_position = (position_ + new_position_) * units + 1;
@@ -513,8 +514,8 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
     evaluation.away = from_origin(window, case_->framebuffer);
     for (double& distance : evaluation.away) distance = (distance + viewport_error_) * grown_;
   }
-  // A cut triangle's pieces may hold samples outside the triangle that its placed given vertices
-  // span, because given vertices may move one way and new vertices the other.
+  // Pieces of a cut triangle may cover samples outside the triangle of the rounded given vertices,
+  // because given and new vertices may move in opposite directions.
   const double outside = is_cut ? reach : 0;
   WindowTriangle flat = window;
   flat.w = {1, 1, 1};

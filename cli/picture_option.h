@@ -52,9 +52,9 @@ std::string promise_text(const PicturePromise& promise);
 
 void add_picture_promise(CLI::App& app, PicturePromise& promise);
 
-/// The contract that a picture of a case is judged by: the case's own, the backend's, or either
-/// with the file's terms in place of some. If the file cannot be read or the backend cannot be
-/// made, prints the error and returns the exit code.
+/// The contract that a picture of a case is judged by: the case's own or the backend's. Terms that
+/// the contract file sets replace theirs. If the file cannot be read or the backend cannot be made,
+/// prints the error and returns the exit code.
 tl::expected<cases::Contract, ExitCode> contract_by(const PicturePromise& promise,
                                                     const cases::Case& c);
 

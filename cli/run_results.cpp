@@ -24,7 +24,8 @@ auto has_verdict(LawVerdict verdict) {
   return [verdict](const LawSummary& row) { return row.verdict == verdict; };
 }
 
-/// True if the row's backend promises what the law is about, and the law was not to be skipped.
+/// True if the row's backend promises what the law is about and no known-defect list says to skip
+/// the law.
 bool has_to_hold(const LawSummary& row, const std::vector<records::BackendPromises>& promises) {
   if (!row.skipped_by.empty()) return false;
   return std::none_of(promises.begin(), promises.end(), [&row](const auto& backend) {

@@ -17,8 +17,9 @@ namespace rastercheck::gate {
 struct EntryPattern {
   std::string law = "*";
   std::string kind = "*";
-  /// "all" matches the entry of all strata together and the entries of each stratum, as growth in a
-  /// case belongs to both.
+  /// The name of a records::Stratum. "all" matches every entry: the entry of all strata together
+  /// (EntryKey without a stratum) and those of single strata, because the error of a case counts in
+  /// both.
   std::string stratum = "*";
   bool operator==(const EntryPattern&) const = default;
   bool matches(const records::EntryKey& key) const;

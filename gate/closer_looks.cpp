@@ -61,8 +61,8 @@ LookRequest request_of(const records::CaseGrowth& growth, const std::string& bac
   return request;
 }
 
-/// Removes parts whose bits differ from those that the current side kept: this program does not
-/// reproduce that side's drawings.
+/// Removes parts that this program draws with other bits than the current side kept; such drawings
+/// cannot be reproduced here.
 void leave_out_others(std::vector<Specimen>& again, std::span<const Specimen> after) {
   std::erase_if(again, [&after](const Specimen& one) {
     return std::any_of(after.begin(), after.end(), [&one](const Specimen& kept) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Compares two baseline sections. The comparison is exact, without tolerance: cases are frozen and
-// drawing is deterministic, so equal drawings have figures equal to the bit.
+// Compares two baseline sections. The comparison is exact, without tolerance: both sections have
+// the same cases and drawing is deterministic, so equal drawings have figures equal to the bit.
 
 #include <string>
 #include <vector>

@@ -11,9 +11,9 @@
 
 namespace rastercheck::gate {
 
-/// Makes the section of one of a run's backends, under the backend's own name, for any instruction
-/// set and compiler, without a commit. Fails if the run did not keep its cases, was interrupted, or
-/// lacks that backend.
+/// Makes the section of one backend of a run. The key has the backend's own name and leaves
+/// instruction set and compiler unspecified; the commit stays empty. Fails if the run did not keep
+/// its cases, was interrupted, or lacks that backend.
 Result<records::BaselineSection> section_of(const records::Run& run, const std::string& backend);
 
 /// Makes the sections of all backends, in key order. Also fails if two backends have the same

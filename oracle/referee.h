@@ -12,8 +12,8 @@
 //
 // A clip position (x, y, w) plays the role of V − C, and the viewport is the image plane: a, b, c
 // are the columns of the inverse viewport transform. The referee shares only the number type and
-// cases' table of sample positions with the fast path: no adjugate, no folded viewport, no edge
-// function.
+// the table of sample positions (cases/sample_pattern.h) with the fast path: no adjugate, no folded
+// viewport, no edge function.
 
 #include <memory>
 #include <optional>

@@ -219,8 +219,8 @@ void add_sheet(cases::Case& c) {
   c.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// Adds a model and places it in view by the model matrix: turned, scaled to 1/4 to 2 times the
-/// view's half height, and moved.
+/// Adds a model and places it in view by the model matrix: turned, moved, and scaled to a size
+/// between 1/4 and 2 times the view's half height.
 void place_model(Draw& draw, CameraCase& made, const Rotation& rotation, const Vector& eye,
                  const Lens& lens) {
   cases::Case& c = made.source;

@@ -57,8 +57,8 @@ bool change_positions(Case& c, Depth depth, bool turns_y) {
   return true;
 }
 
-/// Swaps the fill rule and the front face, which are stated as displayed, after window y has
-/// changed direction.
+/// Call after window y has changed direction: the fill rule and the front face refer to the
+/// displayed picture, so both are swapped.
 void turn_display(Case& c) {
   c.fill_rule = c.fill_rule == cases::TieRule::top_left ? cases::TieRule::bottom_left
                                                         : cases::TieRule::top_left;

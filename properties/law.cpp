@@ -60,7 +60,8 @@ Generated random_case(const Law& law, std::uint64_t seed, std::uint64_t index,
 
 cases::Capabilities capabilities_of(const backends::Backend& backend) {
   cases::Capabilities capabilities = backend.about().capabilities;
-  // A contract file may promise a range of numbers without 1, for which no case can be made.
+  // A contract file may promise only a range of magnitudes that does not contain 1. No case can be
+  // made for such a range, so it is ignored.
   const cases::MagnitudeRange numbers = backend.contract({}).numbers;
   if (numbers.has(1)) capabilities.numbers = numbers;
   return capabilities;

@@ -19,8 +19,8 @@ struct WindowPoint {
 
 /// Returns the clip position with weight `w` and z/w = `depth` that appears at `p` in the case's
 /// viewport. `w` and the viewport's sizes must not be 0. The result is exact if w and the
-/// viewport's sizes are powers of two and the numbers are short; coordinates are clamped to finite
-/// floats.
+/// viewport's sizes are powers of two and the numbers have few bits; coordinates are clamped to
+/// finite floats.
 cases::ClipVertex at_window(const cases::Case& c, const WindowPoint& p, float depth, float w);
 
 /// True if a vertex (w not 0) appears exactly at `p` in the case's viewport; decided without

@@ -225,8 +225,8 @@ struct Fragments {
   std::vector<float> depth;
   std::vector<float> attributes;  ///< [fragment][attribute]
   /// [fragment][attribute][2]: ∂r/∂u and ∂r/∂v of the attribute r at its own location, per pixel of
-  /// window x and y; 0 for flat attributes. Filled with State::derivatives; otherwise left
-  /// unchanged.
+  /// window x and y; 0 for flat attributes. Filled only if State::derivatives is set; otherwise
+  /// left unchanged.
   std::vector<float> derivatives;
 
   std::size_t size() const { return triangle.size(); }

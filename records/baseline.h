@@ -1,8 +1,8 @@
 #pragma once
 
-// The baseline of the regression gate: the results of a run's frozen cases (is_frozen() of
-// record.h), kept for comparison with later runs. Plain data; baseline_json.h reads and writes the
-// file.
+// The baseline of the regression gate: results of a run, kept for comparison with later runs; only
+// of the cases that every run with the same seed has (is_frozen() of record.h). Plain data;
+// baseline_json.h reads and writes the file.
 //
 // A baseline consists of sections, each made from a run (gate/sections.h). A comparison takes two
 // sections, so either side may come from a run or from a baseline file.
@@ -48,7 +48,7 @@ struct EntryKey {
   auto operator<=>(const EntryKey&) const = default;
 };
 
-/// Certified figures of the frozen cases; everything else (quantiles, shares) follows from these.
+/// Certified figures of a baseline's cases; all else (quantiles, shares) follows from the figures.
 struct EntryFigures {
   CaseCounts cases;     ///< the law's cases; only for kind `coverage`
   Noticed power;        ///< all defects together; only for kind `coverage`
@@ -108,7 +108,7 @@ struct BaselineSection {
   BaselineKey key;
   std::uint64_t records_version = kRecordsVersion;
   std::uint64_t rules_version = kRulesVersion;
-  Plan plan;  ///< only the members that decide which cases are frozen and how they are judged
+  Plan plan;  ///< only the members that decide which cases the baseline has and how they are judged
               ///< (frozen())
   Taken taken;
   std::vector<Approval> approvals;  ///< in the order given

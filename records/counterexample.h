@@ -94,10 +94,10 @@ struct Explanation {
   std::vector<std::string> inherent;
   /// Ids of features that were removed without making the law hold.
   std::vector<std::string> indifferent;
-  /// Simple changes to the case before it was shrunk, as clauses ("y points in the other
-  /// direction"), each of which would explain the drawing: the parts in question (`parts`, or
-  /// `wrong`), as drawn for the unchanged case, are right for the changed case. Empty optional if
-  /// these parts are right already or cannot be drawn.
+  /// Simple changes of the original (not shrunk) case, as clauses ("y points in the other
+  /// direction"). Each explains the drawing: what was drawn for the original case in `parts` (or
+  /// `wrong`) would be right for the changed case. Empty optional if those parts are right already
+  /// or cannot be drawn.
   std::optional<std::vector<std::string>> hints = std::nullopt;
   /// True if the case failed when tried again. If false, all else is empty: the drawing varies from
   /// run to run, or depends on earlier drawings.

@@ -30,7 +30,7 @@ void members(Archive& archive, T& value) {
   archive.optional("kappa_d", value.kappa_d);
 }
 
-/// Without the sample's triangle, which is the inspection's.
+/// Leaves out the sample's triangle, which is the same for the whole inspection.
 template <typename Archive, cases::Either<InspectedSample> T>
 void members(Archive& archive, T& sample) {
   archive.required("x", sample.place.x);

@@ -83,7 +83,7 @@ std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTe
 /// Returns the terms that all backends are held to; empty if the plan sets none.
 std::optional<cases::ContractTerms> terms_of(const Plan& plan);
 
-/// Keeps the members that decide which cases are frozen and how they are judged: seed, cases,
+/// Keeps the members that decide which cases a baseline has and how they are judged: seed, cases,
 /// patterns, capabilities, contract, promise, way of drawing, corpus, known defects and power.
 /// Empties `backends`; all other members get their default.
 Plan frozen(const Plan& plan);

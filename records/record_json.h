@@ -30,9 +30,9 @@
 // why a law does not apply to cases are in "not_applicable_because": {"its contract lacks 8
 // samples": 7}. "power" counts drawings that were made wrong, and how many of these were noticed:
 // {"values NaN": {"drawings": 4, "noticed": 4}}. "not_judged": {"not promised": 3} counts fragments
-// or values that were drawn but not judged. All five are absent if empty. The float32 of "actual"
-// is a hex float, as in all files. Objects list their keys alphabetically, so that equal records
-// give equal bytes.
+// or values that were drawn but not judged. "known" (in both places), "not_applicable_because",
+// "power" and "not_judged" are absent if empty or 0. The float32 of "actual" is a hex float, as in
+// all files. Objects list their keys alphabetically, so that equal records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -53,7 +53,7 @@ std::string reason_of(const std::string& exact) {
   return cases::printable(colon == std::string::npos ? exact : exact.substr(colon + 2));
 }
 
-/// True if the sample lies exactly on the edge or plane that decides.
+/// True if the sample lies exactly on the edge or plane that decides its coverage.
 bool is_tie(const Violation& violation) {
   return violation.distance && violation.distance->lo == 0 && violation.distance->hi == 0;
 }

@@ -17,7 +17,7 @@ std::string finding_value(const records::Violation& violation, const cases::Case
 std::string finding_place(const records::Violation& violation, const cases::Case& source);
 
 /// Says what was drawn and what must be drawn: "attribute 'u' was drawn as 0.143 and must be 0.161
-/// to 0.164", "the sample is not drawn and must be". Numbers have as many digits as tell them
+/// to 0.164", "the sample is not drawn and must be". Numbers have just enough digits to tell them
 /// apart. If nothing was drawn, says why.
 std::string finding_fault(const records::Violation& violation, const cases::Case& source);
 

@@ -96,7 +96,7 @@ std::string coverage_words(const InspectedSample& sample) {
   return is_permitted ? "not drawn, as it may be" : "not drawn, correctly";
 }
 
-/// The place, the verdict and what was drawn, and what decides.
+/// The verdict, what was drawn, the place, and how far the sample is from the deciding boundary.
 std::string found_text(const Inspection& inspection, const InspectedSample& sample) {
   const records::WindowPoint in_pixel = sample.place.sample < inspection.pattern.size()
                                             ? inspection.pattern[sample.place.sample]

@@ -81,8 +81,9 @@ double clip_amplification(const cases::Case& c) {
   return greatest < kMost ? greatest : std::numeric_limits<double>::infinity();
 }
 
-/// True if a method may clip a vertex in front of the eye that lies within the contract's guard
-/// band. That band has the same width along both axes and is centred on the window's origin.
+/// True if a vertex in front of the eye lies beyond the methods' guard band, so that they clip it.
+/// The contract's guard band may contain such a vertex, because that band is as wide along the
+/// shorter axis as along the longer one and is centred on the window's origin.
 bool has_vertex_beyond_band(const cases::Case& c) {
   return std::any_of(c.positions.begin(), c.positions.end(), [](const cases::ClipVertex& p) {
     const double side = kGuardBand * double{p.w};
@@ -111,13 +112,15 @@ cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
 /// covers both errors for viewports up to 2^14 pixels; the grid of 2^-16 pixels is only the
 /// contract's way to say where vertices may be. Clipping adds an error that grows with the
 /// amplification A of the triangle: 2^-50 A half widths for a new vertex, which is the clip
-/// tolerance. A method interpolates along an edge by the positions that it has for this edge. So if
-/// an edge is off, values change no more than if the vertices had been moved.
+/// tolerance. A method interpolates along an edge with its own, slightly wrong end points. So an
+/// error of an edge changes values no more than moving the vertices by that error.
 ///
-/// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A: 2^-50 A
-/// half widths, relative to the band's 2^10. So A 2^-34 scale ULP are added to the other errors.
-/// For depth, these are the rounding to float32 and less than 2^-24 from the computation in double.
-/// A vertex that only the method clips has the clip tolerance as its position error.
+/// Values. The products r w and the z of a clipped vertex have a relative error of 2^-60 A, the
+/// 2^-50 A half widths divided by the band's 2^10 half widths. That is at most 2^-36 A scale ULP,
+/// as a scale ULP is at least 2^-24 of the scale; four times as much is added to the other errors.
+/// For depth, the other errors are the rounding to float32 (half a scale ULP) and less than 2^-24
+/// scale ULP from the computation in double. A vertex that only the method clips has the clip
+/// tolerance as its position error.
 void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
                          cases::Contract& contract) {
   contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
@@ -131,7 +134,8 @@ void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
 
   const double amplification = clip_amplification(c);
   constexpr double kGridUnits = 0x1p16;
-  // Exceeds every window coordinate: it is below 2^277 half widths, and a half width below 2^127.
+  // More grid units than any window coordinate has: coordinates are below 2^277 half widths, and
+  // half widths below 2^127 pixels.
   constexpr double kMostTolerance = 0x1p480;
   contract.clip_tolerance =
       std::isinf(amplification)

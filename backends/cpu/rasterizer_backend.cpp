@@ -23,7 +23,7 @@ namespace {
 namespace ras = rasterizer;
 
 /// Pictures are drawn in double, whatever the precision of fragments. The bounds are derived in
-/// rasterizer/texture.h; the share of derivatives, 2^-31 plus 44 roundings, in
+/// rasterizer/texture.h, and derivative_share (2^-31 plus 44 roundings) in
 /// rasterizer/internal/derivatives.h.
 cases::TextureBounds texture_bounds() {
   cases::TextureBounds bounds;

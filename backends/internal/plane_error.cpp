@@ -161,7 +161,7 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
   }
   const double lost = evaluation.operation * sizes / m.area;  // δ k
   if (!(kArea * lost < 1)) return kNothing;
-  const double outside = 1 + evaluation.beyond * m.weight_change();  // x
+  const double outside = 1 + evaluation.beyond * m.weight_change();  // λ
   PlaneError error;
   error.affine = kAffine * lost * outside / (1 - kArea * lost);
   const double least =
@@ -176,7 +176,7 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
   const double numerator = kNumerator + kArea * outside;
   error.per_horizon = (numerator + kDenominator * outside) * lost / left;
   if (evaluation.beyond > 0) {
-    // Outside, y = x g, so the error is not proportional to g; the constant covers the greatest g.
+    // Outside, μ = λ g, so the error is not proportional to g; the constant covers the greatest g.
     error.constant = kDivision * evaluation.operation * outside * horizon +
                      (numerator + kDenominator * outside * horizon) * lost * horizon / left;
     error.per_horizon = 0;
@@ -193,9 +193,9 @@ double weight_change(const WindowTriangle& triangle, double reach, double distan
   if (!(m.area > 0)) return kWithoutEnd;
   const double least = m.least_inverse_w - (distance + reach) * m.inverse_w_change;
   if (!(least > 0)) return kWithoutEnd;
-  // λ_i = b_i q_i / M: |∂λ_i| <= |∂b_i| q_i / M + |λ_i| |∂M| / M, and |λ_i| <= (1 + ν_i) q / M.
-  // Each factor is replaced by its greatest value.
-  const double outside = 3 + distance * m.weight_change();
+  // The clip-space weights are ω_i = β_i/(w_i M). |∂ω_i| <= |∂β_i|/(w_i M) + |ω_i| |∂M|/M, and
+  // |ω_i| <= (1 + ν_i) q/M. Each factor is replaced by its greatest value.
+  const double outside = 3 + distance * m.weight_change();  // Σ (1 + ν_i)
   const double horizon = m.most_inverse_w / least;
   return distance * horizon * (m.weight_change() + outside * m.inverse_w_change / least);
 }

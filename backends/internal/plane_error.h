@@ -39,8 +39,8 @@ struct PlaneError {
 PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluation);
 
 /// Bounds how much the clip-space weights of a triangle's vertices differ between two places that
-/// are `distance` pixels apart along each axis, summed over the vertices: Σ max |λ_i(p) − λ_i(q)|.
-/// Infinite if no bound is known.
+/// are `distance` pixels apart along each axis, summed over the vertices: Σ max |ω_i(p) − ω_i(q)|
+/// for the weights ω_i. Infinite if no bound is known.
 double weight_change(const WindowTriangle& triangle, double reach, double distance);
 
 }  // namespace rastercheck::backends

@@ -16,12 +16,12 @@
 namespace rastercheck::backends {
 namespace {
 
-/// In milliseconds. Longer waits are split, because poll() accepts no longer wait.
+/// The longest single wait, in milliseconds. Longer waits are split, because poll() takes an int.
 constexpr std::int64_t kLongestPoll = 60'000;
 /// How long a crashing process may take to end.
 constexpr std::chrono::milliseconds kLongestEnd{1000};
 /// The most bytes of a greeting or a contract.
-constexpr std::uint64_t kMostWords = 65536;
+constexpr std::uint64_t kMostMessageBytes = 65536;
 constexpr std::string_view kWhileDrawing = "while drawing";
 constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
@@ -45,7 +45,7 @@ std::uint64_t most_bytes(const cases::Case& c) {
   const double fragments = samples * static_cast<double>(c.triangles.size());
   // A triangle number, x, y, sample and depth; for each attribute, its value and two derivatives.
   const double fragment = 13 + 12 * static_cast<double>(c.attributes.size());
-  return static_cast<std::uint64_t>(std::min(fragments * fragment, kMost)) + kMostWords;
+  return static_cast<std::uint64_t>(std::min(fragments * fragment, kMost)) + kMostMessageBytes;
 }
 
 /// Returns the two ends of a socket.
@@ -90,7 +90,7 @@ Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
   WorkerProcess worker(specification, isolation, *std::move(process),
                        Channel(*std::move(memory), std::move(bell)), LogTail(std::move(words)));
   worker.deadline_ = worker.deadline();
-  const Result<std::string> said = worker.receive("while starting", kMostWords);
+  const Result<std::string> said = worker.receive("while starting", kMostMessageBytes);
   std::optional<Greeting> greeting;
   if (said) greeting = unpack_greeting(*said);
   if (!greeting) {
@@ -119,7 +119,7 @@ Result<std::string> WorkerProcess::ask(const Request& request) {
   if (!channel_.send(pack(request), [this] { return wait(); })) {
     return tl::unexpected(loss(doing));
   }
-  return receive(doing, is_drawing ? most_bytes(request.source) : kMostWords);
+  return receive(doing, is_drawing ? most_bytes(request.source) : kMostMessageBytes);
 }
 
 Result<std::string> WorkerProcess::receive(std::string_view doing, std::uint64_t most) {

@@ -139,7 +139,8 @@ Result<std::string> judge_drawing(const Options& options, const DeqpDrawing& dra
   if (!view) return tl::unexpected(view.error());
   const int bits = options.subpixel_bits.value_or(test.subpixel_bits.value_or(kLeastSubpixelBits));
   const auto open = cases::uncertainty_of(drawing);
-  // Half of the largest position error of a contract is left for the promise's own error.
+  // A contract's position error is at most kMaxPositionError. The log's uncertainty may use half of
+  // it, because the promise has an error of its own.
   if (!open || std::ldexp(open->pixels, bits) > cases::kMaxPositionError / 2) {
     return std::string("the log has too few digits of a small w");
   }

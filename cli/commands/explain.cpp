@@ -84,7 +84,8 @@ Result<properties::FocusRequest> request_of(const Options& options, const cases:
             fmt::format("there is no attribute '{}'", cases::printable(options.attribute))});
 }
 
-/// Returns the index of the value to show of a sample; empty, for all values, without --attribute.
+/// Returns the index of the value of a sample to show (0: the depth); empty, for all values, if
+/// --attribute is not given.
 std::optional<std::size_t> shown_value(const properties::FocusRequest& request) {
   if (request.attribute) return 1 + *request.attribute;
   return request.is_depth ? std::optional<std::size_t>(0) : std::nullopt;

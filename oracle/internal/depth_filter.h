@@ -34,7 +34,7 @@ std::optional<double> placement_radius(const TriangleSetup& triangle);
 /// N) = ρ is less than the ratio of the least w to the greatest.
 ///
 /// Otherwise, as in triangles of a few grid units, the enclosure holds all depths between the
-/// vertices' depths, and the exact triangle's own depth, which the basis unspecified permits.
+/// vertices' depths, and the exact triangle's own depth, which Basis::unspecified permits.
 class DepthFilter {
  public:
   /// `coverage` must be the triangle's filter; at() must be called only for samples in its box.

@@ -143,10 +143,10 @@ struct NearestBand::Rival {
   }
 };
 
-/// Coverings certainly behind a required one, or behind the buffer's initial value, have been
-/// dropped. This does not affect the others: the nearest required covering remains, and a covering
-/// certainly nearer than all that remain, and than the initial value, is also nearer than those
-/// that were dropped.
+/// Finds the candidates among a sample's coverings. add() has dropped coverings certainly behind a
+/// required one or behind the buffer's initial value. That is safe: the nearest required covering
+/// is still there, and a covering that beats all others and the initial value also beats the
+/// dropped ones.
 bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
                           std::vector<Candidate>& candidates) {
   candidates.clear();

@@ -40,8 +40,8 @@ struct PreparedValue {
   /// about the range only what `readings` imply.
   bool is_open = false;
   bool at_center = false;  ///< evaluated at the pixel's centre, which is not the sample
-  /// True if the value is certainly a mean of the vertices' values (a depth: within its range). If
-  /// false, each value is tested.
+  /// True if the value certainly lies between the vertices' values. Without depth clamp, a depth
+  /// then also lies in the viewport's depth range. If false, each value is tested.
   bool is_mean = false;
   bool is_clamped = false;      ///< each depth is tested to lie within the clamped range
   Zero only_zero = Zero::none;  ///< set if all three vertices have this zero

@@ -199,8 +199,9 @@ std::size_t TriangleSetup::corner_count() const {
 const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
   std::optional<ProjectiveMap>& map = corners_[number];
   if (!map) {
-    // The number has three digits, one per vertex. The second and third digits count from the
-    // first, so the lowest numbers choose the same extreme for all three vertices.
+    // `number` is read in mixed radix, one digit per vertex. The digits of vertices 1 and 2 are
+    // offsets from that of vertex 0, so the lowest numbers choose the same extreme for all three
+    // vertices.
     const auto& choices = extreme_columns_;
     const std::size_t first = number % choices[0].size();
     const std::size_t second = number / choices[0].size() % choices[1].size();

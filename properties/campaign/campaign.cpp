@@ -134,7 +134,8 @@ std::vector<Task> shrink_tasks(const Findings& findings) {
 std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
                                                       const records::BackendPromises& promises,
                                                       const records::RecordSet& records) {
-  // The required shares were measured on backends that draw every case.
+  // The required shares were measured on backends that draw every case; with limits, fewer cases
+  // may reach a label.
   if (promises.has_limits) return {};
   const std::string law_name(law.id);
   const auto [checked, labels] = random_labels(records, law_name, promises.backend);

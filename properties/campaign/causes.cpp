@@ -22,7 +22,7 @@ using records::Counterexample;
 using records::DrawnPart;
 using records::FragmentClass;
 
-/// True unless a part other than the one that `kind` names is known to be wrong.
+/// False if the member's explanation names a wrong part other than kind.part.
 bool is_only_of_the_part(const CauseMember& member, const CauseKind& kind) {
   if (!kind.part || !member.one->explanation) return true;
   const records::Explanation& explanation = *member.one->explanation;

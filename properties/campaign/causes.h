@@ -4,11 +4,12 @@
 // several conditions; the developer wants to see one cause.
 //
 // Two counterexamples share a cause if, according to their explanations (records::Explanation),
+// both conditions hold:
 //
-//   1. their laws hold once the same part of the drawing (coverage, depth or values) is corrected;
-//      or if no such part exists and each violates the other's law, too: the fault is then not in
-//      the fragments, but before or after them; and
-//   2. they do not need different features. Two sets of counterexamples have different causes if
+//   1. Their laws hold once the same part of the drawing (coverage, depth or values) is corrected.
+//      If no such part exists, each must violate the other's law, too; the fault is then before or
+//      after the fragments, not in them.
+//   2. They do not need different features. Two sets of counterexamples have different causes if
 //      each set needs a feature that the other does without, or if only one of them needs a scissor
 //      or another feature that moves no vertex. A counterexample moves to another set if it needs
 //      what that set needs, but not what its own set needs.

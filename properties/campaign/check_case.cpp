@@ -30,8 +30,8 @@ bool fails_alike(Check& check, const cases::Case& c, const cases::Found& found,
       check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault;
   if (!fails) return false;
   if (check.violations.empty()) return found.verdict == verdict_of(check);
-  // Drops violations that are known defects of the driver: the violation to find again is a new
-  // one.
+  // Drops violations that are known defects of the driver, because the violation to reproduce is
+  // not a known one.
   const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (known != nullptr && clip) {
     std::erase_if(check.violations, [&](const records::Violation& violation) {
@@ -229,7 +229,7 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
   record.outcome = outcome_of(check);
   record.source_digest = fnv1a(cases::to_json(numbered.source));
   records::Judgement judged = check.judgement;
-  judged.levels = {};  // these only tell how the oracle decided
+  judged.levels = {};  // levels only tell how the oracle decided
   for (const auto& [kind, errors] : judged.errors) {
     for (std::size_t i = 1; i < errors.classes.counts.size(); ++i) {
       record.mismatches += errors.classes.counts[i];

@@ -50,15 +50,17 @@ std::optional<NumberedCase> check_random_case(const Law& law, const std::string&
                                               const KnownDefects* known = nullptr);
 
 /// Checks a known-defect entry's case and adds the outcome to the findings: known if its violations
-/// match the entry, a violation if not. If the law holds, adds an unexpected pass; if the driver
-/// also has the list's version, the pass counts as a violation, because the list is then stale.
+/// match the entry, a violation if not. If the law holds, adds an unexpected pass. If the driver
+/// has the version that the list was written for, the pass counts as a violation, because the list
+/// is then wrong.
 void check_known_case(const Law& law, const std::string& specification, backends::Backend& backend,
                       std::uint64_t seed, const KnownDefects& known, std::size_t entry,
                       Findings& findings);
 
 /// Checks a law; turns a failed drawing into a violation with the backend's message in its note. A
-/// case is not applicable if the backend does not support it, or if positions are beyond float32:
-/// no backend gets these. Violations that `known` does not explain come first.
+/// case is not applicable if the backend does not support it, or if its clip positions are beyond
+/// float32: no backend can be given such positions. Violations that `known` does not explain come
+/// first.
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     std::uint64_t index, const KnownDefects* known = nullptr);
 
@@ -73,8 +75,8 @@ std::string verdict_of(const Check& check);
 /// the check has none.
 bool put_alike_first(Check& check, const cases::Case& c, const cases::Found& found);
 
-/// Returns why a check is not applicable. Words with digits after a colon are replaced, so that
-/// records count only a few different texts.
+/// Returns why a check is not applicable. After the first colon, "#" replaces each word that
+/// contains a digit, so that records count only a few different texts.
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check);
 
 /// Adds a check to the findings: its record, and the case's own result if the findings keep these.

@@ -58,7 +58,7 @@ std::string fault_of(const KnownEntry& entry, const cases::Case& c) {
   if (find_law(c.found->law) == nullptr) {
     return "no property is called '" + cases::printable(c.found->law) + "'";
   }
-  if (entry.laws.empty()) return "";  // A law may name a drawing's fault differently.
+  if (entry.laws.empty()) return "";  // the law's verdict may differ from the drawing's
   const auto verdict = cases::from_name<records::FragmentClass>(c.found->verdict);
   if (!verdict || !has_verdict(entry, *verdict))
     return "has a verdict that its entry does not name";

@@ -85,7 +85,7 @@ class SceneReader {
   std::uint64_t judged() const { return judged_; }  ///< samples
   std::uint64_t open() const { return open_; }      ///< samples
   std::uint64_t wrong() const { return wrong_; }    ///< samples
-  /// Violations of a law: the first of each class that is not known.
+  /// For one law, the first violation of each class that no known-defect entry explains.
   struct Few {
     std::string_view law;
     std::set<FragmentClass> ways = {};

@@ -18,8 +18,8 @@ namespace rastercheck::properties {
 
 struct SceneFindings {
   /// Findings of the laws on coverage and values, in the stratum "scene NAME". Counterexamples are
-  /// named like the stratum, as the corpus may have the same scene. Their index is the index of a
-  /// triangle.
+  /// named like the stratum, because the corpus may have a case with the scene's own name. Their
+  /// index is the index of a triangle.
   Findings findings;
   records::SceneResult result;  ///< named like the scene
   cases::Case source;           ///< the scene in clip positions

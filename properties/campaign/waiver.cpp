@@ -51,14 +51,14 @@ struct Conditions {
   std::set<FragmentClass> verdicts;
   std::set<AttributeKind> kinds;
   std::set<std::string> laws;
-  std::optional<std::set<std::string>> needs;  ///< that all failures have
+  std::optional<std::set<std::string>> needs;  ///< needs of all failures
   std::set<std::string> notes;
   double reach = 0;            ///< how far off an edge may be, in pixels
   bool are_degenerate = true;  ///< whether no wrongly drawn triangle has an area
 };
 
-/// Maps needs to facts. Only needs that experiments can establish have a fact: a law may hold by
-/// chance after a change of sizes.
+/// Maps needs to facts. Needs of sizes have no fact, because experiments cannot establish them:
+/// after a change of sizes, a law may hold by chance.
 constexpr std::array<std::pair<std::string_view, KnownFact>, 12> kFacts{
     {{"w <= 0", KnownFact::nonpositive_w},
      {"near plane", KnownFact::before_near},
@@ -215,7 +215,7 @@ records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
     const bool is_needed = conditions.needs->contains(std::string(need));
     const bool is_of_coverage = conditions.kinds == std::set{AttributeKind::coverage};
     if (!is_needed || (fact == KnownFact::tie && !is_of_coverage)) continue;
-    // `tie` says nothing here: without an inside, a triangle only draws ties or far samples.
+    // Violations of degenerate triangles have no distance, so `tie` never holds for them.
     if (fact == KnownFact::tie && are_degenerate) continue;
     if (fact == KnownFact::tie && conditions.reach > 0) {
       entry.when.limits[records::KnownLimit::distance_at_most] = conditions.reach;
@@ -224,8 +224,8 @@ records::KnownEntry entry_of(const Conditions& conditions, Scope scope) {
     }
   }
   if (conditions.needs->contains("samples")) entry.when.samples = {2, 4, 8, 16};
-  // Every law fails on a case that is not drawn. A message alone does not justify that: it may mean
-  // anything.
+  // If a case is not drawn, every law fails, so the entry is for all laws; but only if it also has
+  // a fact, because a message alone may mean anything.
   if (scope == Scope::none && !entry.when.facts.empty()) entry.laws = {"*"};
   return entry;
 }

@@ -115,7 +115,7 @@ class Worker {
   std::optional<std::string> next_line() { return channel_.next_line(); }
   void finish_task() { task_.reset(); }
 
-  /// Says how a worker that closed its socket ended.
+  /// Call once the worker has closed its socket: ends its process, and says how the process ended.
   std::string ending() {
     process_.kill();  // in case the process goes on without its socket
     task_.reset();

@@ -19,7 +19,7 @@ struct Equal {
   bool depth = false;
 };
 
-/// A weight of at most 12 bits, so that its product with a short depth is exact.
+/// A weight of at most 12 bits, so that its product with a short_depth() is exact.
 float short_weight(Draw& draw) {
   const int units = draw.between(1, 4095);
   const int exponent = draw.between(-4, 4);

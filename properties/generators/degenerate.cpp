@@ -16,7 +16,7 @@
 namespace rastercheck::properties::degenerate_generator {
 namespace {
 
-/// Returns a position in or near the visible part. Its numbers are short, so that sums of a few
+/// Returns a position in or near the visible part. Its numbers have few bits, so that sums of a few
 /// positions stay exact.
 cases::ClipVertex short_position(Draw& draw) {
   const auto number = [&draw](int most) {

@@ -75,8 +75,8 @@ void add_sliver(Draw& draw, cases::Case& c) {
 
 /// Adds a triangle with an edge exactly through a sample and the third corner within a few floats
 /// of the edge. Coordinates have up to 24 bits, so that no double holds the edge function's value.
-/// In homogeneous coordinates, which need no division, the sample is q and the edge's ends are a
-/// and q − a.
+/// In homogeneous coordinates, which need no division, the sample is `q` and the edge's ends are
+/// `a` and `q − a`.
 void add_slender_triangle(Draw& draw, cases::Case& c) {
   const WindowPoint p = visible_sample(draw, c);
   const double width{c.viewport.width};
@@ -87,9 +87,9 @@ void add_slender_triangle(Draw& draw, cases::Case& c) {
   const double q_y = sign * side * (2 * (p.v - double{c.viewport.y}) - height) * width;
   const double q_w = sign * width * height;
 
-  // The numbers of a are multiples of 2^-11, as are those of q if the viewport's numbers are
-  // integers. They are below 2^13 (24 bits), except in viewports of thousands of pixels, where the
-  // ends are farther apart.
+  // The coordinates of `a` are multiples of 2^-11, as are those of `q` if the viewport's numbers
+  // are integers. They are below 2^13 (24 bits), except in viewports of thousands of pixels, where
+  // the ends are farther apart.
   const auto most = static_cast<int>(std::min(q_w * 0x1p11, 0x1p30));
   const int n_w = draw.between(most / 8, most - most / 8);
   const int n_x = draw.between(-n_w, n_w);

@@ -37,8 +37,8 @@ double random_offset(Draw& draw) {
   return draw.pick(std::array{0.5, 0.5, 0.5, -0.5, 0.0, 0.25, -0.375});
 }
 
-/// Returns the clip position at `p`, sometimes moved by a float in x or in y. Unmoved, it is exact
-/// if w is a power of two and the numbers are short.
+/// Returns the clip position at `p`, sometimes moved by a float in x or in y. If not moved, the
+/// position is exact if w is a power of two and the numbers have few bits.
 cases::ClipVertex placed(Draw& draw, const cases::Case& c, const WindowPoint& p) {
   const float w = draw.pick(std::array{1.0F, 1.0F, 1.0F, 0.5F, 2.0F, 8.0F, 3.0F});
   const float depth = random_depth(draw, c);

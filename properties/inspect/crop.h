@@ -14,9 +14,10 @@ namespace rastercheck::properties {
 /// Returns the smallest box around both boxes; if one is empty, the other.
 oracle::PixelBox hull(const oracle::PixelBox& a, const oracle::PixelBox& b);
 
-/// Returns `touched` with a margin, clipped to the framebuffer. If that has more than `most_values`
-/// values (including depths), returns a square part with the sample as near to its middle as
-/// possible. Each side is at least one pixel and at most records::kMostInspected pixels long.
+/// Returns `touched` with a margin, clipped to the framebuffer. If the result has more than
+/// `most_values` values (including depths), returns a square part with the sample as near to its
+/// middle as possible. Each side is at least one pixel and at most records::kMostInspected pixels
+/// long.
 oracle::PixelBox crop_around(const cases::Case& c, const oracle::PixelBox& touched,
                              const cases::SamplePlace& at, std::uint32_t most_values);
 

@@ -26,8 +26,9 @@ struct InspectOptions {
 };
 
 /// Judges the triangle in focus by the drawing's contract. `c` is the case as drawn (case_to_draw),
-/// `trace` the trace of the sample in focus. The caller fills in occasion, law and names. Fails,
-/// with a reason of one line, if the case has no such triangle, pixel, sample or attribute.
+/// `trace` the trace of the sample in focus. The caller fills in why the sample is inspected
+/// (Inspection::occasion), the law and the names. Fails, with a reason of one line, if the case has
+/// no such triangle, pixel, sample or attribute.
 Result<records::Inspection> inspect(const cases::ClipCase& c, const backends::Drawn& drawn,
                                     const Focus& focus, const TracedSample& trace,
                                     const InspectOptions& options = {});

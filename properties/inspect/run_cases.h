@@ -59,7 +59,7 @@ class CaseDrawer {
   std::size_t fragments_ = 0;  ///< of all kept drawings
 };
 
-/// A triangle within a case no larger than its inspection needs.
+/// A triangle, and a case that contains it and little else.
 struct CasePart {
   cases::ClipCase source;      ///< as drawn (case_to_draw)
   std::uint32_t triangle = 0;  ///< index into the triangles of `source`

@@ -212,7 +212,8 @@ bool Choice::add_first(const CaseKey& key, const CaseRecord& record) {
   const std::optional<cases::Case> c = case_of(key);
   const std::optional<cases::SamplePlace> place = c ? covered_place(*c) : std::nullopt;
   if (!place) return false;
-  // If the backend cannot draw it, do not try another case instead.
+  // If the backend cannot draw the case, tries no other: the kept cases must not depend on
+  // drawings.
   if (std::optional<Specimen> one = specimen_of({key, record.name, *place}, *c, *drawer_)) {
     keep(*std::move(one));
   }

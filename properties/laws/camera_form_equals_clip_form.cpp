@@ -22,8 +22,8 @@
 // p. The sums are computed in double, each with fewer than 16 roundings, so another 2^-48 of the
 // summed absolute values is allowed.
 //
-// The numbers of matrices and positions are so short that the clip positions are float32 without
-// rounding. So moving the product of view and model into the model, or of all three into the
+// The numbers of matrices and positions have so few bits that the clip positions are exact in
+// float32. So moving the product of view and model into the model, or of all three into the
 // projection, gives the same camera. The harness must round each of these cameras to the same clip
 // positions; a backend's vertex stage must compute the same clip positions or, if its contract
 // allows, numbers within its bound.
@@ -62,7 +62,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 
 /// Returns the product if all its numbers are exact in float32, else nothing. Sums of four products
-/// of short numbers are exact in double.
+/// of numbers with few bits are exact in double.
 std::optional<Matrix4> product(const Matrix4& left, const Matrix4& right) {
   Matrix4 result{};
   for (std::size_t i = 0; i < 4; ++i) {

@@ -7,8 +7,9 @@
 // (RULES §2). Clipping leaves the polygon of the vertices with L_i > 0 and of the points p = (L_j
 // p_i − L_i p_j)/(L_j − L_i) on edges that the plane cuts. Attributes, depths and other distances
 // are linear in clip space too, so the polygon's triangles have the same map as the whole (§1). If
-// the L_i are ±1 or ±3 units, the points p are mixes in quarters, which are float32 if the vertices
-// are short: the polygon is exact. The planes are
+// the L_i are ±1 or ±3 units, the points p are means of two vertices with weights 1/4, 1/2 or 3/4.
+// These are exact in float32 if the vertices' numbers have few bits, so the polygon is exact. The
+// planes are
 //
 //   near, far             L = z (OpenGL: z + w), w − z      the depth clamp is turned off
 //   a side                L = w ± x, w ± y                  nothing is drawn beyond it

@@ -9,8 +9,8 @@
 //   a repeated vertex    an index twice, or three times
 //   a vertex twice       p and 2^k p, which appear at the same place
 //   opposite vertices    p and −2^k p: the triangle's plane contains the eye
-//   collinear vertices   p, q and (i p + j q) / 4, where p and q have short numbers
-//   collinear samples    centres of pixels, if exact: they test ties as well
+//   collinear vertices   p, q and (i p + j q) / 4, where the numbers of p and q have few bits
+//   collinear samples    corners at pixel centres, exact in float32: these test ties as well
 //   behind the eye       all w <= 0, and all w = 0
 //   the eye itself       x = y = z = w = 0
 //

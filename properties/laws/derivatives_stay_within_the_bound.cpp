@@ -1,6 +1,6 @@
 // Screen derivatives stay within the bound: ∂r/∂u and ∂r/∂v of every attribute of a correctly drawn
 // fragment are numbers no farther from the exact derivatives than the contract says
-// (cases::Contract). This follows from RULES §4, which make derivatives as exact as the values.
+// (cases::Contract). This follows from RULES §4, which makes derivatives as exact as the values.
 //
 // Attributes: those with a single exact derivative. This excludes noperspective attributes with
 // some w <= 0, centroids whose place is open, and all attributes if the contract allows several

@@ -8,7 +8,7 @@
 // the two values. A helper that takes another triangle's value, or is clamped to the edge, makes a
 // seam of wrong derivatives along every outline.
 //
-// Left out: neighbours behind the eye's horizon, where the map has its pole and RULES §4 leave
+// Left out: neighbours behind the eye's horizon, where the map has its pole and RULES §4 leaves
 // values undefined; neighbours just before the horizon ("next to the horizon": 1/w is less than
 // 2^-16 of the fragment's), where 1/w is mostly rounding error; centroids with several samples, as
 // a helper pixel need not have a centroid; noperspective values with some w <= 0; and contracts

@@ -94,7 +94,8 @@ class EqualDepthCheck {
     }
   }
 
-  /// Right for depths of few bits, for which the sums are exact in double.
+  /// Adds the label "middle between floats" if the plane's depth lies midway between two floats.
+  /// Exact for depths of few bits, because their sums are exact in double.
   void add_middle_label(const PlaneDepth& depth) {
     const double share = depth.z / depth.w;
     const double n{case_->viewport.min_depth};

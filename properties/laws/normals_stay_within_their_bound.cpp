@@ -4,9 +4,10 @@
 //
 // Why. A plane's normal is perpendicular to its tangents. Under a model A the tangents become A t,
 // and (C n) · (A t) = det A (n · t) with C the cofactors of A, so C n is perpendicular to the new
-// tangents for any A. With the sign of det A, it also stays on the same side of the plane. A n
-// leans if axes are scaled differently. Cofactors are products of two numbers and nothing is
-// divided, so only cancellation may cost digits: the bound is in parts of ‖|C| |n|‖ / ‖C n‖.
+// tangents for any A. With the sign of det A, it also stays on the same side of the plane. A n is
+// not perpendicular if A scales the axes differently. Cofactors are products of two numbers and
+// nothing is divided, so only cancellation may cost digits: the bound is in parts of ‖|C| |n|‖ / ‖C
+// n‖.
 //
 // The normals of a case are x, y and z of its positions, of any length. All normals of cases with a
 // camera are judged, by squares of exact numbers.

@@ -188,7 +188,7 @@ class SplitCheck {
   oracle::SceneTruth exact_;
   Tally tally_;
   std::uint32_t triangle_ = 0;
-  // These two belong to the current triangle.
+  // The split and the truth of the current triangle, `triangle_`.
   std::unique_ptr<oracle::StageSplit> split_;
   std::unique_ptr<oracle::TriangleTruth> truth_;
   std::optional<Error> error_;

@@ -269,7 +269,8 @@ class AffinityCheck {
       const double lo = range->lo.enclosure().lo;
       const double hi = range->hi.enclosure().hi;
       // A value may exceed its vertices' values when the moved value does not, and vice versa.
-      // Rounding α lo + β does not move it below a power of two, and so not to a smaller ulp.
+      // Rounding α lo + β to double cannot take it below a power of two, so its ulp is never
+      // smaller than that of the exact number.
       const Affine& map = maps_[a];
       const Greatest greatest{
           std::max({magnitude(place, a, {}), std::abs(lo), std::abs(hi)}),

@@ -15,14 +15,14 @@
 //   no sample is drawn by both A and B                           else it is `extra`, and
 //   a sample required in C or in D is drawn by A or by B         else it is `missing`.
 //
-// A sample within reach of the quadrilateral's outline, or on the diagonal of C and D, is required
-// in neither C nor D unless the contract decides it. If the contract names a tie rule, the rule
-// gives the outline's samples the same answer in C and D as in A and B, because it depends only on
-// the edge and its inside.
+// Where the contract leaves the owner of a sample open (near the quadrilateral's outline, or on the
+// diagonal between C and D), the sample is required neither in C nor in D, so it is not checked. If
+// the contract names a tie rule, the rule gives the outline's samples the same answer in C and D as
+// in A and B, because it depends only on the edge and its inside.
 //
 // Each triangle is drawn as if alone: the case's depth test is removed. Pairs with a user clip
-// distance that is not positive are left out, since the distance's zeros end at the triangles'
-// edges.
+// distance that is not positive at every vertex are left out: the distance is linear only in each
+// triangle, so it would cut C and D along other lines than A and B.
 
 #include <algorithm>
 #include <array>

@@ -7,8 +7,8 @@
 // distance d are linear in clip space, so with r = Σ s_i r_i, and z and d alike, each part has the
 // same map as the whole: the same 1/w, N/D, z/w and f at each sample (RULES §1). Inner edges occur
 // twice, in opposite directions, and a zero is inside exactly one of the two parts (§2). Outer
-// edges lie in edges of the whole. The s_i are quarters, and the numbers so short that every sum is
-// float32: nothing is rounded.
+// edges lie in edges of the whole. The s_i are multiples of 1/4, and the numbers have so few bits
+// that every sum is exact in float32.
 //
 // Both drawings are within the bound of the same exact value, so they differ by at most twice the
 // bound. Noperspective attributes are linear in the window and not in clip space, flat attributes

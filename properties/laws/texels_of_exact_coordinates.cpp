@@ -1,11 +1,11 @@
 // Texels are those of the exact coordinates: nearest filtering takes the texel that contains the
 // exact rational s and t, and the colour is k/255 to the bit.
 //
-// Why. RULES §4 give a fragment exactly one s and one t; ⌊s W⌋, wrapped, is an integer, with
+// Why. RULES §4 gives a fragment exactly one s and one t; ⌊s W⌋, wrapped, is an integer, with
 // nothing to round. A coordinate that is rounded first is sometimes on the wrong side of a texel's
-// border, and the colour is off by a whole texel. That makes seams between tiles, as does `(int)`
-// below 0 in MIT 6.837 2000, lecture 18. Every texel's colour identifies the texel, so a violation
-// tells which one was taken.
+// border, and the colour is off by a whole texel. That makes seams between tiles, as does the cast
+// to `int` in MIT 6.837 2000, lecture 18, which rounds coordinates below 0 upwards. Every texel's
+// colour identifies the texel, so a violation tells which one was taken.
 //
 // A pseudorandom number of the case (choices.h) chooses the texture's size, its wrap modes and the
 // picture's format; the coordinates are the first two attributes. Without depth test and blending,

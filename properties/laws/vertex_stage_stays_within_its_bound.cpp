@@ -1,6 +1,6 @@
 // The vertex stage stays within its bound: each coordinate of clip = projection · view · model ·
 // position that a backend computes is a number no farther from the exact coordinate than the
-// contract says (cases::Contract::transform_bound). RULES §3 ask this of a backend that is given
+// contract says (cases::Contract::transform_bound). RULES §3 asks this of a backend that is given
 // camera and object positions.
 //
 // The bound is in parts of (|P| |V| |M| |p|)_k, plus half an ulp for rounding to float32, so only

@@ -175,7 +175,7 @@ bool is_promised(backends::Backend& backend) { return backend.contract({}).keeps
 /// A case in which vertices can lie exactly on samples.
 struct VertexCanvas {
   cases::Case source;
-  /// The number of bits that a weight may have for the clip position of a sample to be float32.
+  /// If a weight has at most this many bits, the clip position of a sample is exact in float32.
   int weight_bits = 12;
 };
 

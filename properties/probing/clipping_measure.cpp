@@ -88,7 +88,8 @@ std::optional<float> tolerance_of(const Subject& subject, const std::vector<Draw
   return std::nullopt;
 }
 
-/// Counts the triangles that keep to a tolerance of one unit, which rounding a corner needs.
+/// Counts the triangles that stay within a tolerance of one grid unit, as rounding of new corners
+/// requires.
 std::string within_a_unit(const Subject& subject, const std::vector<DrawnCase>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 1.0F;

@@ -50,7 +50,7 @@ std::int64_t area_of(const FineTriangle& triangle);
 struct FinePlace {
   bool is_inside = false;     ///< inside or on every edge
   int zero_edges = 0;         ///< number of edges through the sample
-  std::int64_t normal_x = 0;  ///< inward normal of the last of these
+  std::int64_t normal_x = 0;  ///< inward normal of the last zero edge
   std::int64_t normal_y = 0;
 };
 FinePlace place_in(const FineTriangle& triangle, int x, int y);

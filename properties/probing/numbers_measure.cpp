@@ -26,7 +26,7 @@ constexpr int kLeast = -146;
 /// Exponent of the least normal float.
 constexpr int kNormal = -126;
 
-/// Returns a case of triangles with short numbers and an attribute from 1 to 8.
+/// Returns a case of triangles whose numbers have few bits, with an attribute from 1 to 8.
 cases::Case short_numbers(const Subject& subject) {
   constexpr int kTriangles = 12;
   MeasureDraw draw(subject, "numbers");

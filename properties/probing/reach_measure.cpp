@@ -137,8 +137,8 @@ void measure_reach(Subject& subject) {
   const cases::Contract declared = subject.declared();
   Reach reach(subject);
   cases::ContractTerms& terms = subject.result.terms;
-  // Positions far out often lie midway between grid points. How these are rounded is not measured
-  // here, so a small position error is allowed.
+  // Positions far out often lie midway between grid points. How such positions are rounded is not
+  // measured here, so a small position error is allowed.
   cases::ContractTerms placed = terms;
   const cases::Coverage known = subject.contract(subject.base()).coverage;
   if (known) {

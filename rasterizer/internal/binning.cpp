@@ -210,8 +210,9 @@ void Binning::sort_fragments(Bins& bins) const {
   put_fragments_in_order<0>(bins);
 }
 
-/// `kAttributes` is the number of attributes, or 0 to use the state's number. Each tile's end
-/// starts at the tile's beginning and moves past each fragment that is written.
+/// `kAttributes` is the number of attributes, or 0 to use the state's number. On entry, ends[t] is
+/// the place of tile t's first fragment; each fragment that is written advances it, so on return it
+/// is one past the tile's last.
 template <std::size_t kAttributes>
 void Binning::put_fragments_in_order(Bins& bins) const {
   const std::size_t attributes = kAttributes == 0 ? setting_.state.attributes.size() : kAttributes;

@@ -37,7 +37,8 @@ Certificates certify(const Weights& weights, const std::array<double, 3>& w,
     depth_error += std::abs(z[i]) * edge.plane_band;
   }
   certificates.least_sum = kSmoothCertainty * plane_band_sum;
-  // If all w > 0, each w_i E_i inside the triangle is a share of |det| T, with few roundings.
+  // If all w > 0, the w_i E_i are >= 0 inside the triangle and sum to |det| T, so nothing cancels.
+  // Otherwise values linear in the window get no certificate.
   const bool all_in_front =
       std::all_of(w.begin(), w.end(), [](double weight) { return weight > 0; });
   certificates.affine_is_certain =

@@ -39,9 +39,9 @@ using ColorArrays = std::span<float* const, 4>;
 
 // For lanes that are not wanted, only the texture's first two texels (or its only one) are read.
 
-/// Colours k/255 of texels, correctly rounded. v/255 = q (1 + 2^-16 + 2^-32 + …) with q = v
-/// (2^-8 + 2^-16), which is exact for whole v. The code adds q (2^-16 + 2^-32) to q. The rest,
-/// 2^-47, is too small to matter (tests/rasterizer/texture_test.cpp checks all k).
+/// Colours k/255 of texels, correctly rounded. k/255 = q (1 + 2^-16 + 2^-32 + …) with q = k (2^-8 +
+/// 2^-16), which is exact for whole k. The code adds q (2^-16 + 2^-32) to q. The rest, 2^-47, is
+/// too small to matter (tests/rasterizer/texture_test.cpp checks all k).
 void fetch_texels(const TexelLevels& texture, const std::int32_t* columns, const std::int32_t* rows,
                   const LaneMask& wanted, std::size_t lanes, ColorArrays color);
 

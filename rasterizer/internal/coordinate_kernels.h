@@ -39,8 +39,8 @@ using LaneArray = std::array<T, FragmentBatch::kLanes>;
 /// c has an error of e + 2^-53. c · size is at most `size`, so its rounding adds half a unit: its
 /// error is at most size (e + 2^-52). The texel is certain if c · size is farther than this error
 /// from the nearest whole number, or if the same texel is on both sides of that number (at 0 and
-/// `size`, unless repeated). The margin is computed with 2^-51, because its own two roundings are
-/// below 2^-52 of it. Lanes with a margin of 1/4 or more are left undecided.
+/// `size`, unless repeated). The margin is computed with 2^-51 in place of 2^-52, which also covers
+/// its own two roundings. Lanes with a margin of 1/4 or more are left undecided.
 LaneMask find_texels(const TextureAxis& axis, double error, std::size_t lanes, std::int32_t* at);
 
 /// The two texels whose centres a coordinate x = c · size − 1/2 lies between: the lower is ⌊x⌋, in

@@ -65,8 +65,8 @@ std::array<double, 2> product(double a, double b) {
   return {high, std::fma(a, b, -high)};
 }
 
-/// Σ n_i a_i, to a relative 2^-52. The a_i are the coefficients of the weights that
-/// Weights::exact_at() returns, which may be a multiple of the E_i.
+/// Σ n_i a_i, with a relative error of at most 2^-52. The a_i are the coefficients of the weights
+/// that Weights::exact_at() returns, which may be a multiple of the E_i.
 double exact_slope(const TriangleDerivatives& triangle, const Weights& weights,
                    const std::array<double, 3>& n, Axis axis) {
   ExactSum sum;
@@ -93,8 +93,8 @@ void add_coordinate(ExactSum& sum, double factor, const ExactCoordinate& at) {
   }
 }
 
-/// Σ (r_i − r_j) (w_k V − y_k T) or, along v, Σ (r_i − r_j) (x_k T − w_k U), to a relative 2^-52.
-/// For placed weights the corners are (x_k, y_k, 1) w_k.
+/// Σ (r_i − r_j) (w_k V − y_k T) or, along v, Σ (r_i − r_j) (x_k T − w_k U), with a relative error
+/// of at most 2^-52. For placed weights the corners are (x_k, y_k, 1) w_k.
 double exact_minors(const ValueSource& source, const SampleFrame& frame,
                     const std::array<double, 3>& r, Axis axis, const DerivativeSite& site) {
   ExactSum sum;

@@ -32,10 +32,10 @@
 //   d = (N' D − N D') / D² = ± |det| U' Σ (r_i − r_j) (w_k V − y_k T) / D²
 //
 // (for ∂/∂v: V' and x_k T − w_k U). The sum, D and |det| are summed without rounding and then
-// rounded once, to a relative 2^-50; nothing cancels after that. Five products and quotients of
-// these give d a relative error of 2^-48. Noperspective derivatives are always computed this way,
-// once per triangle. The values at new corners are within 2^-49 of the r_i (exact_values.h), and w
-// within 2^-50: this adds 2^-47 M inside their piece.
+// rounded once, with a relative error of at most 2^-50; nothing cancels after that. Five products
+// and quotients of these give d a relative error of 2^-48. Noperspective derivatives are always
+// computed this way, once per triangle. The values at new corners are within 2^-49 of the r_i
+// (exact_values.h), and w within 2^-50: this adds 2^-47 M inside their piece.
 //
 // Exponents: w_k V − y_k T is a multiple of 2^-447 below 2^387 (edge_functions.h). The product with
 // r_i − r_j is a multiple of 2^-596 below 2^516. Quotients leave the range of double only if the

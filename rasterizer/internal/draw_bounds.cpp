@@ -19,8 +19,8 @@ int held_to(const PixelRange& range, double value) {
   return static_cast<int>(value);
 }
 
-/// `origin + size`, rounded up to a double. Every double is on the same side of the result as of
-/// the exact sum.
+/// `origin + size`, rounded up to a double. So comparing a double with the result (<, >=) gives the
+/// same answer as comparing it with the exact sum.
 double far_side(double origin, double size) {
   const TwoSum sum(origin, size);
   return sum.error > 0 ? std::nextafter(sum.sum, std::numeric_limits<double>::infinity()) : sum.sum;

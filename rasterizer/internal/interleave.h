@@ -17,7 +17,7 @@ struct TileRows {
   std::size_t width = 0;           ///< pixels per row
   std::size_t height = 0;
   std::size_t pitch = 0;  ///< pixels from a row of the framebuffer to the next
-  bool streams = false;   ///< true if interleave() writes past the caches, if possible
+  bool streams = false;   ///< true if interleave() bypasses the caches, if possible
 };
 
 /// Sets out[count (pitch · y + i) + k] = arrays[k][kTileSize · y + i], where count = arrays.size().

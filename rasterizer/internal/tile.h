@@ -29,8 +29,8 @@ class Tile {
   /// Moves to the same pixels as load() would; sets all depths to `depth` and attributes to 0.
   void clear(const Picture& framebuffer, int column, int row, float depth);
   /// Writes the pixels back. If the tile was filled by clear(), not load(), and the framebuffer is
-  /// larger than the caches, writes past the caches, so that overwritten memory need not be fetched
-  /// first.
+  /// larger than the caches, bypasses the caches (streaming stores), so that overwritten memory
+  /// need not be fetched first.
   void store(Picture& framebuffer) const;
 
   const PixelRange& columns() const { return columns_; }

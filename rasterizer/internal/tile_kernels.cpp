@@ -80,8 +80,8 @@ class PartDrawing {
     }
   }
 
-  /// Draws the whole part, column by column, because the constants of columns are vectors.
-  /// `kClamps`: a depth may be out of range.
+  /// Draws the whole part: all rows of one vector of columns, then the next, so that numbers that
+  /// are constant along columns are computed once. `kClamps`: a depth may be out of range.
   template <bool kClamps>
   HWY_INLINE void DrawAll() const {
     const Halves floats;

@@ -77,10 +77,10 @@ HWY_INLINE Crossing CrossingAt(const KernelSetting& setting, const double* numbe
   const auto at_first = hn::Add(hn::Mul(a, u_first), row);
   const auto exact = hn::Div(hn::Sub(hn::Max(sure, zero), at_first), slope);
   const auto rises = hn::Gt(slope, zero);
-  // True if a sample exactly at the crossing counts as after it. `crossing` is then the
+  // True if a sample exactly at the crossing counts as lying after it. `crossing` is then the
   // column before that sample.
-  const auto is_before = hn::Not(hn::Xor(rises, hn::Lt(sure, zero)));
-  auto crossing = hn::IfThenElse(is_before, hn::Sub(hn::Ceil(exact), one), hn::Floor(exact));
+  const auto counts_as_after = hn::Not(hn::Xor(rises, hn::Lt(sure, zero)));
+  auto crossing = hn::IfThenElse(counts_as_after, hn::Sub(hn::Ceil(exact), one), hn::Floor(exact));
   const auto of_level = hn::IfThenElse(hn::Gt(row, sure), last, first);
   crossing = hn::IfThenElse(hn::Eq(slope, zero), of_level, crossing);
   // The samples on either side, clamped to the part.

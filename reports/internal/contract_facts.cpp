@@ -50,7 +50,8 @@ std::string_view ties_text(cases::TieRule rule) {
 /// The bounds of one kind of value: the contract's own, and one for each promised triangle.
 struct KindOfBound {
   cases::ValueBound of_all;
-  /// From each triangle's promise that is made; empty if the contract has no such promises.
+  /// One for each triangle for which the contract makes a promise of its own; empty if it makes
+  /// none.
   std::vector<cases::ValueBound> of_triangles;
 };
 

@@ -16,8 +16,8 @@ using records::PixelVerdict;
 constexpr int kScale8 = 255;
 constexpr int kScale16 = 65535;
 
-/// Formats the number that a stored value stands for. Numbers of integers get enough decimals to
-/// tell neighbours apart.
+/// Formats the number that a stored value stands for. If stored values are integers, the number
+/// gets enough decimals to tell neighbouring integers apart.
 std::string number_of(const ChannelUnit& unit, float stored, int digits) {
   if (std::isnan(stored)) return "NaN";
   if (unit.is_encoded) return fmt::format("{}", stored);

@@ -28,7 +28,8 @@ std::vector<std::string> freedom_sentences(const records::JudgedPicture& judged)
 struct ChannelUnit {
   /// 255 or 65535 if stored values are integers, else 1.
   int scale = 1;
-  /// True if an integer k does not stand for k/scale, but for the decoded number of sRGB.
+  /// True if an integer k stands not for k/scale, but for the number that decoding k/scale from
+  /// sRGB gives.
   bool is_encoded = false;
 };
 ChannelUnit unit_of(const cases::PictureView& view, std::size_t channel);

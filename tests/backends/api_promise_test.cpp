@@ -146,7 +146,7 @@ TEST(ApiPromise, OfWhatIsSeenEdgeOnAndCutIsNothing) {
       {{0.5F, 0.25F, 0.5F, 1}, {-0.5F, -0.25F, -0.5F, -1}, {0, 0.5F, 0.5F, 1}}};
   const cases::Case c = case_of(opposite);
   EXPECT_FALSE(cases::promises_all_of(api_promise(c, kEightBits, kSpec), c));
-  // A triangle that is not cut only loses the promise about its values.
+  // If the triangle is not cut, just the promise about its values is lost.
   const std::array<cases::ClipVertex, 3> thin{
       {{-0.5F, 0, 0.5F, 1}, {0.5F, 0, 0.5F, 1}, {0, 0, 0.5F, 1}}};
   EXPECT_LT(api_promise(case_of(thin), kEightBits, kSpec).clip_tolerance, 2);

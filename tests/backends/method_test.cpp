@@ -55,7 +55,7 @@ TEST(MethodContract, OfATriangleOfHugeCoordinatesGrantsAnything) {
   EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p480);
 }
 
-// Kills: 0 · infinity.
+// Kills: a NaN, from 0 times infinity.
 TEST(MethodContract, OfAViewportWithoutAreaIsANumber) {
   cases::Case c = small_case({-1, 0x1p100F, 0, 1}, {0x1p78F, 1, 0, 1}, {-0x1p66F, -0x1p53F, 0, 1});
   c.viewport.width = 0;

@@ -13,8 +13,8 @@ namespace {
 /// The T of `threads:T`, and the value of LP_NUM_THREADS for llvmpipe and lavapipe.
 constexpr std::array<std::pair<const char*, const char*>, 2> kThreads{{{"1", "0"}, {"2", "2"}}};
 
-/// SwiftShader's grid spacing is 2^-4 pixels, so it covers 4% more pixels if triangles are as small
-/// as a pixel.
+/// The tolerance for SwiftShader's number of covered pixels. Its grid of 2^-4 pixels makes it cover
+/// up to 4% more if triangles are as small as a pixel.
 constexpr double kCoarseGrid = 0.05;
 
 }  // namespace

@@ -192,7 +192,7 @@ TEST_P(Interrupted, BeforeAnythingWasViolatedIsNotOk) {
   EXPECT_EQ(program.wait().code, 130);
 }
 
-// Kills: counterexamples of a killed run, deleted by the next run.
+// Kills: deleting a killed run's counterexamples when the next run starts.
 TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
   {
     RunningProgram program(arguments("out"));

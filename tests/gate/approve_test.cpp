@@ -116,8 +116,8 @@ TEST(Approve, TakesATotalWithItsStrataAndCases) {
             current.laws);
 }
 
-// Kills: approving cases whose own entries nobody approved, only because no figure of these entries
-// is kept.
+// Kills: approving a case together with an approved entry although the case's own entry, for which
+// the baseline keeps no figure, was not approved.
 TEST(Approve, LeavesCasesThatGrewToTheirOwnEntries) {
   records::BaselineSection current = records::sample_section();
   ++current.entries[records::kSampleCoverage].classes[records::FragmentClass::extra];

@@ -154,8 +154,7 @@ TEST(Compare, SeesOneMismatchOfAClass) {
   EXPECT_EQ(change.after.count, 1U);
 }
 
-// Kills: a contract that was loosened, so that fewer values are judged than before, without this
-// being noticed.
+// Kills: not noticing that a contract was loosened, so that fewer values are judged than before.
 TEST(Compare, HoldsTheShareThatWasJudged) {
   const auto change_of = [](std::optional<std::uint64_t> was, std::optional<std::uint64_t> is) {
     records::BaselineSection before = records::sample_section();

@@ -156,7 +156,7 @@ TEST(CascadeLevels, AnOrdinarySceneIsDecidedByTheFilter) {
 }
 
 // By hand: the diagonal's 16 samples are ties for both triangles of the square; all other numbers
-// are short. Every error of a value is exactly 0 or 1/2; the first value with the extreme error
+// have few bits. Every error of a value is exactly 0 or 1/2; the first value with the extreme error
 // goes on to the next level.
 TEST(CascadeLevels, TiesOnGridsAreDecidedByIntervalsAndMidpointsByTheFilter) {
   cases::Case c = small_case(cases::Rules::vulkan, 16, 16,

@@ -148,8 +148,8 @@ cases::Case random_grid_case() {
   return c;
 }
 
-// Kills: ignoring an error as large as the extreme at an earlier place, or taking this error for a
-// smaller one.
+// Kills: ignoring an error that equals the extreme so far but lies at an earlier place, or treating
+// that error as smaller.
 RC_GTEST_PROP(ExactGrid, LevelsAgree, ()) {
   const cases::Case c = random_grid_case();
   cases::Contract contract = cases::contract_of(c);

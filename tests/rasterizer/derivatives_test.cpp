@@ -18,7 +18,8 @@
 namespace rastercheck::rasterizer::derivatives_test {
 namespace {
 
-/// The bound of exact paths by the derivation: half a unit plus 2^-47 of the terms' size.
+/// The bound of exact paths by the derivation: half a unit plus 2^-47 of the terms' size (at most
+/// 2^-23 units, generously rounded up to 2^-20).
 constexpr double kExactBound = 0.5 + 0x1p-20;
 
 using Three = std::array<Rational, 3>;

@@ -18,8 +18,8 @@ namespace {
 
 float rounded(double value) { return static_cast<float>(value); }
 
-/// The bound of an exact path by the derivation: half a unit, plus 2^-50 for the sums and a
-/// division.
+/// The bound of an exact path by the derivation: half a unit plus, for the sums and a division, a
+/// relative 2^-50, which is far below the 2^-20 units added here.
 constexpr double kExactBound = 0.5 + 0x1p-20;
 
 /// A triangle with its values prepared.
@@ -346,10 +346,10 @@ TEST(ExactValues, FloorsOfConstantsAreTheirs) {
   EXPECT_GT(wraps, 3'000);
 }
 
-// The three weights are an integer g of 53 bits; -1/2 plus 1 to 2 times 2^-55; and almost 0. Their
-// sum lies just above the middle between two doubles. The remainder after the first quotient equals
-// this sum, but ExactSum::nearest() rounds the two to different doubles, the sum to the greater
-// one. Kills: taking the floor of their quotient, 0, as the last step.
+// The three weights are an integer g of 53 bits, a number −1/2 + ε with ε between 2^-55 and 2^-54,
+// and almost 0. Their sum lies just above the middle between two doubles. The remainder after the
+// first quotient equals this sum, but ExactSum::nearest() rounds the two to different doubles, the
+// sum to the greater one. Kills: taking the floor of their quotient, 0, as the last step.
 TEST(ExactValues, AFloorAsksWhetherAWholeDenominatorIsLeft) {
   const Corners first{glm::vec4{-0x1.dc4p-108F, -0x1p-61F, 0, 1},
                       {0x1.6e278ep-1F, -0x1.4f0b76p-37F, 0, 1},

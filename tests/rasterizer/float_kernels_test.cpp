@@ -213,7 +213,8 @@ TEST_P(FloatKernels, ValuesAreThoseOfScalarArithmetic) {
   }
 }
 
-// Kills: summing r_i E_i / Σ E_i instead; also using the share of the pivot.
+// Kills: the sum Σ r_i E_i / Σ E_i, which misses constants; adding the pivot's value times its
+// share.
 TEST_P(FloatKernels, ConstantsAreExact) {
   for (int i = 0; i < 200; ++i) {
     set_weights(1);

@@ -237,8 +237,8 @@ TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
   }
 }
 
-// A framebuffer that is larger than the caches is written past them. Kills: numbers across the
-// border of two cache lines left out; lines written that belong to another row.
+// Writes to a framebuffer that is larger than the caches bypass the caches. Kills: numbers across
+// the border of two cache lines left out; lines written that belong to another row.
 TEST_P(DrawOnTarget, LeavesTheSameWhereFramebuffersAreLarge) {
   const OnTarget target(GetParam());
   Random random(16);

@@ -14,7 +14,7 @@
 namespace rastercheck::rasterizer::grid_position_test {
 namespace {
 
-/// A window position in units of the grid spacing, as RULES §1 define it.
+/// A window position in units of the grid spacing, as RULES §1 defines it.
 std::array<Rational, 2> position_in_units(const State& state, const glm::vec4& p) {
   const Viewport& viewport = state.viewport;
   const Rational w = p.w;

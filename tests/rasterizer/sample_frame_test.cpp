@@ -88,7 +88,7 @@ TEST(SampleFrame, IsExactOnGridsOf256) {
 }
 
 // U is scaled by the height, so a height with many bits, such as 4.1F, makes U inexact although all
-// numbers along u are short.
+// numbers along u have few bits.
 TEST(SampleFrame, IsNotExactWhereTheOtherSizeIsOdd) {
   State state = small_state(4, 4);
   state.viewport.size.y = 4.1F;

@@ -221,8 +221,8 @@ void randomize_slopes(Random& random, KnownBatch& known) {
   }
 }
 
-// Kills: the level of the shorter axis, of one direction alone, or the next level; the size of
-// another level; a series that is cut short.
+// Kills: using the level of the shorter axis, of one direction alone, or the next level; using the
+// size of another level; a series that is cut short.
 TEST(Samples, AreWithinTheirBoundWhenTrilinear) {
   Random random(5);
   for (const auto& [width, height] : kSizes) {

@@ -32,7 +32,7 @@ int number_at(const ShadedLanes& out, std::size_t lane) {
   return static_cast<int>(std::lround(out(0, lane) * 255) + 256 * std::lround(out(1, lane) * 255));
 }
 
-// Kills: wrong sides or numbers of bytes that are accepted; a texture lost on an error.
+// Kills: accepting an invalid width, height or number of bytes; a texture lost on an error.
 TEST(Texture, RefusesWhatIsNone) {
   Random random(1);
   const std::vector<std::uint8_t> bytes = random_bytes(random, 4, 2);

@@ -54,9 +54,9 @@ void expect_weights_of_lines(const Trace& trace) {
   }
 }
 
-/// Expects that the traced values of planes and lines are those of the traced planes and lines at
-/// (u, v), that the evaluated number follows from them by the operations of the block kernels, and
-/// that it rounds to the value.
+/// Expects that evaluating the traced planes and lines at (u, v) gives the traced numbers, that the
+/// block kernels' operations on these numbers give the evaluated number, and that the latter rounds
+/// to the value.
 void expect_value_of_its_parts(const Trace& trace, const TracedValue& value) {
   EXPECT_EQ(value.evaluated.has_value(), !value.shares.has_value());
   if (value.evaluated) {

@@ -151,7 +151,7 @@ TEST(HistogramQuantile, IsExactWhereItIsZero) {
   EXPECT_TRUE(contains(histogram.quantile(0.76).value(), 5));
 }
 
-// Kills: buckets that include their lower border; correct rounding would seem to exceed 1/2 ULP.
+// Kills: buckets that include their lower border, so that correct rounding seems to exceed 1/2 ULP.
 TEST(HistogramQuantile, OfCorrectlyRoundedValuesIsAtMostHalfAnUlp) {
   EXPECT_EQ(histogram_of({0, 0.25, 0.5, 0.5}).quantile(1).value().hi, 0.5);
 }

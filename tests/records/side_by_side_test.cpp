@@ -96,7 +96,8 @@ TEST(SideBySide, HasEveryTwoOfThreeAndEachWithTheFirstOfMore) {
   EXPECT_THAT(names(), IsEmpty());
 }
 
-// Kills: a comparison of what a shard happened to check, or of a run from before outcomes.
+// Kills: a comparison of what a shard happened to check, or of a run from before outcomes were
+// kept.
 TEST(SideBySide, IsNothingForAShardOrAnOldRun) {
   records::Run run = two_backends();
   run.plan.shard = {1, 2};

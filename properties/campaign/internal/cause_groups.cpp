@@ -291,8 +291,8 @@ bool is_part_of(const CauseGroup& group, const CauseGroup& larger) {
   if (group.kind.part && !larger.kind.part) return false;
   VariationIds needs = sure_needs(common_needs(larger.members), larger.kind);
   if (!larger.kind.part) {
-    // A feature that is merely inherent to the laws of a stage says nothing about the stage's
-    // faults.
+    // If the laws of a stage merely do not apply without a feature, the feature says nothing about
+    // the stage's faults.
     std::erase_if(needs, [&larger](std::string_view id) {
       return std::none_of(larger.members.begin(), larger.members.end(),
                           [id](const CauseMember& member) { return member.needs.contains(id); });

@@ -23,9 +23,9 @@ struct CauseMember {
   std::size_t place = 0;
   const records::Counterexample* one = nullptr;
   VariationIds needs;
-  VariationIds unforced_needs;  ///< `needs` without those that its condition implies
+  VariationIds unforced_needs;  ///< `needs` that Found::condition does not imply
   VariationIds indifferent;
-  VariationIds needs_or_inherent;  ///< features that are needed or inherent
+  VariationIds needs_or_inherent;  ///< `needs` and Explanation::inherent
 
   const std::string& law() const { return one->source.found->law; }
   const std::string& verdict() const { return one->source.found->verdict; }
@@ -53,9 +53,9 @@ struct CauseGroup {
 /// Groups the counterexamples, in no meaningful order. Groups refer to `all`.
 std::vector<CauseGroup> cause_groups_of(const std::vector<records::Counterexample>& all);
 
-/// Returns the features that may characterize a fault and that at least half of the members need
-/// (inherent needs included). Leaves out a feature if the number of members that do without it is
-/// more than 2/3 of the number that need it.
+/// Returns the features that may characterize a fault and that at least half of the members need,
+/// or without which their laws do not apply (Explanation::inherent). Leaves out a feature if the
+/// number of members that do without it is more than 2/3 of the number that need it.
 VariationIds common_needs(const std::vector<CauseMember>& members);
 
 /// Returns the changes that make at least half of the members' wrong drawings right, in the order

@@ -109,8 +109,8 @@ cases::Case with_room(cases::Case c) {
   return c;
 }
 
-/// Counts, for each part, the cases in which the part is wrong in the case's own drawing if and
-/// only if the law fails.
+/// For each part, counts the cases in which "the part is wrong in the case's own drawing" and "the
+/// law fails" are both true or both false, and the other cases.
 class Coincidence {
  public:
   /// `wrong`: the parts that are wrong in a case for which the law fails.
@@ -220,12 +220,13 @@ std::optional<records::Explanation> explain(const Law& law, backends::Backend& b
       if (fails) explanation.also_violates.emplace_back(other.id);
     }
   }
-  // Corrects the other parts, so that another fault is not mistaken for this one, unless that makes
-  // the law hold.
+  // Corrects the other parts, so that another fault is not mistaken for this one. If that alone
+  // makes the law hold, corrects nothing.
   DrawnParts others = parts.empty() ? DrawnParts{} : parts_besides(parts);
   if (experiment.outcome(shrunk.source, others) != Outcome::fails) others = {};
   const std::vector<Base> bases = bases_of(experiment, shrunk, found_at_first, others);
-  // The law may judge something computed from fragments, which is wrong whenever they are wrong.
+  // If no correction helps, the law may judge something that the backend makes from its own
+  // fragments, such as a picture, and that is wrong whenever the fragments are.
   Coincidence coincidence(experiment,
                           parts.empty() ? experiment.wrong_parts(shrunk.source) : DrawnParts{});
   for (const Variation& variation : variations()) {

@@ -13,7 +13,7 @@ namespace rastercheck::properties {
 /// Describes a violation of a case in `found`. Sets `verdict` to its class, `kind` to what is
 /// wrong, and `condition` to what is special about the fragment, the first of these that holds:
 ///
-///   tie              the sample lies exactly on the boundary that decided
+///   tie              the sample lies exactly on the edge or plane that decides its coverage
 ///   clamped          depth is wrong, and the triangle reaches beyond the range to which depth is
 ///                    clamped
 ///   clipped          a vertex lies beyond a clip plane or clip distance, or has w <= 0

@@ -93,7 +93,8 @@ cases::Contract contract_of(const SimpleChange& change, const backends::Backend&
     contract.coverage = change.source.coverage;
     const bool is_open = contract.coverage && contract.basis == cases::Basis::unspecified;
     if (!is_open) contract.basis = change.source.basis;
-    // The promised error is in units of the contract's grid, so it means nothing on this one.
+    // The promised error is in units of the contract's grid, so it means nothing on the case's
+    // grid.
     for (cases::TrianglePromise& promise : contract.triangles) promise.position_error = 0;
   }
   if (change.swaps_ties && tie_rule != cases::TieRule::unspecified) {

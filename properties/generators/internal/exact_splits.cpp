@@ -30,8 +30,8 @@ std::optional<float> rest_of(double total, double part) {
   return rounded;
 }
 
-/// Returns one of two parts of `total`: almost all of it, a mostly far larger number of either
-/// sign, or a number between about −1 and 2 times the size of `total`.
+/// Returns one of two parts of `total`: almost all of it; a number of either sign, usually far
+/// larger; or a number between about −1 and 2 times the size of `total`.
 float random_part(Draw& draw, double total) {
   const double size = power_above(total);
   switch (draw.between(0, 3)) {

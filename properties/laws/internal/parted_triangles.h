@@ -1,6 +1,6 @@
 #pragma once
 
-// Cuts triangles into parts at vertices that are exact mixes of the triangle's own vertices, and
+// Cuts triangles into parts at vertices that are exact means of the triangle's own vertices, and
 // checks that a drawing of the parts matches a drawing of the whole.
 
 #include <array>
@@ -15,11 +15,12 @@
 
 namespace rastercheck::properties {
 
-/// Returns the case with three vertices of its own for each triangle, and numbers so short that
-/// mixes in quarters are float32. Each coordinate, attribute and clip distance becomes a multiple
-/// of 2^-147 and of 2^-12 p, where p is the power of two at or below its greatest magnitude at the
-/// triangle's vertices. Attributes become smooth and located at the sample, because only such
-/// attributes mix with the clip positions. The depth test is off.
+/// Returns the case with three vertices of its own for each triangle, and numbers of so few bits
+/// that weighted means of three vertices are exact in float32 if the weights are multiples of 1/4.
+/// Each coordinate, attribute and clip distance becomes a multiple of 2^-147 and of 2^-12 p, where
+/// p is the power of two at or below its greatest magnitude at the triangle's vertices. Attributes
+/// become smooth and located at the sample, because only such attributes have means where the clip
+/// positions do. The depth test is off.
 cases::Case with_short_vertices(const cases::Case& c);
 
 /// Rounds three positions as with_short_vertices() does.

@@ -48,9 +48,10 @@ PixelSpan scissor_rows(const cases::Case& c);
 /// The scissor rectangle of two spans; without pixels if either span is empty.
 cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows);
 
-/// True if a position midway between two grid points is rounded to the corresponding point after a
-/// move by `pixels`, or when positions are counted from a border that is `pixels` away. Rounding to
-/// even requires an even number of grid units for this; other roundings require nothing.
+/// True if a move by `pixels` does not change how positions midway between two grid points are
+/// rounded. Rounding to even requires an even number of grid units for this; it then also gives the
+/// same grid point if positions are counted from a border that is `pixels` away. Other roundings
+/// require nothing.
 bool keeps_even_points(const cases::Snapping& grid, int pixels);
 
 /// The contract for a window whose origin is `pixels` away: its guard band is narrower.

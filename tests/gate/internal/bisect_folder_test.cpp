@@ -39,7 +39,7 @@ TEST(BisectFolder, WithANameStays) {
   EXPECT_TRUE(fs::exists(path + "/file"));
 }
 
-// Kills: leaving files behind after a refusal, for which the next bisection would be refused.
+// Kills: leaving files behind after a refusal, which make the next bisection refuse, too.
 TEST(BisectFolder, IsAsItWasOnceItIsDiscarded) {
   const TemporaryFolder temporary;
   fs::create_directories(temporary.path("there/empty"));

@@ -145,8 +145,9 @@ TEST(HintsOf, AreOfThePartsInQuestion) {
   EXPECT_EQ(hints_of(scene(), backend, {DrawnPart::coverage}, {}), std::nullopt);
 }
 
-// Kills: a change by which the right drawing is right, too. A centroid may be any point of a
-// covered pixel, and so samples as well as centres are right.
+// Kills: reporting a change under which the correct drawing would be right, too, so that it
+// explains nothing. With centroids this is so: a centroid may be any point of a covered pixel, so
+// values at samples and at centres are both right.
 TEST(HintsOf, AChangeThatTellsNothingApartIsNone) {
   cases::Case c = scene();
   c.framebuffer.samples = 4;

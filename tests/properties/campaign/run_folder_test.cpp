@@ -61,7 +61,7 @@ TEST_F(RunFolder, ThatIsEmptyBeginsAtNothing) {
   EXPECT_THAT(warnings_, IsEmpty());
 }
 
-// Kills: counterexamples of an unfinished run, deleted with its file.
+// Kills: deleting an unfinished run's counterexamples together with the run's file.
 TEST_F(RunFolder, OfAnUnfinishedRunKeepsWhatItHadFound) {
   folder_.put("unfinished.json", to_json(unfinished()));
   const Checkpoint start = begin_run(plan(), folder_.path(), warn()).value();

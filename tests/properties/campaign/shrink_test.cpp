@@ -88,8 +88,8 @@ TEST(Shrink, LeavesNothingThatIsNotNeeded) {
   EXPECT_THAT(c.attribute_values, IsEmpty());
   for (const cases::ClipVertex& vertex : c.positions) EXPECT_EQ(vertex.w, 1);
   // Bits of the viewport, of the depth range, of w, and of x and y. x and y have 6 bits, one for
-  // each coordinate. The coordinate 0 would have none, but 0 is the middle of the pixel, and so not
-  // on the grid of whole pixels.
+  // each coordinate. The clip coordinate 0 would need no bits, but in a target of one pixel it is
+  // the pixel's centre, which is not on the grid of whole pixels.
   EXPECT_EQ(size_of(c).bits, 2U + 1U + 3U + 6U);
   EXPECT_EQ(size_of(c).off_grid, 0U);
 }

@@ -19,7 +19,7 @@ using records::FragmentClass;
 
 constexpr std::string_view kLaw = "1-w-and-r-w-are-affine-on-the-screen";
 
-/// The square with w of 1, 2, 4 and 8; r = 8 q, and q runs from 0 to 8.
+/// The square with w = 1, 2, 4 and 8 at its vertices; r/w is 0, 1, 2 and 3 there.
 Case weighted() {
   Case c = square();
   c.attributes = {{"r", cases::Interpolation::smooth, cases::Location::sample},

@@ -49,8 +49,8 @@ TEST(NormalsBound, HoldsOfCpu) {
   EXPECT_THAT(check.labels, testing::ElementsAre());
 }
 
-// The unit normal has 3/5 and 4/5: half an ulp of 2^-24 plus a few 2^-53 is allowed, and only the
-// nearest float is that close.
+// The unit normal has 3/5 and 4/5. An error of 2^-25 (half an ulp) plus a few 2^-53 is allowed, and
+// only the nearest float is that close.
 TEST(NormalsBound, FindsOneUlpAndNamesTheNormal) {
   EXPECT_EQ(with(stretched(), {0, 0.6F, 0.8F}).violation_count, 0U);
   const Check check = with(stretched(), {0, std::nextafter(0.6F, 1.0F), 0.8F});

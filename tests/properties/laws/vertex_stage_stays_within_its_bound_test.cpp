@@ -105,7 +105,7 @@ TEST(VertexStageBound, TakesInfinityForWhatIsBeyondFloat32) {
         .violation_count;
   };
   EXPECT_EQ(at(-std::numeric_limits<float>::infinity()), 1U);
-  // The largest float is 2^104 below, and its own rounding accounts for only half of this.
+  // The largest float is 2^104 below the exact 2^128; half an ulp, 2^103, covers only half of that.
   EXPECT_EQ(at(std::numeric_limits<float>::max()), 1U);
   c.positions[0].y = 0x1.fffffep126F;
   EXPECT_EQ(at(std::numeric_limits<float>::infinity()), 1U);

@@ -289,8 +289,8 @@ TEST(ProbeOfBent, FindsWherePlanesAreEvaluated) {
   };
   EXPECT_EQ(measured(probe_of(valued(about_origin), ask(Coverage())), kRow),
             "as about the window's origin");
-  // Relative to the corner of a tile of 64 pixels, which is 32 pixels away on average; 16 and 64
-  // both differ from this by a factor of two.
+  // Values are evaluated relative to the corner of a 64-pixel tile, on average 32 pixels away. The
+  // probe may answer 16 or 64, each within a factor of two of that.
   const auto about_tile = [](const Case& c, const cases::Triangle& t, float x, float y) {
     return by_plane(c, t, x, y, std::floor(x / 64) * 64, std::floor(y / 64) * 64);
   };

@@ -203,7 +203,7 @@ TEST_P(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
   }
 }
 
-// Kills: a cut edge that is no longer treated as one when it is cut again.
+// Kills: an edge that no longer counts as cut after it is cut a second time.
 TEST_P(RationalLinearClipping, SamplesOnADepthCutAreInsideHoweverItIsCutItself) {
   State state = small_state(4, 4);
   state.clip_distance_count = 1;
