@@ -86,6 +86,12 @@ bool names_a_kind(const std::string& specification) {
   return find_kind(kind_of(specification)) != nullptr;
 }
 
+ProcessRights rights_of(const std::string& specification) {
+  const BackendKind* const found = find_kind(kind_of(specification));
+  if (found == nullptr || found->rights == nullptr) return {};
+  return found->rights(options_of(specification));
+}
+
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification) {
   return BackendFactory().make(specification);
 }

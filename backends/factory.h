@@ -26,6 +26,15 @@ struct Listing {
   std::string unavailable_because = {};  ///< empty if the backend can run
 };
 
+/// How far the process of a foreign backend is limited.
+struct ProcessRights {
+  /// False if the user has asked for a process without limits on memory, files and networks.
+  bool is_confined = true;
+  /// True if the process starts programs, which may reserve much more memory than they use. Their
+  /// processor time is not limited, as it adds up over all drawings.
+  bool may_reserve_memory = false;
+};
+
 struct BackendKind {
   std::string_view kind;
   /// Fails if the options name no backend, or if the backend cannot run here.
@@ -36,6 +45,8 @@ struct BackendKind {
   /// True if the backend runs code from outside this project, which may do anything. Such a backend
   /// gets a process of its own (isolation.h).
   bool is_foreign = false;
+  /// The rights of a foreign backend with these options; nullptr for the usual ones.
+  ProcessRights (*rights)(const std::string& options) = nullptr;
 };
 
 struct BackendRegistration {
@@ -70,6 +81,9 @@ struct BackendFactory {
 /// True if a text begins like the specification of a backend, whether this backend exists or not:
 /// "gl:typo", but not "unknown:llvmpipe".
 bool names_a_kind(const std::string& specification);
+
+/// The rights of the process that draws with the backend of a specification.
+ProcessRights rights_of(const std::string& specification);
 
 /// Makes a backend in this process, held to its own promise.
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification);

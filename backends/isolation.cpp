@@ -73,8 +73,8 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
     if (!drawing || (!drawing->problem && !fits(drawing->drawn.contract, c))) {
       return tl::unexpected(nonsense());
     }
+    if (drawing->problem) return tl::unexpected(counted(*drawing->problem));
     crashes_ = 0;
-    if (drawing->problem) return tl::unexpected(*drawing->problem);
     if (greeting_.about.api) return std::move(drawing->drawn.fragments);
     if (!remembered_ || remembered_->first != c) remembered_ = {c, drawing->drawn.contract};
     return std::move(drawing->drawn.fragments);
@@ -115,6 +115,19 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
     Result<std::string> answer = process_->ask(request);
     if (!answer) return tl::unexpected(lose(answer.error()));
     return answer;
+  }
+
+  /// If the process reports that a program it started has crashed, counts that crash and adds the
+  /// program's last words to the error. Any other failure is returned unchanged, and the count of
+  /// crashes in a row starts again.
+  Error counted(Error why) {
+    if (why.failure != Failure::crash) {
+      crashes_ = 0;
+      return why;
+    }
+    ++crashes_;
+    last_loss_ = process_->with_last_words(std::move(why));
+    return *last_loss_;
   }
 
   Error nonsense() const { return lose(process_->end_for_nonsense()); }

@@ -45,15 +45,18 @@ Result<Channel> take_channel() {
 }
 
 /// Applies all limits except that on processor time, which is set anew for each answer.
-Result<void> limit(const ServingLimits& limits) {
+Result<void> limit(const ServingLimits& limits, const ProcessRights& rights) {
   // A file that grows too long then gives the writer an error instead of ending the process.
   if (std::signal(SIGXFSZ, SIG_IGN) == SIG_ERR || ::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) {
     return tl::unexpected(Error{"a process's signals", "", std::strerror(errno)});
   }
+  if (!rights.is_confined) return {};
   const Result<cases::Confinement> confined = cases::confine_this_process();
   if (!confined) return tl::unexpected(confined.error());
   // Drivers write to shared memory, which a limit on file sizes would also restrict.
-  return cases::limit_this_process({.memory = limits.memory, .may_write = confined->has_no_files});
+  return cases::limit_this_process({.memory = limits.memory,
+                                    .may_write = confined->has_no_files,
+                                    .may_reserve_memory = rights.may_reserve_memory});
 }
 
 /// Keeps memory that each drawing allocates and frees, since getting it from the system again takes
@@ -160,9 +163,14 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
   keep_memory();
   // Unbuffered, so that the last words before a crash reach the parent.
   std::setvbuf(stdout, nullptr, _IONBF, 0);
-  if (const Result<void> limited = limit(limits); !limited) return limited;
+  const ProcessRights rights = rights_of(specification);
+  if (const Result<void> limited = limit(limits, rights); !limited) return limited;
   const std::chrono::duration<double> time_of_all(
       limits.seconds * std::max(1U, std::thread::hardware_concurrency()));
+  const auto limit_time = [&]() -> Result<void> {
+    if (rights.may_reserve_memory) return {};
+    return cases::limit_processor_time_from_now(time_of_all);
+  };
 
   Result<std::unique_ptr<Backend>> backend = make_backend(specification);
   Greeting greeting;
@@ -176,13 +184,13 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
     channel->beat();
     // The next part gets as much time again. If setting the limit fails, the time that is left must
     // suffice.
-    static_cast<void>(cases::limit_processor_time_from_now(time_of_all));
+    static_cast<void>(limit_time());
   });
   WatchedDrawer drawer(**backend, limits.seconds);
   while (const std::optional<std::string> asked = channel->receive(kMostBytes, {})) {
     const std::optional<Request> request = unpack_request(*asked);
     if (!request) return tl::unexpected(Error{"-", "", "not a request for a drawing"});
-    if (const auto set = cases::limit_processor_time_from_now(time_of_all); !set) return set;
+    if (const Result<void> set = limit_time(); !set) return set;
     if (!channel->send(answer_to(*request, **backend, drawer), {})) break;
   }
   return {};

@@ -36,11 +36,14 @@ bool read_all(int from, std::uint64_t most, std::string& all) {
   }
 }
 
-/// The bytes of address space that this process has.
-std::uint64_t address_space() {
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+/// The bytes of memory that this process has: of its address space, or of what it may write.
+std::uint64_t memory_in_use(bool is_address_space) {
+  // Sizes in pages: program, resident, shared, text, libraries (always 0), data.
+  std::array<std::uint64_t, 6> pages{};
+  std::ifstream sizes("/proc/self/statm");
+  for (std::uint64_t& size : pages) sizes >> size;
+  return (is_address_space ? pages.front() : pages.back()) *
+         static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace
@@ -63,9 +66,11 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
   if (group == ProcessGroup::own) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
+  constexpr int kFourth = 3;
   for (const auto& [from, to] :
        {std::pair(streams.input, STDIN_FILENO), std::pair(streams.output, STDOUT_FILENO),
-        std::pair(streams.error, STDERR_FILENO)}) {
+        std::pair(streams.error, STDERR_FILENO), std::pair(streams.fourth, kFourth)}) {
+    if (from < 0) continue;
     // Needed even if both are the same, because the descriptor must stay open in the child.
     posix_spawn_file_actions_adddup2(&actions, from, to);
   }
@@ -158,11 +163,12 @@ Result<Descriptor> take_standard_output() {
 }
 
 Result<void> limit_this_process(const ProcessLimits& limits) {
-  // Limits the address space, because that makes allocations fail. The limit adds to the present
-  // size, because sanitizers have terabytes of address space from the start.
-  const std::uint64_t has = address_space();
+  // Limits sizes that make allocations fail. The limit adds to the present size, because sanitizers
+  // have terabytes of address space from the start.
+  const std::uint64_t has = memory_in_use(!limits.may_reserve_memory);
   const rlim_t memory = has + std::min(limits.memory, RLIM_INFINITY - 1 - has);
-  std::vector<std::pair<__rlimit_resource, rlimit>> all{{RLIMIT_AS, {memory, memory}},
+  const auto counted = limits.may_reserve_memory ? RLIMIT_DATA : RLIMIT_AS;
+  std::vector<std::pair<__rlimit_resource, rlimit>> all{{counted, {memory, memory}},
                                                         {RLIMIT_CORE, {0, 0}}};
   if (!limits.may_write) all.push_back({RLIMIT_FSIZE, {0, 0}});
   if (limits.seconds > 0) all.push_back({RLIMIT_CPU, {limits.seconds, limits.seconds + 1}});

@@ -39,11 +39,12 @@ class Descriptor {
   int number_ = -1;
 };
 
-/// Descriptors of this process that a child gets as its standard streams.
+/// Descriptors of this process that a child gets as its standard streams, and one more.
 struct ChildStreams {
   int input = STDIN_FILENO;
   int output = STDOUT_FILENO;
   int error = STDERR_FILENO;
+  int fourth = -1;  ///< becomes descriptor 3 of the child; negative for none
 };
 
 /// Decides whether Ctrl-C in a terminal, which ends a whole process group, ends a child as well.
@@ -119,6 +120,9 @@ struct ProcessLimits {
   std::uint64_t memory = 0;  ///< bytes beyond those already in use
   unsigned seconds = 0;      ///< processor time, then SIGXCPU ends the process; 0: no limit
   bool may_write = false;    ///< may write to files
+  /// True if only private memory that the process may write counts as memory. Otherwise all of its
+  /// address space counts, including what it merely reserves.
+  bool may_reserve_memory = false;
   bool operator==(const ProcessLimits&) const = default;
 };
 

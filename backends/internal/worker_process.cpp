@@ -98,7 +98,7 @@ Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
     lost.failure = Failure::unavailable;
     return tl::unexpected(lost);
   }
-  if (greeting->problem) return tl::unexpected(*greeting->problem);
+  if (greeting->problem) return tl::unexpected(worker.with_last_words(*greeting->problem));
   worker.greeting_ = *std::move(greeting);
   return worker;
 }
@@ -168,7 +168,6 @@ Error WorkerProcess::loss(std::string_view doing) {
       process_.has_ended_within(is_late_ ? std::chrono::milliseconds(0) : kLongestEnd);
   process_.kill();
   const cases::ProcessEnd end = process_.wait();
-  log_.read();
   const bool is_late = is_late_ && !has_ended;
   std::string how = to_string(end);
   if (is_late) {
@@ -185,10 +184,15 @@ Error WorkerProcess::loss(std::string_view doing) {
     more += fmt::format("; it used {} MiB of the {} MiB allowed", end.most_memory / kMebibyte,
                         isolation_.memory / kMebibyte);
   }
+  return with_last_words({specification_, "", fmt::format("its process {} {}{}", how, doing, more),
+                          is_late || end.signal == SIGXCPU ? Failure::hang : Failure::crash});
+}
+
+Error WorkerProcess::with_last_words(Error error) {
+  log_.read();
   const std::string words = log_.last_lines();
-  if (!words.empty()) more += "; its last output: " + words;
-  return {specification_, "", fmt::format("its process {} {}{}", how, doing, more),
-          is_late || end.signal == SIGXCPU ? Failure::hang : Failure::crash};
+  if (!words.empty()) error.reason += "; its last output: " + words;
+  return error;
 }
 
 }  // namespace rastercheck::backends

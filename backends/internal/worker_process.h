@@ -26,6 +26,8 @@ class WorkerProcess {
   /// Asks a question and returns the answer. Fails if the process ends (Failure::crash) or does not
   /// answer in time (Failure::hang). After a failure, the process is gone.
   Result<std::string> ask(const Request& request);
+  /// Adds what was written to standard error since the last question to an error.
+  Error with_last_words(Error error);
   /// Ends the process because its last answer was invalid, and returns that as an error.
   Error end_for_nonsense();
 
