@@ -35,7 +35,8 @@ TEST(ReplayWords, AreThoseOfDrawingAndKnowing) {
                           "mine.json", "--timeout", "0.5"));
 }
 
-// Kills: comparing settings with a baseline that are only recorded and decide nothing.
+// Kills: a comparison with a baseline that includes settings which are only recorded and decide
+// nothing.
 TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
   Plan expected;
   expected.seed = 7;
