@@ -37,7 +37,7 @@ TEST(ReplayWords, AreThoseOfDrawingAndKnowing) {
 
 // Kills: a comparison with a baseline that includes settings which are only recorded and decide
 // nothing.
-TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
+TEST(Frozen, KeepsOnlySettingsThatDecideResults) {
   Plan expected;
   expected.seed = 7;
   expected.cases_per_law = 12;
