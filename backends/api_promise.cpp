@@ -371,8 +371,8 @@ cases::TrianglePromise OneTriangle::promise() {
   }
   const double units = std::ldexp(kRest, limits_.subpixel_bits);
   // Rounding a new vertex to the grid moves the edges that end there by up to a unit. If such an
-  // edge lies on one between two given vertices, their own rounding does not cover this, so a unit
-  // is added for triangles that the sides cut.
+  // edge is part of an edge between two given vertices, the rounding of the given vertices does not
+  // cover this. So a unit is added for triangles that the viewport's sides cut.
   const double rounded = clipped.is_cut_at_the_sides ? 1 : 0;
   const double position = (position_ + cut_at_sides_) * units + rounded;
   const double new_position = (position_ + new_position_) * units + 1;

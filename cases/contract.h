@@ -41,7 +41,8 @@ enum class Claim { perspective, affine };
 ///   K = Σ |E|_i / Σ E_i,   or Σ |w_i| |E|_i / Σ w_i E_i for values linear in window space.
 ///
 /// K is unbounded for slivers and towards the horizon. If per_condition · K, or the constant,
-/// reaches 2^24, all digits of a value may be lost, and nothing is promised, not even a number.
+/// reaches 2^24, all digits of a value may be lost, and nothing is promised; the value may even be
+/// NaN.
 ///
 /// The last term is for methods that approximate by design: a share of the range of the vertices'
 /// values, in ulp(max |r_i|).
@@ -233,8 +234,8 @@ struct Contract {
 /// upwards; 0 for floats.
 double depth_step(DepthFormat format);
 
-/// The largest ratio of a viewport's size to the size of the viewport that may be used instead, if
-/// sides may be off by `error` pixels; infinite if the latter may vanish.
+/// Returns how many times wider or higher the given viewport may be than the one used instead, if
+/// its sides may be off by `error` pixels; infinite if the viewport used may have no area.
 double most_growth(const Viewport& viewport, double error);
 
 /// Returns a contract's promise about a triangle (an index into the case's triangles). Ignores the

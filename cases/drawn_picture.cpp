@@ -88,7 +88,8 @@ double shown_number(const ShownChannel& channel, const Fragments& drawn, std::si
   return number;
 }
 
-/// Returns what a channel takes of a fragment: premultiplied colours are multiplied by its alpha.
+/// Returns the number that a fragment contributes to a channel. Premultiplied colours are
+/// multiplied by the fragment's alpha.
 double source_number(const PictureView& view, std::size_t channel, const Fragments& drawn,
                      std::size_t fragment) {
   const double number = shown_number(view.channels[channel], drawn, fragment);
@@ -157,7 +158,8 @@ class Painter {
   }
 
  private:
-  /// Integers hold numbers from 0 to 1, and what is blended into them is clamped first.
+  /// Integer channels (unorm and sRGB) stand for numbers from 0 to 1, so numbers are clamped before
+  /// they are blended.
   double held(std::size_t channel, double number) const {
     const Storage storage = view_->channels[channel].storage;
     const bool is_float = storage == Storage::float32 || storage == Storage::float16;

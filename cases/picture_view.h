@@ -20,7 +20,7 @@ struct ShownChannel {
   std::string name;
   Shown shows = Shown::nothing;
   std::uint32_t attribute = 0;  ///< index into the case's attributes
-  float constant = 0;           ///< the number of a constant, and 1 for coverage
+  float constant = 0;           ///< the number of Shown::constant; 1 for coverage
   float background = 0;
   Storage storage = Storage::float32;
 };

@@ -18,7 +18,7 @@ namespace rastercheck::cli {
 
 /// The command line of `rastercheck run`.
 struct RunOptions {
-  records::Plan plan;                 ///< except for what make_plan() decides
+  records::Plan plan;                 ///< without the members that make_plan() sets
   std::optional<std::uint64_t> seed;  ///< empty: a random one
   ShardOption shard;
   std::string contract;  ///< file

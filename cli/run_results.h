@@ -18,8 +18,8 @@ inline constexpr const char* kAllHelp = "Print a row for each property, includin
 /// How much print_results() prints.
 enum class Detail {
   rows,     ///< the table's rows, and the labels that too few cases reached
-  summary,  ///< rows that a reader has to look at, counts, causes, and the verdict last
-  all,      ///< the same with all rows
+  summary,  ///< rows that need a look, counts, causes, and the verdict last
+  all,      ///< like `summary`, but with all rows
 };
 
 /// The detail that the options --quiet and --all ask for.

@@ -80,8 +80,8 @@ enum class ColorFormat {
 
 /// The grid point that a position halfway between two grid points is rounded to, along each axis.
 enum class Rounding {
-  nearest_even,  ///< to the even one
-  half_up,       ///< to the larger one
+  nearest_even,  ///< the point with the even coordinate
+  half_up,       ///< the point with the larger coordinate
 };
 
 /// Rounds the vertices' window positions to the nearest point of a grid, before edges are set up

@@ -71,7 +71,8 @@ struct CaseFigures {
   std::uint64_t found_digest = 0;
   std::uint64_t mismatches = 0;
   WorstOfCase worst;
-  /// Also `held` for all cases of a law whose outcomes the file does not hold (are_outcomes_known).
+  /// Also `held` for every case of a law whose outcomes are missing from the file
+  /// (are_outcomes_known).
   CaseOutcome outcome = CaseOutcome::held;
   bool operator==(const CaseFigures&) const = default;
 };

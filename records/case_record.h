@@ -23,7 +23,7 @@ struct CaseKey {
   std::string law;      ///< the property's id
   std::string backend;  ///< as given on the command line
   Origin origin = Origin::random;
-  std::uint64_t index = 0;  ///< within its law and seed, or in the corpus
+  std::uint64_t index = 0;  ///< among the cases of the law and seed, or in the corpus
   auto operator<=>(const CaseKey&) const = default;
 };
 

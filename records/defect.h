@@ -13,15 +13,15 @@ namespace rastercheck::records {
 
 /// A way to make a drawing wrong. A scale ULP is the unit of errors (RULES §5).
 enum class Defect {
-  moved_half,  ///< all vertices moved right
+  moved_half,  ///< all vertices moved to the right, by half a pixel
   moved_16th,
   moved_64th,
   moved_256th,
   moved_1024th,
-  extra_pixel,  ///< one extra sample, at most this far outside its triangle
+  extra_pixel,  ///< one extra sample, outside its triangle by at most the distance in the name
   extra_16th,
   extra_256th,
-  missing_pixel,  ///< one missing sample, at most this far inside its triangle
+  missing_pixel,  ///< one missing sample, inside by at most the distance in the name
   missing_16th,
   missing_256th,
   crack,         ///< the samples beside an edge that two triangles share are missing

@@ -58,7 +58,7 @@ struct PictureFreedom {
   std::uint64_t one_value = 0;   ///< pixels of a triangle that must have one stored value each
   std::uint64_t may_differ = 0;  ///< pixels with several permitted values
   std::uint64_t background = 0;  ///< pixels that must stay background
-  std::uint64_t widened = 0;     ///< resolved pixels with more mixtures than are told apart
+  std::uint64_t widened = 0;     ///< resolved pixels with too many mixtures to tell apart
   std::uint64_t layered = 0;     ///< of may_differ, pixels where several triangles may be blended
 };
 

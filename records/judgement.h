@@ -45,8 +45,8 @@ constexpr AttributeKind kind_of(cases::Interpolation interpolation) {
 
 /// The class of one fragment, or of one of its values. NaN and wrong infinities are classes of
 /// their own and have no error. Infinity stands for 2^128, the number after the largest float32: an
-/// infinite value is correct if the exact value lies beyond this number, or no farther before it
-/// than the bound allows.
+/// infinite value is correct if the exact value exceeds this number in magnitude, or falls short of
+/// it by no more than the bound.
 enum class FragmentClass {
   correct,             ///< correctly drawn; the value is within the bound
   beyond_bound,        ///< a number, but farther from the exact value than the bound
@@ -114,7 +114,7 @@ struct WorstError {
   std::string exact;
   /// The backend's value; finite, because NaN and infinities have a class instead of an error.
   float actual = 0;
-  std::uint64_t case_index = 0;  ///< within its law and seed
+  std::uint64_t case_index = 0;  ///< index among the cases of the law and seed
   std::string case_name;         ///< empty if unnamed
   cases::SamplePlace place = {};
   /// Index into the case's attributes; empty for depth.

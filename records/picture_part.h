@@ -30,7 +30,7 @@ struct DetailedPixel {
   PixelVerdict verdict = PixelVerdict::right;
   std::vector<float> stored;             ///< [channel]
   std::vector<PermittedAnswer> answers;  ///< the closest first, at most kMostAnswers
-  std::uint64_t more_answers = 0;        ///< beyond those
+  std::uint64_t more_answers = 0;        ///< number of further answers
 };
 inline constexpr std::size_t kMostAnswers = 6;
 

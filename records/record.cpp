@@ -7,8 +7,8 @@ namespace rastercheck::records {
 namespace {
 
 /// Both ends of an error's magnitude, the end farther from zero first. Of two errors, the error
-/// with the larger pair counts as larger. If enclosures are as narrow as doubles allow, neither end
-/// alone contradicts the exact order.
+/// with the larger pair counts as larger. If enclosures are as narrow as doubles allow, each end is
+/// rounded monotonically, so this order never contradicts the exact one.
 struct Extent {
   double far;
   double near;

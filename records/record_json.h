@@ -21,18 +21,19 @@
 // is absent for depth. The doubles of "error" are numbers in decimals that read back as the same
 // double (nlohmann writes no more than 17 digits, without asking the locale); an infinite end is
 // "inf" or "-inf". A "sum" lies from "lo" to "hi" times 2^-32, whole numbers of up to 127 bits as
-// decimal text; "count" errors were summed, and "beyond" more were too large for the sum
-// (signed_sum.h). "decided_at" holds the Levels, by question and answering level; levels without an
-// answer are left out. Means, quantiles and rates follow from these and are not written. Empty
-// "sum", "strata" and "stages" are left out; older files lack them as well. "stages" sums the
-// magnitudes of the parts of errors by stage (judgement.h). "cases" has "known" if some cases were
-// violated in known ways only; "known": {"llvmpipe-3": 5} names the entries (known.h). The reasons
-// why a law does not apply to cases are in "not_applicable_because": {"its contract lacks 8
-// samples": 7}. "power" counts drawings that were made wrong, and how many of these were noticed:
-// {"values NaN": {"drawings": 4, "noticed": 4}}. "not_judged": {"not promised": 3} counts fragments
-// or values that were drawn but not judged. "known" (in both places), "not_applicable_because",
-// "power" and "not_judged" are absent if empty or 0. The float32 of "actual" is a hex float, as in
-// all files. Objects list their keys alphabetically, so that equal records give equal bytes.
+// decimal text; "count" is the number of errors that were summed, and "beyond" the number that were
+// too large to be summed (signed_sum.h). "decided_at" holds the Levels, by question and answering
+// level; levels without an answer are left out. Means, quantiles and rates follow from these and
+// are not written. Empty "sum", "strata" and "stages" are left out; older files lack them as well.
+// "stages" sums the magnitudes of the parts of errors by stage (judgement.h). "cases" has "known"
+// if some cases were violated in known ways only; "known": {"llvmpipe-3": 5} names the entries
+// (known.h). The reasons why a law does not apply to cases are in "not_applicable_because": {"its
+// contract lacks 8 samples": 7}. "power" counts drawings that were made wrong, and how many of
+// these were noticed: {"values NaN": {"drawings": 4, "noticed": 4}}. "not_judged": {"not promised":
+// 3} counts fragments or values that were drawn but not judged. "known" (in both places),
+// "not_applicable_because", "power" and "not_judged" are absent if empty or 0. The float32 of
+// "actual" is a hex float, as in all files. Objects list their keys alphabetically, so that equal
+// records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 

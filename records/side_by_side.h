@@ -64,13 +64,13 @@ struct SideErrors {
 struct SideBySide {
   std::string first;
   std::string second;
-  std::uint64_t judged_first = 0;   ///< cases judged on `first`, or on both
-  std::uint64_t judged_second = 0;  ///< likewise on `second`
+  std::uint64_t judged_first = 0;   ///< cases judged on `first`, whether or not on `second`
+  std::uint64_t judged_second = 0;  ///< cases judged on `second`, whether or not on `first`
   /// Cases of the same number that were judged on both but are not the same case.
   std::uint64_t unlike = 0;
   SideCounts counts;
-  std::uint64_t known_first = 0;   ///< the same cases in which `first` has known defects only
-  std::uint64_t known_second = 0;  ///< likewise `second`
+  std::uint64_t known_first = 0;   ///< common cases in which `first` shows known defects only
+  std::uint64_t known_second = 0;  ///< common cases in which `second` shows known defects only
   /// Laws with at least one such case, in the plan's order.
   std::vector<SideBySideLaw> laws;
   std::vector<SideErrors> errors;

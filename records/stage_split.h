@@ -26,7 +26,7 @@ enum class Stage {
   weights,     ///< the lines or planes at one place
   evaluation,  ///< the value from the weights
   rounding,    ///< rounding to float32
-  // For backends that do not report their stages, besides `transform`:
+  // In addition to `transform`, used for backends that do not report their stages:
   left_open,  ///< the part that the contract leaves open, e.g. snapping
   excess,     ///< the rest of the error
 };
@@ -50,8 +50,8 @@ struct ErrorSplit {
   /// lacks or cannot separate from the next.
   std::vector<StagePart> parts;
   Enclosure total;         ///< signed, in scale ULP: the sum of the parts
-  bool is_traced = false;  ///< true if computed from a trace; if false, only from what any backend
-                           ///< shows
+  bool is_traced = false;  ///< true if computed from a trace, false if only from what every backend
+                           ///< provides
   bool operator==(const ErrorSplit&) const = default;
 };
 

@@ -16,7 +16,7 @@ namespace rastercheck::reports {
 
 /// A picture and a picture of its errors, of the same size.
 struct GalleryPicture {
-  std::string name;     ///< of its files, without extension; the file of errors adds "-errors"
+  std::string name;     ///< name of its file, without extension; its file of errors adds "-errors"
   std::string title;    ///< what is drawn and how, in a few words
   std::string method;   ///< what drew it
   std::string missing;  ///< why the picture and the members below are missing; empty if drawn

@@ -17,7 +17,8 @@ namespace rastercheck::reports {
 std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet,
                           std::optional<std::size_t> columns);
 
-/// Returns the rows that a reader has to look at: violated, known or thin.
+/// Returns the rows that need a look: laws that are violated, violated only by known defects, or
+/// held on too few cases (thin).
 std::vector<records::LawSummary> notable_rows(const std::vector<records::LawSummary>& rows);
 
 /// One line per backend with the number of laws by verdict and the number of causes, the worst

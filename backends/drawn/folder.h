@@ -26,7 +26,7 @@
 namespace rastercheck::backends {
 
 struct DrawnCampaign {
-  std::string program;  ///< version that made the cases
+  std::string program;  ///< version of the program that made the cases
   /// Has exactly one backend: the drawings are judged by its promises.
   records::Plan plan;
 };

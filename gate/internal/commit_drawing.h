@@ -25,8 +25,8 @@ Result<records::Run> draw_commit(const BisectPlan& plan, const std::string& name
 std::string run_file(const std::string& folder, const std::string& name);
 Result<records::Run> read_drawing(const std::string& folder, const std::string& name);
 
-/// Keeps only the results for these laws, and of cases that every run with the same seed has
-/// (records::is_frozen).
+/// Keeps only the results for these laws, and among them only results for cases that every run with
+/// the same seed has (records::is_frozen).
 records::Run only_laws(records::Run run, const std::set<std::string>& laws);
 
 /// Returns a --property pattern that matches exactly these laws.

@@ -1,7 +1,7 @@
 #pragma once
 
-// Finds the fragments that painting triangles over each other, without a depth test, may leave at
-// each sample.
+// Finds the fragments that may remain visible at each sample when triangles are painted over each
+// other without a depth test.
 
 #include <cstdint>
 #include <optional>

@@ -18,7 +18,7 @@ using records::FragmentClass;
 
 NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
     : context_(&context), sink_(&sink), order_(context.drawn->size()) {
-  // Sorted by row, otherwise in drawing order; bands sort their own fragments.
+  // Sorted by row, and within a row in drawing order; bands sort their own fragments.
   const std::vector<std::uint16_t>& rows = context.drawn->y;
   row_begins_.resize(std::size_t{std::numeric_limits<std::uint16_t>::max()} + 2);
   for (const std::uint16_t y : rows) ++row_begins_[std::size_t{y} + 1];

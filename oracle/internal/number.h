@@ -63,8 +63,9 @@ records::Enclosure enclose_sqrt(const Field& value);
 /// Doubles around log2(value), for value > 0.
 records::Enclosure enclose_log2(const Field& value);
 
-/// A double within 2^-51 of the value, relative to either of the two, if the double is normal. CGAL
-/// converts a number's two leading limbs, in at most three roundings (proofs/limbs.g).
+/// Returns a double near the value. If the double is normal, the two differ by at most 2^-51 times
+/// the magnitude of either. CGAL converts a number's two leading limbs, in at most three roundings
+/// (proofs/limbs.g).
 inline double near_double(const Ring& value) { return value.to_double(); }
 inline constexpr double kNearDoubleError = 0x1p-51;
 /// True if `near`, the near_double() of `exact`, is within kNearDoubleError of `exact`, and is 0 or

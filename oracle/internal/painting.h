@@ -8,7 +8,9 @@
 //
 //   off: s        over: s + (1 − a) d, and for alpha itself a + (1 − a) d        additive: s + d
 //
-// Before blending into integers, c, s and a are clamped to [0, 1] (OpenGL 4.6, §17.3.6).
+// Before blending into integers, the numbers that a program outputs are clamped to [0, 1] (OpenGL
+// 4.6, §17.3.6): a, and c in straight pictures, but the product c a, not its factor c, in
+// premultiplied ones.
 //
 // Ranges. Each formula is linear in each of c, a and d, so its extremes are at ends of the ranges.
 //
@@ -21,9 +23,9 @@
 //   5 u m < 2^-21 m,   m = |a| |s| + (1 + |a|) |d|,
 //
 // for any fusing of products and sums, and 2^-150 more for each of up to three products below the
-// normal numbers. Decoding sRGB in float32 has a relative error below 2^-19: six roundings of the
-// power's base count 2.4 times, and the power itself is within two ULP, 4 u; 18.4 u in all. A
-// program that blends with fewer bits than float32 may be called wrong.
+// normal numbers. Decoding sRGB in float32 has a relative error below 2^-19: the exponent 2.4 turns
+// the six roundings of the base into 14.4 u, and the power itself is within two ULP, 4 u; 18.4 u in
+// all. A program that blends with fewer bits than float32 may be called wrong.
 
 #include <vector>
 

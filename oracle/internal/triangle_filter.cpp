@@ -92,8 +92,7 @@ bool TriangleFilter::is_cut_and_culled() const {
 void TriangleFilter::set_inner_pixels() {
   inner_ = triangle_->scene->inner_pixels();
   if (!triangle_->has_open_sides) return;
-  // One more than the whole pixels of the reach, because a sample exactly at the reach is open,
-  // too.
+  // Leaves out ⌊reach⌋ + 1 pixels on each side, because a sample exactly at the reach is open, too.
   const double reach = std::min(triangle_->side_reach.to_interval().second, 0x1p20);
   const int pixels = static_cast<int>(std::floor(reach)) + 1;
   inner_ = {inner_.x0 + pixels, inner_.y0 + pixels, inner_.x1 - pixels, inner_.y1 - pixels};

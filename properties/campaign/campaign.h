@@ -66,7 +66,7 @@ ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
 /// backends, cases of known defects, random cases. Leaves out laws that are to be skipped. Tasks
 /// are short, so that processes end at about the same time.
 ///
-/// A shard gets its own part: each task belongs to exactly one of the `count` shards. A law's cases
+/// A shard gets its own part: each task belongs to exactly one of the plan's shards. A law's cases
 /// are dealt out like cards, so that shards take about equally long. Only saved counterexamples are
 /// not divided: a shard checks all that it is given.
 std::vector<Task> tasks_of(const records::Plan& plan, std::size_t corpus_size,

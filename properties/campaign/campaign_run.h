@@ -51,7 +51,7 @@ class CampaignRun {
   void remove();
 
   const Findings& findings() const { return all_; }
-  /// True if the run found a violation that was not in its start.
+  /// True if the run found a violation that the checkpoint it started from did not contain.
   bool has_new_violation() const { return violations_of(all_) > violations_at_start_; }
   /// Number of cases not checked.
   std::uint64_t cases_left() const;
@@ -66,7 +66,7 @@ class CampaignRun {
   std::string directory_;
   std::vector<Task> tasks_;
   Warn warn_;
-  Findings all_;  ///< including the scene's
+  Findings all_;  ///< includes the findings of the scene
   std::uint64_t violations_at_start_ = 0;
   bool has_cut_short_ = false;
   bool has_warned_ = false;

@@ -10,20 +10,20 @@
 //      If no such part exists, each must violate the other's law, too; the fault is then before or
 //      after the fragments, not in them.
 //   2. They do not need different features. Two sets of counterexamples have different causes if
-//      each set needs a feature that the other does without, or if only one of them needs a scissor
-//      or another feature that moves no vertex. A counterexample moves to another set if it needs
-//      what that set needs, but not what its own set needs.
+//      each set needs a feature that the other does without, or if only one of them needs a feature
+//      that can be removed without moving a vertex, such as a scissor. A counterexample moves to
+//      another set if it needs what that set needs, but not what its own set needs.
 //
 // Two sets also share a cause, whatever part is wrong, if one simple change ("the scissor's ends
 // are drawn, too") makes at least half of the wrong drawings of each set right. Counterexamples
 // that did not fail again form one cause. A few counterexamples join a larger set if they need
-// everything that most of that set needs. A feature that a counterexample's condition
-// (internal/failure.h) implies does not show that two causes differ, because shrinking keeps the
-// condition.
+// everything that most of that set needs. Features that follow from a counterexample's condition
+// (internal/failure.h) do not show that two causes differ: shrinking keeps the condition, and so
+// these features.
 //
-// So two faults are told apart only if they need different features. Two faults that break the same
-// part of every case count as one cause. docs/when-it-fails.md says how often the grouping is
-// right.
+// So two faults in the same part are told apart only if they need different features. If both break
+// that part of every case, they count as one cause. docs/when-it-fails.md says how often the
+// grouping is right.
 
 #include <vector>
 

@@ -229,7 +229,7 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
   record.outcome = outcome_of(check);
   record.source_digest = fnv1a(cases::to_json(numbered.source));
   records::Judgement judged = check.judgement;
-  judged.levels = {};  // levels only tell how the oracle decided
+  judged.levels = {};  // not a result: says which level of the oracle decided
   for (const auto& [kind, errors] : judged.errors) {
     for (std::size_t i = 1; i < errors.classes.counts.size(); ++i) {
       record.mismatches += errors.classes.counts[i];

@@ -23,7 +23,7 @@ struct Checkpoint {
   records::Plan plan;
   std::string corpus_digest;       ///< of the corpus' cases (digest_of)
   std::string known_digest;        ///< of the backends' lists of known defects; empty: none
-  std::string program;             ///< version
+  std::string program;             ///< the program's version
   std::vector<cases::Case> saved;  ///< counterexamples of earlier runs to check again
   /// [task of tasks_of()] whether the task is done.
   std::vector<bool> is_done;

@@ -69,7 +69,7 @@ std::string known_name_of(const std::string& specification);
 /// Returns today's date, "2027-01-31", UTC, for comparison with `until`.
 std::string today();
 
-using KnownByBackend = std::map<std::string, KnownDefects>;  ///< by specification
+using KnownByBackend = std::map<std::string, KnownDefects>;  ///< key: the backend's specification
 
 /// Returns the ids of the law's entries that explain a violation on a case without a camera; empty
 /// if the violation is new.

@@ -1,7 +1,7 @@
 // any-floats: clip positions of raw floats, like arbitrary memory. Most positions are not chosen to
-// appear in the window. Triangles still draw something: clip coordinates of similar magnitude,
-// whatever their signs, lie on the screen, not far beyond it or behind the eye, and some triangles
-// have corners a few floats apart around a visible sample.
+// appear in the window. Triangles still draw something: a corner lies on the screen or near it if
+// x, y and w have similar magnitudes and w > 0, and some triangles have corners a few floats apart
+// around a visible sample.
 
 #include <array>
 

@@ -36,9 +36,9 @@ void add_quads(Draw& draw, cases::Case& c, std::uint32_t first, int rows, int co
 }
 
 /// Adds a floor or a ceiling, seen from a height of one unit. Clip x and y are world coordinates
-/// (X, −1) times the cotangents of half the fields of view; w is the distance. Each row's distance
-/// is a multiple of the previous row's, so that the rows approach the horizon, where y/w = 0 if the
-/// view is level.
+/// (X, −1) times the cotangents of half the fields of view; w is the distance. The distance grows
+/// by the same factor from each row to the next, so the rows approach the horizon (y/w = 0 if the
+/// view is level).
 void add_floor(Draw& draw, cases::Case& c) {
   const int rows = draw.between(3, 6 + draw.size() / 16);
   const int columns = draw.between(1, 4);

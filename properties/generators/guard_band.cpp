@@ -15,9 +15,11 @@ namespace rastercheck::properties::guard_band_generator {
 namespace {
 
 /// Returns ± a power of two in pixels, sometimes off by up to a subpixel of 2^-8 pixels. The
-/// largest number of a bit width is one subpixel below such a power. The powers are limits of 16
-/// and 32 bits with 8 bits after the point, of 16 and 32 bits without fraction bits, of 24 and 53
-/// bits, and of half these widths, which limit products in edge functions.
+/// largest number of a bit width is one subpixel below such a power. Signed numbers of 16 and 32
+/// bits reach 2^7 and 2^23 with 8 bits after the point, and 2^15 and 2^31 without. Floats hold all
+/// whole numbers up to 2^24. Framebuffers often reach 2^13 or 2^14 pixels. In edge functions, a
+/// product of two differences reaches 2^24 for coordinates up to 2^11 and 2^32 for coordinates up
+/// to 2^15; a product of two coordinates up to 2^16 reaches 2^32.
 double random_limit(Draw& draw) {
   const int exponent = draw.pick(std::array{15, 15, 15, 15, 7, 11, 13, 14, 16, 23, 24, 31});
   const auto power = static_cast<double>(std::uint64_t{1} << exponent);

@@ -1,5 +1,5 @@
 // ordinary: everyday drawing, with triangles mostly on screen, separate or in a strip, and w within
-// [1/8, 8] in all proportions. A failure here affects everybody.
+// [1/8, 8]: arbitrary, all equal, or powers of two. A failure here affects everybody.
 
 #include <array>
 

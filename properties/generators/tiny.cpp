@@ -11,8 +11,8 @@
 namespace rastercheck::properties::tiny_generator {
 namespace {
 
-/// Adds a triangle with corners within some 2^-k pixels of a sample. About a quarter of these
-/// triangles contain the sample.
+/// Adds a triangle whose corners lie within 4 · 2^-k pixels of a sample along each axis, for a
+/// random k. About a quarter of these triangles contain the sample.
 void add_speck(Draw& draw, cases::Case& c) {
   const WindowPoint sample = visible_sample(draw, c);
   const double extent = 4 * power_of_two(-draw.between(0, 4 + draw.size() / 6));

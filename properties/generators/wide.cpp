@@ -1,5 +1,5 @@
-// wide: framebuffers with few rows of more than 64 pixels each. Rasterizers process pixels in
-// blocks, tiles or mask words; a bug in any but a row's first block shows here.
+// wide: framebuffers more than 64 pixels wide and only a few rows high. Rasterizers process pixels
+// in blocks, tiles or mask words; a bug in any but a row's first block shows here.
 
 #include <array>
 

@@ -21,7 +21,7 @@ namespace rastercheck::properties {
 
 /// A request to draw a case again and to inspect a sample.
 struct LookRequest {
-  records::CaseKey key;        ///< its backend draws the case, whoever drew it before
+  records::CaseKey key;        ///< `backend` draws the case, whichever backend drew it before
   std::string case_name = {};  ///< empty if unnamed
   cases::SamplePlace at{};     ///< its triangle is an index into the case's triangles
   std::optional<std::uint32_t> attribute = std::nullopt;  ///< empty for depth

@@ -290,7 +290,7 @@ std::vector<Specimen> draw_again(std::span<const Specimen> kept, const std::stri
   std::vector<Specimen> again;
   for (const Specimen& one : kept) {
     Specimen specimen = one;
-    specimen.key.backend = backend;  // a baseline may name it otherwise
+    specimen.key.backend = backend;  // a baseline may call the backend by another name
     const std::optional<cases::Case> c = frozen_case(specimen.key, plan, corpus);
     const std::optional<CasePart> part = c ? part_of(*c, one.triangle) : std::nullopt;
     if (!part) continue;

@@ -1,5 +1,5 @@
 // Bad input is refused and leaves the target untouched: in every way of drawing, a case with one
-// fault gives an error, and a picture over which the case should be drawn keeps every bit.
+// fault gives an error, and the picture that it was to be drawn into keeps every bit.
 //
 // Why. A backend that draws pictures promises both (backends::PictureDrawer), as the rasterizer's
 // interface does: arguments are checked before anything is drawn. A case is bad if it breaks a

@@ -1,5 +1,5 @@
 // A roll by a quarter turns the picture: if a camera is rolled by 90° about its viewing direction
-// (R P replaces the projection P), it shows the turned picture in the turned viewport.
+// (R P replaces the projection P), it shows the picture turned by 90° in the turned viewport.
 //
 // Why. R takes the clip position (x, y, z, w) to (∓y, ±x, z, w): its rows are rows of the identity
 // up to signs, so R P is P with two rows exchanged and signs changed, without any rounding. So the

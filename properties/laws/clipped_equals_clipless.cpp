@@ -19,10 +19,11 @@
 // Both drawings are within the bound of the same exact value, so they differ by at most twice the
 // bound. For attributes and depth tests see laws/splitting_a_triangle.cpp.
 //
-// Samples: all but those with L = 0. For these, the polygon decides by its edge's direction, but
-// the triangle by its plane: depth planes, and under D3D also clip distances, count zeros as
-// inside. The exact value of an attribute that equals L at the vertices tells whether L is 0. For
-// what snapping leaves open see internal/parted_triangles.h.
+// Samples: all but those with L = 0. There, the polygon follows the fill rule for its new edge,
+// whose direction decides, but the triangle follows the rule for its plane: zeros of depth planes,
+// and under D3D also of clip distances, count as inside. The exact value of an attribute that
+// equals L at the vertices tells whether L is 0. For what snapping leaves open see
+// internal/parted_triangles.h.
 
 #include <algorithm>
 #include <array>

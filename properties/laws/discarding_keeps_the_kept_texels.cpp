@@ -1,6 +1,6 @@
-// Discarded fragments leave no trace: with Texturing::discard_below, the picture is drawn as if
-// only the fragments existed whose texel's alpha is at least the limit. The others affect neither
-// colour nor depth.
+// Discarded fragments leave no trace: with Texturing::discard_below, the picture is the same as if
+// fragments whose texel has an alpha below the limit did not exist. They affect neither colour nor
+// depth.
 //
 // Why. MIT 6.837 2000, lecture 18, draws transparency this way: if a texel's alpha is 0, neither
 // the pixel nor its depth is written, and what lies behind shows. A fragment's texel is exact

@@ -26,13 +26,13 @@
 // where primes mark computed numbers; rounding the left side costs at most 2^-52 |r' n'|.
 //
 // Factors are 2^k, |k| <= 4, and so is w, so that nothing is rounded. Attributes are located at the
-// sample, where |r| <= max|r_i|, unless values come from exact positions and only snapping covers
-// the sample; if that is possible, the quotient is not compared. The depth test is off. Samples:
-// all, except those that the contract leaves open and that only one drawing has. Window positions
-// are the same numbers in both cases, so a contract that names the rounding moves them alike. The
-// contract does not say where clipping puts the new vertices of snapped triangles. So values from
-// snapped positions are not compared for clipped triangles, and for no triangle if the contract
-// names no rounding.
+// sample. There, |r| <= max|r_i|, except at samples that only snapping covers if values come from
+// exact positions. Under contracts with such samples, the quotient is not compared. The depth test
+// is off. Samples: all, except those that the contract leaves open and that only one drawing has.
+// Window positions are the same numbers in both cases, so a contract that names the rounding moves
+// them alike. The contract does not say where clipping puts the new vertices of snapped triangles.
+// So values from snapped positions are not compared for clipped triangles, and for no triangle if
+// the contract names no rounding.
 
 #include <algorithm>
 #include <cmath>

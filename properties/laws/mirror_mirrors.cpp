@@ -16,10 +16,10 @@
 //
 // Not mirrored exactly:
 //
-//   ties         A_i changes its sign if left and right are mirrored. The mirror image of a rule is
-//                then no rule, so the judging contract names none. If only up and down are
-//                mirrored, B_i changes its sign, and top-left becomes bottom-left; the mirrored
-//                case is drawn by that rule
+//   ties         A_i changes its sign if left and right are mirrored. The mirror image of a tie
+//                rule is then not a rule of any API, so the judging contract names no tie rule. If
+//                only up and down are mirrored, B_i changes its sign, and top-left becomes
+//                bottom-left; the mirrored case is drawn by that rule
 //   the sides    Of two opposite borders, only one belongs to the viewport; cases with a sample
 //                exactly on a mirrored side are left out
 //   snapping     u = n + 1/2 grid units becomes W 2^b − n − 1/2: rounding to even is mirrored if

@@ -7,10 +7,11 @@
 // The law checks up to four fragments of each triangle and kMostFragments of a case, for the split
 // by the backend's trace and for the split that needs no trace. The parts must sum to actual −
 // exact in exact numbers. The exact value must be that of the case as given, including its camera.
-// The total in ULP must fit the two values. The transform's part of the error must be the same,
-// whether computed from the positions that the backend reports or from those that it was given.
-// Fragments that must not be drawn are left to laws about coverage. The sizes of parts are counted
-// by stage and stratum. Triangles are traced one by one, so the depth test is removed.
+// The total in ULP must agree with the difference of the drawn and the exact value. The transform's
+// part of the error must be the same, whether computed from the positions that the backend reports
+// or from those that it was given. Fragments that must not be drawn are left to laws about
+// coverage. The sizes of parts are counted by stage and stratum. Triangles are traced one by one,
+// so the depth test is removed.
 
 #include <map>
 #include <memory>

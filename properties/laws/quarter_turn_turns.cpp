@@ -10,7 +10,8 @@
 // These do not turn with the picture:
 //
 //   ties         depend on left and right, so the judging contract names no tie rule
-//   centroids    of D3D are at the first covered sample: they are moved to the sample
+//   centroids    may be at the first covered sample, and the turn changes which sample is first:
+//                such attributes are evaluated at the fragment's own sample instead
 //   the sides    Of two opposite borders, only one belongs to the viewport; cases with a sample
 //                exactly on an upper or lower side are left out
 //   snapping     turns if H is on the grid: v = n + 1/2 grid units becomes H 2^b − n − 1/2, and

@@ -19,9 +19,9 @@
 // comparisons use exact sums.
 //
 // With β = 0, rounding commutes with powers of two and with the sign, whatever the weights are and
-// however the mean is formed, as long as no exponent overflows or underflows. So attributes with 0
-// or 2^-40 <= |r_i| <= 2^40, and values above 2^-100, must agree to the bit; zeros of either sign
-// are the same.
+// however the mean is formed, as long as no exponent overflows or underflows. So if every r_i is 0
+// or 2^-40 <= |r_i| <= 2^40, values above 2^-100 in magnitude must agree to the bit; zeros of
+// either sign are the same.
 //
 // α and β are pseudorandom (choices.h), separately for each attribute. All α r_i + β must be
 // float32 without rounding; else β becomes 0. If some α r_i would still be rounded, the attribute

@@ -4,12 +4,12 @@
 //
 // The law checks up to four fragments of each triangle, spread over all its drawn fragments. A
 // trace must exist, its depth and attributes must equal the drawn ones to the bit, and the trace
-// must be consistent. Its lines give the weights at the sample and those of a value; its planes, if
-// any, give a value's numerator and denominator. For lines and planes, every operation is rounded
-// to double (records/stage_trace.h). The evaluated result rounds to the value. If a neighbouring
-// sample that was not drawn has a trace, the trace must say that the sample was not drawn, and the
-// trace's lines must give the trace's weights. Triangles are traced one by one, so the depth test
-// is removed. Only backends that trace are judged.
+// must be consistent. Its lines must give the traced weights, both at the sample and where a value
+// is evaluated; its planes, if any, must give a value's numerator and denominator. For lines and
+// planes, every operation is rounded to double (records/stage_trace.h). The evaluated result rounds
+// to the value. If a neighbouring sample that was not drawn has a trace, the trace must say that
+// the sample was not drawn, and the trace's lines must give the trace's weights. Triangles are
+// traced one by one, so the depth test is removed. Only backends that trace are judged.
 
 #include <fmt/format.h>
 

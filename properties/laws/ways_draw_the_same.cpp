@@ -50,8 +50,8 @@ bool is_permitted(const cases::ClipCase& c, const cases::Contract& contract,
   return judge_drawn(c, contract, drawn, {}, 0).violation_count == 0;
 }
 
-/// Reports fragments at the place of the fragment before. Fragments are ordered by place, so
-/// repeated ones are neighbours.
+/// Reports each fragment that has the same place as the preceding one. Fragments are ordered by
+/// place, so repeated ones are neighbours.
 void find_repeated(const cases::Fragments& drawn, const std::string& by, Check& check) {
   for (std::size_t i = 1; i < drawn.size(); ++i) {
     if (drawn.place_of(i) != drawn.place_of(i - 1)) continue;

@@ -12,10 +12,10 @@
 //                moved by even numbers of pixels
 //   guard band   is centred on the window's origin, which does not move with the picture; so the
 //                law assumes a guard band that is narrower by the greater of |du| and |dv|
-//   the window   grows if the picture moves towards greater x or y. By other moves, a part of the
-//                picture leaves the window. A scissor removes this part from the original case,
-//                too, and removes from the moved case what enters the window. Nothing else about a
-//                fragment depends on the scissor
+//   the window   grows if the picture moves towards greater x or y. If it moves towards smaller x
+//                or y, a part of the picture leaves the window. A scissor removes this part from
+//                the original case, too, and removes from the moved case what enters the window.
+//                Nothing else about a fragment depends on the scissor
 //
 // A pseudorandom number of the case (choices.h) chooses the distance: a few pixels, even or odd, or
 // more than the blocks and tiles into which a rasterizer divides its window. Cases whose moved

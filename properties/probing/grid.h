@@ -72,7 +72,7 @@ cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t
 struct GridFit {
   MeasuredGrid grid;
   std::uint64_t samples = 0;     ///< decisive samples
-  std::uint64_t mismatches = 0;  ///< of these, drawn unlike predicted
+  std::uint64_t mismatches = 0;  ///< decisive samples that were not drawn as predicted
   double farthest = 0;  ///< distance that an edge must move to explain the worst mismatch, pixels
 };
 

@@ -183,7 +183,7 @@ void Binning::fill_group(std::size_t first, std::size_t count) {
       input_->positions[i][lane] = mesh_.positions[vertex];
       const float* const values = mesh_.attributes.data() + vertex * attributes;
       float* const out = input_->attributes[i].data() + lane * attributes;
-      if (attributes == 2) {  // a constant number avoids a call
+      if (attributes == 2) {  // with a constant count, the copy is inlined
         std::copy_n(values, 2, out);
       } else {
         std::copy_n(values, attributes, out);

@@ -3,8 +3,8 @@
 // Serves every route (docs/rasterizer.md, Routes).
 //
 // Decides whether double precision suffices for the values of a triangle. In double, a value's
-// error comes from the E_i, each within its band, and from a few roundings of u = 2^-53 each. A
-// *certificate* proves that this error is small:
+// error comes from the E_i, each within its band, and from a few roundings of u = 2^-53 each. E_i,
+// S_i, T, U and V are those of edge_functions.h. A *certificate* proves that this error is small:
 //
 //   smooth   |δr| <= (max|r_i| + |r|) (Σ plane_band_i / D) + 4u |r| (plane.h). If
 //            D >= 2^32 (1 + 2^-8) Σ plane_band_i, this is less than 2^-31 max(|r_i|, |r|). An ulp
@@ -14,8 +14,8 @@
 //            8u Σ|E_i| is added for their roundings.
 //   affine   |δr| <= max|r_i| Σ |w_i| plane_band_i / (|det| T), certified below 2^-33. The
 //            determinant adds 2^-33: together 2^-32.
-//   depth    |δz| <= Σ |z_i| (9u S_i and the errors of U and V) / (|det| T). This is below
-//            9/8 2^-32, because Σ |z_i| plane_band_i is certified below 2^-32. The determinant adds
+//   depth    |δz| <= Σ |z_i| (9u S_i plus the errors of U and V) / (|det| T). This is below 9/8
+//            2^-32, because Σ |z_i| plane_band_i is certified below 2^-32. The determinant adds
 //            2^-34 |z|: its real error (4u) is half of the tested one (8u, weights.h). Depth is n +
 //            (f − n) z for the depth range from n to f (exact_values.h), and adding n adds 3u. |n|,
 //            |f| and |f − n| are at most max(|n|, |f|); if vertices are snapped and z leaves [0,

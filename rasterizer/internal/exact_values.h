@@ -113,10 +113,10 @@ bool is_certain(const ValueLine& line, const TriangleValues& triangle, double de
 
 /// Returns value_at(), always from exact sums: relative error at most 2^-50.
 double exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);
-/// Returns ⌊scale · r⌋ of the exact value r, reduced by `period` as std::fmod does, or a number of
-/// magnitude below 2 · period that is equal to ⌊scale · r⌋ modulo `period`. Exact if `period` is a
-/// whole number below 2^51. If `period` is infinite, returns ⌊scale · r⌋ itself or, beyond 2^53, a
-/// neighbouring double.
+/// Returns a number of magnitude below 2 · period that differs from ⌊scale · r⌋ by an exact
+/// multiple of `period`, where r is the exact value. `period` must be a whole number below 2^51, or
+/// infinite. If `period` is infinite, returns ⌊scale · r⌋ itself or, beyond 2^53, a neighbouring
+/// double.
 double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                       double u, double v, double scale, double period);
 /// Returns the depth, clamped to its range, from exact sums.

@@ -35,7 +35,7 @@ struct GridCorner {
   GridPoint at;
   double w = 0;                   ///< > 0, with a relative error of 2^-50
   double z = 0;                   ///< with a relative error of 2^-50
-  std::array<double, 3> share{};  ///< of the triangle's vertices in clip space; sum to 1
+  std::array<double, 3> share{};  ///< weights of the triangle's vertices in clip space; sum to 1
   bool is_new = false;            ///< made by clipping: not a vertex, even if a share rounds to 1
 };
 

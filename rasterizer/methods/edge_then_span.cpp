@@ -1,6 +1,6 @@
 // edge-then-span and edge-then-span-plane: perspective-correct interpolation (MIT 6.837 2000,
-// lecture 18, slides 7 to 13). The lecture's w is 1/z. Here it is 1/w, with the w of clip space,
-// and is written q below.
+// lecture 18, slides 7 to 13). The lecture writes w for 1/z. Here q = 1/w takes its place, where w
+// is that of clip space.
 //
 // edge-then-span. Between two ends, let t be the fraction of the way in the window, and s the
 // fraction of the way in space. Then (slide 11)

@@ -65,7 +65,7 @@ struct Promise {
 
 /// Counts of arithmetic operations; comparisons and changes of sign do not count.
 struct Operations {
-  std::size_t additions = 0;  ///< and subtractions
+  std::size_t additions = 0;  ///< additions and subtractions
   std::size_t multiplications = 0;
   std::size_t divisions = 0;
   bool operator==(const Operations&) const = default;

@@ -66,12 +66,12 @@
 //                  most 116 κ² R u Σ|E|_i/|det|; and q = D/det
 //   (s − s_0) q    20 κ u (2 a/|det|) Π <= 40 κ a R u Σ|E|_i/|det|, a <= 4 M; t likewise
 //
-// As |s − s_0| <= 2 M this gives 160 κ R + 2 · 116 κ² R in place of n + d, to which the quotient
-// and the sum with s_0 add 1 <= 3 R: less than 400 κ² R in all. R depends on the triangle and κ on
-// its texture, so the promise is made per draw, with the greatest product. R is 1/3 if all
-// coordinates of the vertices have the same magnitude, and κ is a few units if the texture's
-// triangle is not thin. Barycentric coordinates in place of texture coordinates, as in q-matrix,
-// would remove κ, but that would be another method.
+// As |s − s_0| <= 2 M this gives 160 κ R + 232 κ² R in place of n + d. The quotient and the sum
+// with s_0 add 1, which is at most 3 R because R >= 1/3. In all, this is less than 400 κ² R. R
+// depends on the triangle and κ on its texture, so the promise is made per draw, with the greatest
+// product. R is 1/3 if all coordinates of the vertices have the same magnitude, and κ is a few
+// units if the texture's triangle is not thin. Barycentric coordinates in place of texture
+// coordinates, as in q-matrix, would remove κ, but that would be another method.
 //
 // Range. As κ <= 2^10, neither ∂P/∂s <= 2 κ h/a nor its products come near 2^1023; the terms'
 // magnitudes, if not 0, are at least 2^-860, so underflow is negligible beside their roundings.

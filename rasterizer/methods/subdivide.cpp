@@ -50,16 +50,16 @@
 // triangle has an error of at most the greater of R kTolerance and the error of the finest pieces,
 // and never more than R f(ρ), or R if some w_i <= 0.
 //
-// Roundings (internal/point_drawing.h), u = 2^-53. E_i has an error of 11 u |E|_i and the sum of
-// all of 13 u Σ|E|, so |δb_1| + |δb_2| <= 25 u K; twice that covers higher orders if 13 u K <= 1/2.
-// n b_i and its fraction are exact, n being a power of two, and the β_m cost 3 u. A negative β_m is
-// set to 0 (it is negative only by its error). Apart from later roundings, the formula then gives
-// the result for a nearby place: the place whose barycentrics in the chosen piece are β_m / Σ β_m.
-// The b of that place differ from those of the requested place by at most 103 u K. As the exact r
-// is linear in b, r there is within 103 u K R <= 206 u K M of r at the requested place, M =
-// max|r_i|. The piece's approximation error comes on top, and so do the roundings of w_ij and r_ij,
-// 3 u each if the w_i are positive, and of r: less than 20 u M. The rational formula has n + d = 14
-// + 13.
+// Roundings (internal/point_drawing.h), u = 2^-53. Each E_i has an error of 11 u |E|_i, and their
+// sum has an error of 13 u Σ|E|, so |δb_1| + |δb_2| <= 25 u K; twice that covers higher orders if
+// 13 u K <= 1/2. n b_i and its fraction are exact, n being a power of two, and the β_m cost 3 u. A
+// negative β_m is set to 0 (it is negative only by its error). Apart from later roundings, the
+// formula then gives the result for a nearby place: the place whose barycentrics in the chosen
+// piece are β_m / Σ β_m. The b of that place differ from those of the requested place by at most
+// 103 u K. As the exact r is linear in b, r there is within 103 u K R <= 206 u K M of r at the
+// requested place, M = max|r_i|. The piece's approximation error comes on top, and so do the
+// roundings of w_ij and r_ij, 3 u each if the w_i are positive, and of r: less than 20 u M. The
+// rational formula has n + d = 14 + 13.
 //
 // With some w_i <= 0, a w_ij may have any relative error, which does no harm as long as the weights
 // are >= 0. Only the adaptive method relies on w_ij. A piece with n < kFinest that it does not

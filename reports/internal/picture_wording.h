@@ -41,7 +41,7 @@ bool is_wrong(const records::WrongChannel& channel);
 /// not 41 to 42, of 255)".
 std::string fault_of(const records::WrongPixel& pixel, const cases::PictureView& view);
 
-/// "off by 5 steps"; empty for NaN and from a million steps on: for floats so far apart, the
+/// "off by 5 steps"; empty for NaN and for a million steps or more: for floats so far apart, the
 /// numbers themselves say more.
 std::string steps_text(double steps);
 

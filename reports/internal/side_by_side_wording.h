@@ -36,7 +36,7 @@ struct Disagreement {
   std::string right;
   std::string wrong;
   std::uint64_t cases = 0;
-  std::vector<records::CasePlace> places;  ///< the first of them
+  std::vector<records::CasePlace> places;  ///< the first of these cases
 };
 /// The disagreements of a law, none to two of them: those in which the first backend is right come
 /// first.

@@ -48,7 +48,7 @@ TEST(ApiPromise, LeavesOpenWhatTheSpecificationsLeaveOpen) {
   EXPECT_FALSE(contract.is_invariant);
 }
 
-TEST(ApiPromise, OfPositionsIsThatOfFiveOperations) {
+TEST(ApiPromise, PositionErrorCountsFiveOperations) {
   // 10^-5 (4 · 16 + 2 · 32) pixels, 256 units each.
   const cases::Contract contract = api_promise(case_of(kPlain), kEightBits, kSpec);
   EXPECT_NEAR(contract.coverage->position_error, 1e-5 * 128 * 256 * 1.01, 1e-6);
@@ -78,7 +78,7 @@ TEST(ApiPromise, LeavesOpenHowViewportsAreRounded) {
 /// Computed by hand for a right-angled triangle with legs of 32 pixels and w = 1, whose vertices
 /// are not moved: about the corners of its bounding box, Σ s_i is 5, 8, 8 and 11 times 32², and D
 /// is 32².
-TEST(ApiPromise, OfValuesIsThatOfPlanesOverTheTriangle) {
+TEST(ApiPromise, ValueErrorsAreBoundedByThePlanes) {
   const WindowTriangle triangle{{0, 32, 0}, {0, 0, 32}, {1, 1, 1}};
   const PlaneError error = plane_error(triangle, {.operation = 1e-6});
   EXPECT_NEAR(error.affine, 31 * 11e-6 / (1 - 5 * 11e-6), 1e-12);
@@ -89,13 +89,13 @@ TEST(ApiPromise, OfValuesIsThatOfPlanesOverTheTriangle) {
   EXPECT_NEAR(in_depth.per_horizon, 68 * 11e-6 / (1 - 5 * 11e-6 - 33 * 11e-6 * 2), 1e-12);
 }
 
-TEST(ApiPromise, OfValuesIsNothingWithoutArea) {
+TEST(ApiPromise, PromisesNoValuesIfTheAreaMayVanish) {
   const WindowTriangle triangle{{0, 32, 16}, {0, 0, 0.01}, {1, 1, 1}};
   EXPECT_LT(plane_error(triangle, {.operation = 1e-9}).affine, 1);
   EXPECT_TRUE(std::isinf(plane_error(triangle, {.operation = 1e-9, .reach = 0.01}).affine));
 }
 
-TEST(ApiPromise, OfDepthIsThatOfThePlane) {
+TEST(ApiPromise, DepthBoundFollowsFromThePlaneError) {
   // The error of positions reduces the area only a little: K is 11 · 32²/2 or slightly more.
   const cases::Contract contract = api_promise(case_of(kPlain), kEightBits, kSpec);
   ASSERT_EQ(contract.triangles.size(), 1U);
@@ -108,7 +108,7 @@ TEST(ApiPromise, OfDepthIsThatOfThePlane) {
   EXPECT_EQ(contract.triangles[0].bounds, contract.bounds);
 }
 
-TEST(ApiPromise, OfNewVerticesDependsOnTheLeastW) {
+TEST(ApiPromise, ClipToleranceDependsOnTheLeastW) {
   // The near plane z = 0 cuts where w is 1/4 · 1 + 3/4 · 0.2 = 0.4. The greatest |y| is 1/4, and
   // the greatest w is 1.
   const std::array<cases::ClipVertex, 3> near{{{0, 0.25F, 0.75F, 1},
@@ -121,7 +121,7 @@ TEST(ApiPromise, OfNewVerticesDependsOnTheLeastW) {
   EXPECT_NEAR(contract.clip_tolerance, cut * 256 * 1.01 + 1, 1e-4);
 }
 
-TEST(ApiPromise, OfVerticesBesideTheViewportCountsAsOfNewOnes) {
+TEST(ApiPromise, VerticesBesideTheViewportCountAsNewOnes) {
   std::array<cases::ClipVertex, 3> wide = kPlain;
   wide[1].x = 3;
   const cases::Contract contract = api_promise(case_of(wide), kEightBits, kSpec);
@@ -133,14 +133,14 @@ TEST(ApiPromise, OfVerticesBesideTheViewportCountsAsOfNewOnes) {
   EXPECT_EQ(contract.triangles[0].side_tolerance, double{contract.coverage->position_error});
 }
 
-TEST(ApiPromise, OfWhatReachesTheEyeIsNothing) {
+TEST(ApiPromise, PromisesNothingForTrianglesThroughTheEye) {
   // The clipped triangle keeps its whole edge through the eye, where w falls to 0.
   const std::array<cases::ClipVertex, 3> through{{{0, 0, 0, 0}, {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}}};
   const cases::Case c = case_of(through);
   EXPECT_FALSE(cases::promises_all_of(api_promise(c, kEightBits, kSpec), c));
 }
 
-TEST(ApiPromise, OfWhatIsSeenEdgeOnAndCutIsNothing) {
+TEST(ApiPromise, PromisesNothingForCutTrianglesSeenEdgeOn) {
   // The edge from p to −p passes through the eye.
   const std::array<cases::ClipVertex, 3> opposite{
       {{0.5F, 0.25F, 0.5F, 1}, {-0.5F, -0.25F, -0.5F, -1}, {0, 0.5F, 0.5F, 1}}};
@@ -154,7 +154,7 @@ TEST(ApiPromise, OfWhatIsSeenEdgeOnAndCutIsNothing) {
   EXPECT_EQ(api_promise(case_of(thin), kEightBits, kSpec).bounds.smooth.constant, 0x1p24F);
 }
 
-TEST(ApiPromise, OfNumbersWhoseProductsAreTooLargeIsNothing) {
+TEST(ApiPromise, PromisesNothingForNumbersOutOfRange) {
   cases::Case c = case_of(kPlain);
   EXPECT_TRUE(cases::promises_all_of(api_promise(c, kEightBits, kSpec), c));
   c.positions[0].x = -0x1.8p16F;
@@ -275,7 +275,7 @@ cases::Viewport in_whole_pixels(cases::Viewport viewport, Arithmetic& op) {
 /// Draws random triangles as an implementation may: positions are computed and rounded to either
 /// neighbour on the grid. Values are evaluated in a given form, about a point of the bounding box
 /// or, as `ieee` allows, the window's origin. All errors must be within the promise.
-TEST_P(ApiPromiseHolds, OfWhatRoundedArithmeticDraws) {
+TEST_P(ApiPromiseHolds, CoversErrorsOfRoundedArithmetic) {
   const Promised param = GetParam();
   const bool is_ieee = param.promise == cases::DriverPromise::ieee;
   std::mt19937 random(1);
@@ -348,7 +348,7 @@ TEST_P(ApiPromiseHolds, OfWhatRoundedArithmeticDraws) {
 /// Like the test above, but with exact positions and only one placement, so that the bound alone
 /// must cover all errors. Kills: a bound that is too small but holds because several placements
 /// hide that; a bound that is far larger than the errors.
-TEST_P(ApiPromiseHolds, OfEvaluationAloneAndIsOfItsSize) {
+TEST_P(ApiPromiseHolds, CoversErrorsOfEvaluationClosely) {
   const Promised param = GetParam();
   const bool is_ieee = param.promise == cases::DriverPromise::ieee;
   std::mt19937 random(2);

@@ -144,7 +144,7 @@ TEST(AppendedDrawing, TakesAttributesOfSeveralDraws) {
 
 // Kills: reading records beyond the room; drawing a triangle twice, or leaving it out, where the
 // range of triangles is split.
-TEST(AppendedDrawing, SplitsWhatThereIsNoRoomFor) {
+TEST(AppendedDrawing, SplitsDrawsThatExceedTheRecordBuffer) {
   FakeDriver driver(kBoth);
   driver.most = 5 * 9;  // room for nine records
   const cases::Fragments all = drawn(numbered(6), driver, kBoth).value();

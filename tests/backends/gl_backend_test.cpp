@@ -408,7 +408,7 @@ INSTANTIATE_TEST_SUITE_P(Driver, GlBackend,
                          testing::Values("gl:llvmpipe", "gl:softpipe", "gl:llvmpipe,gles"),
                          test_name);
 
-TEST(GlBackendOptions, AreThoseThatThereAre) {
+TEST(GlBackendOptions, RefuseUnknownOptions) {
   Isolation isolation;
   isolation.command = {RASTERCHECK_PROGRAM, "worker"};
   const auto made = make_isolated_backend("gl:magic", isolation);

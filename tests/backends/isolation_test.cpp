@@ -168,7 +168,7 @@ TEST(Isolation, AsksANewProcessForItsContract) {
 }
 
 // Kills: blaming the next case, whichever that is.
-TEST(Isolation, HoldsAContractThatThereIsNotAgainstItsCaseOnly) {
+TEST(Isolation, FailsOnlyTheCaseWhoseContractFailed) {
   const Mortal mortal;
   const auto backend = make_isolated_backend("cpu", mortal.isolation());
   ASSERT_TRUE(backend) << to_string(backend.error());

@@ -149,7 +149,7 @@ TEST(PluginContract, LacksWhatItSaysAndNothingElse) {
 
 // Kills: a limit that excludes too much. With one sample, the centre is that sample; depth is not
 // clipped if it is clamped; and a vertex that belongs to no triangle does not count.
-TEST(PluginContract, LacksNothingOfWhatIsNotNeeded) {
+TEST(PluginContract, IgnoresMissingFeaturesThatTheCaseDoesNotNeed) {
   rastercheck_contract contract{};
   contract.lacks = RASTERCHECK_LACKS_CENTER | RASTERCHECK_LACKS_CENTROID |
                    RASTERCHECK_LACKS_DEPTH_CLIPPING | RASTERCHECK_LACKS_NONPOSITIVE_W;

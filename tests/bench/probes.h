@@ -26,7 +26,7 @@ using Probes = std::vector<Probe>;
 /// floats.
 template <typename ColorAt>
 Probes take_probes(const glm::ivec2& size, std::span<const float> depth, const ColorAt& color_at) {
-  // Odd, because faults may occur only in some columns of vectors.
+  // Odd, so that probes fall on every lane of the SIMD vectors: a fault may affect only some lanes.
   constexpr int kStep = 7;
   const auto byte = [](float value) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));

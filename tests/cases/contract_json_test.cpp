@@ -72,7 +72,7 @@ TEST(ContractDigest, IsOfTheTermsAlone) {
   EXPECT_NE(digest_of(other), digest_of(terms));
 }
 
-TEST(ContractJson, TellsWhatIsAskedForFromNothingSaid) {
+TEST(ContractJson, DistinguishesAsAskedFromAbsentTerms) {
   ContractTerms terms;
   terms.coverage = AsAsked{};
   terms.basis = AsAsked{};
@@ -149,12 +149,12 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   EXPECT_EQ(held, expected);
 }
 
-TEST(ContractTerms, NothingSaidLeavesWhatIsPromised) {
+TEST(ContractTerms, EmptyTermsKeepThePromise) {
   const Contract own = with_terms(Contract(), all_terms(), Case());
   EXPECT_EQ(with_terms(own, ContractTerms(), Case()), own);
 }
 
-TEST(ContractTerms, AsAskedIsWhatTheCaseNames) {
+TEST(ContractTerms, AsAskedTakesTheTermsOfTheCase) {
   ContractTerms terms;
   terms.coverage = AsAsked{};
   terms.basis = AsAsked{};

@@ -258,7 +258,7 @@ TEST_F(Shard, IsNotWrittenOverByTheMerge) {
   EXPECT_EQ(folder_.content("shard1/run.json"), before);
 }
 
-TEST_F(Shard, HasToBeOneThatThereIs) {
+TEST_F(Shard, RefusesInvalidShardNumbers) {
   for (const char* shard : {"0/3", "4/3", "1/0", "1/4097"}) {
     const Outcome outcome = run("out", {"--seed", "1", "--shard", shard});
     EXPECT_TRUE(is_failure(outcome, 2)) << outcome;

@@ -161,7 +161,7 @@ TEST_F(Waived, SkippedPropertiesAreSaidToBe) {
   EXPECT_EQ(run("damaged:driver", {"--known", skips}).code, 1);
 }
 
-TEST_F(Waived, ExpectationsNameLawsThatThereAre) {
+TEST_F(Waived, RefusesExpectationsForUnknownLaws) {
   const std::string fails = lists_.put("damaged-fails.txt", "no-such-law\n");
   const Outcome outcome = run("damaged:driver", {"--known", fails});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;

@@ -554,7 +554,7 @@ TEST(CompareRefuses, WhatIsHeldToAnotherContract) {
               HasSubstr("the contract is lax.json in the baseline and none now"));
 }
 
-TEST(CompareRefuses, WhatIsKnownOtherwise) {
+TEST(CompareRefuses, OtherOptionsAboutKnownDefects) {
   records::BaselineSection after = records::sample_section();
   after.plan.ignores_known = true;
   EXPECT_EQ(refusal(records::sample_section(), after),
@@ -580,7 +580,7 @@ TEST(CompareRefuses, NothingAtAll) {
             "run.json: has no sections, so there is nothing to compare");
 }
 
-TEST(CompareRefuses, WhatTheBaselineHasNoSectionOf) {
+TEST(CompareRefuses, KeysWithoutASectionInTheBaseline) {
   records::BaselineSection other = records::sample_section();
   other.key.architecture = "aarch64";
   const Result<std::vector<records::Comparison>> comparisons =

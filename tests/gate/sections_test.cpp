@@ -94,7 +94,7 @@ TEST(SectionOf, HasTheWorstOnEitherSide) {
             (records::Enclosure{0.7, 0.7}));
 }
 
-TEST(SectionOf, HasEachCaseOfWhichTheLawSaysSomething) {
+TEST(SectionOf, HasEachCaseToWhichTheLawApplies) {
   const Result<records::BaselineSection> section = section_of(run_with_cases(), "cpu");
   ASSERT_TRUE(section);
   const records::LawCases& law = section->laws.at(kValues);

@@ -27,7 +27,7 @@ TEST(Kappa, GrowsWithCancellation) {
 
 TEST(Kappa, IsAbsentAtAZeroOfTheValue) { EXPECT_FALSE(at_first_pixel({{{-1}, {6}, {0}}}).kappa); }
 
-TEST(Conditioning, IsNotAQuestionOfAFlatAttribute) {
+TEST(Conditioning, IsEmptyForFlatAttributes) {
   cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
                              {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}}}, {{{1}, {2}, {3}}});
   c.attributes[0].interpolation = cases::Interpolation::flat;

@@ -160,8 +160,8 @@ TEST(GuardBand, IsTheViewportAtLeast) {
   c.positions[1].x = 1 + 0x1p-20F;
   EXPECT_NE(judged(32768, 26, 21).second, records::Verdict::permitted);
   EXPECT_EQ(judged(0, 26, 21).second, records::Verdict::permitted);
-  // Two vertices at x = 8, between the window's origin and the viewport, are inside neither; the
-  // edge from (38, 0) to (8, 30) runs through the sample at (26.5, 11.5).
+  // Two vertices at x = 8, left of the viewport, lie neither in it nor in a guard band of size 0;
+  // the edge from (38, 0) to (8, 30) runs through the sample at (26.5, 11.5).
   c.positions = {{-1.5F, -1, 0, 1}, {0.375F, -1, 0, 1}, {-1.5F, 0.875F, 0, 1}};
   EXPECT_NE(judged(32768, 26, 11).second, records::Verdict::permitted);
   EXPECT_EQ(judged(0, 26, 11).second, records::Verdict::permitted);

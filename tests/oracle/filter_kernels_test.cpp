@@ -94,7 +94,7 @@ TEST_P(FilterKernels, RowsAreClassifiedToTheBit) {
 }
 
 // Kills: a band that is smaller than the errors of the coefficients plus the roundings.
-TEST_P(FilterKernels, NoSampleIsOnTheOtherSideOfALineThatItIsClassifiedBy) {
+TEST_P(FilterKernels, ClassifySamplesOnTheRightSideOfLines) {
   Dice dice(1);
   int decided = 0;
   int near = 0;

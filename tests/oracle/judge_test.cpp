@@ -153,7 +153,7 @@ class JudgeUnder : public testing::Test {
 
 // Kills: requiring the sign of a zero although the contract does not promise it; not requiring the
 // sign of copied values.
-TEST_F(JudgeUnder, AContractWithoutSignsOfZeroAnyZeroIsRight) {
+TEST_F(JudgeUnder, AContractWithoutSignsOfZeroAcceptsEitherZero) {
   cases::Contract contract;
   contract.keeps_sign_of_zero = false;
   EXPECT_EQ(classes_of(contract, cases::Interpolation::smooth, -0.0F)[FragmentClass::correct], 1U);
@@ -163,7 +163,7 @@ TEST_F(JudgeUnder, AContractWithoutSignsOfZeroAnyZeroIsRight) {
 }
 
 // Kills: requiring a number although the contract promises nothing about the value.
-TEST_F(JudgeUnder, AContractWithoutABoundNaNIsNotJudged) {
+TEST_F(JudgeUnder, AContractWithoutABoundAcceptsNaN) {
   cases::Contract contract;
   const auto nan_of = [&] {
     return classes_of(contract, cases::Interpolation::smooth, kNan)[FragmentClass::not_a_number];

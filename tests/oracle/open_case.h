@@ -34,7 +34,7 @@ inline cases::Snapping open_snapping() {
   return snapping;
 }
 
-/// One triangle, usually of between a few and some dozen pixels, with attributes that vary by much,
+/// One triangle, usually of a few to several dozen pixels, with attributes that vary by much,
 /// by little or not at all.
 inline cases::Case open_case() {
   const int size = one_of({4, 9, 24});

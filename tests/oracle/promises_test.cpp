@@ -63,7 +63,7 @@ TEST(TrianglePromise, NotMadePermitsEverySampleOfTheTarget) {
   EXPECT_FALSE(TriangleTruth(scene, 1).is_value_free(0));
 }
 
-TEST(TrianglePromise, WhatIsNotMadeIsCountedAndAllElseJudged) {
+TEST(TrianglePromise, TrianglesWithoutAPromiseAreCountedAndOthersJudged) {
   const cases::Case c = two_triangles();
   const SceneTruth scene(c, without_the_first(c));
   cases::Fragments drawn;
@@ -84,7 +84,7 @@ TEST(TrianglePromise, WhatIsNotMadeIsCountedAndAllElseJudged) {
 }
 
 // Kills: a frame that is dropped, or whose pixels are all left open, because of one triangle.
-TEST(TrianglePromise, UnderADepthTestWhatShowsOthersStaysJudged) {
+TEST(TrianglePromise, UnderADepthTestSamplesOfOtherTrianglesAreJudged) {
   cases::Case c = two_triangles();
   c.depth_test = cases::DepthTest::less;
   const SceneTruth scene(c, without_the_first(c));

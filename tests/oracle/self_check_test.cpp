@@ -57,7 +57,7 @@ TEST_F(SelfCheckOf, AWrongAttributeNamesIt) {
             "oracle and referee differ at triangle 0, pixel (0, 0), sample 0: attribute 0");
 }
 
-TEST_F(SelfCheckOf, ASampleThatIsNotCoveredSaysSo) {
+TEST_F(SelfCheckOf, AnUncoveredSampleReportsTheDifference) {
   first_.place.x = 3;
   first_.place.y = 3;
   EXPECT_EQ(self_check(scene_, first_).value(),

@@ -28,7 +28,7 @@ std::pair<long, long> range(double coordinate, const Snapping& snapping) {
   return {r.first, r.last};
 }
 
-TEST(Candidates, OfANamedRoundingAreOne) {
+TEST(Candidates, HaveOneMemberForANamedRounding) {
   EXPECT_EQ(range(0.53125, {4, Rounding::nearest_even, 0}), std::pair(8L, 8L));    // 8.5 units
   EXPECT_EQ(range(0.59375, {4, Rounding::nearest_even, 0}), std::pair(10L, 10L));  // 9.5
   EXPECT_EQ(range(0.53125, {4, Rounding::half_up, 0}), std::pair(9L, 9L));
@@ -44,7 +44,7 @@ TEST(Candidates, OfAnUnspecifiedRoundingAreTheNeighbours) {
 }
 
 // Coordinates as near to a tie, or to the grid, as doubles allow.
-TEST(Candidates, BesideATieAreThoseOfItsSide) {
+TEST(Candidates, NextToATieFollowTheNearerSide) {
   const Snapping named{4, Rounding::nearest_even, 0};
   EXPECT_EQ(range(0.53125 - 0x1p-54, named), std::pair(8L, 8L));
   EXPECT_EQ(range(0.53125 + 0x1p-53, named), std::pair(9L, 9L));

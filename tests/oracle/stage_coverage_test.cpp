@@ -69,7 +69,7 @@ TEST(CoverageStage, IsTheDecisionOfATriangleWithoutATrace) {
   EXPECT_EQ(triangle.coverage_stage(3, 3, 0, true, nullptr), std::nullopt);
 }
 
-TEST(CoverageStage, IsNothingOfATraceOfAnotherDrawing) {
+TEST(CoverageStage, IsEmptyIfTheTraceIsOfAnotherDrawing) {
   const cases::Case c = traced_case();
   const SampleTrace trace = right_trace(c, 1, 1, true);
   const StageSplit triangle(c, c, cases::contract_of(c), 0);
@@ -163,7 +163,7 @@ TEST(CoverageStage, IsTheWeightsThatWereComputedWrong) {
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
 }
 
-TEST(CoverageStage, IsTheDecisionOfWhatIsNotOfTheTriangleAlone) {
+TEST(CoverageStage, IsCoverageForSamplesOutsideTheScissor) {
   cases::Case c = traced_case();
   c.scissor = cases::Scissor{2, 2, 2, 2};
   SampleTrace trace = right_trace(c, 1, 1, true);

@@ -50,7 +50,7 @@ TEST(QMatrixOfATriangle, HasTheWeightsOfAPerspectiveOne) {
   }
 }
 
-TEST(QMatrixOfATriangle, IsNotThereWhereItIsSeenEdgeOn) {
+TEST(QMatrixOfATriangle, IsEmptyIfTheTriangleIsSeenEdgeOn) {
   const cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {1, 1, 0, 1}, {0, 0, 0, 1}}});
   const SceneTruth scene(c, cases::contract_of(c));

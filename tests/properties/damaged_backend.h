@@ -1,7 +1,7 @@
 #pragma once
 
-// Backends that draw like the textbook method, whose contract leaves ties and snapping open, or
-// like another backend, and then go wrong in one way; and a case small enough to work out by hand
+// Backends that draw like another backend (by default method:rational-linear, whose contract leaves
+// ties and snapping open) and then go wrong in one way; and a case small enough to work out by hand
 // what each law has to find.
 
 #include <cstdint>

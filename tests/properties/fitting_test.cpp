@@ -67,7 +67,7 @@ TEST(RandomCases, AskForNothingThatIsLacking) {
   }
 }
 
-TEST(RandomCases, HaveNumbersThatSomethingIsPromisedOf) {
+TEST(RandomCases, UseOnlyNumbersThatTheBackendPromises) {
   const Capabilities has = of_a_driver();
   for (const Law& law : laws()) {
     for (std::uint64_t index = 0; index < 60; ++index) {
@@ -84,7 +84,7 @@ TEST(RandomCases, HaveNumbersThatSomethingIsPromisedOf) {
 }
 
 // The digests of these cases are approved (generators/digests_test.cpp).
-TEST(RandomCases, AreTheSameForWhoDrawsEverything) {
+TEST(RandomCases, AreUnchangedForBackendsWithoutLimits) {
   for (const Law& law : laws()) {
     for (std::uint64_t index = 0; index < 20; ++index) {
       Draw draw = draw_of(law, 3, index);

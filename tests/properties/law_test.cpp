@@ -137,7 +137,8 @@ TEST(Laws, OfCamerasAloneGetPositionsBeyondFloats) {
   EXPECT_TRUE(check_law(law, c, backend, 0).has_value());
 }
 
-// Laws that the textbook method promises are checked on it, and the others on `cpu`.
+// Laws about a property that method:rational-linear promises are checked on that method, and the
+// others on `cpu`.
 TEST(Laws, HoldOfTheSquare) {
   int checked = 0;
   for (const Law& law : laws()) {

@@ -348,8 +348,9 @@ TEST(ExactValues, FloorsOfConstantsAreTheirs) {
 
 // The three weights are an integer g of 53 bits, a number −1/2 + ε with ε between 2^-55 and 2^-54,
 // and almost 0. Their sum lies just above the middle between two doubles. The remainder after the
-// first quotient equals this sum, but ExactSum::nearest() rounds the two to different doubles, the
-// sum to the greater one. Kills: taking the floor of their quotient, 0, as the last step.
+// first quotient equals this sum, but ExactSum::nearest(), which is not always the nearest double,
+// returns different doubles for the two, the greater one for the sum. Kills: taking the floor of
+// their quotient, 0, as the last step.
 TEST(ExactValues, AFloorAsksWhetherAWholeDenominatorIsLeft) {
   const Corners first{glm::vec4{-0x1.dc4p-108F, -0x1p-61F, 0, 1},
                       {0x1.6e278ep-1F, -0x1.4f0b76p-37F, 0, 1},

@@ -237,7 +237,7 @@ TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
   }
 }
 
-// Writes to a framebuffer that is larger than the caches bypass the caches. Kills: numbers across
+// If a framebuffer is larger than the caches, stores to it bypass the caches. Kills: numbers across
 // the border of two cache lines left out; lines written that belong to another row.
 TEST_P(DrawOnTarget, LeavesTheSameWhereFramebuffersAreLarge) {
   const OnTarget target(GetParam());

@@ -52,7 +52,7 @@ TEST(Simd, EachTargetIsUsedAsLongAsItIsAskedFor) {
   EXPECT_TRUE(used.contains(best));
 }
 
-TEST(Simd, NothingChangesForWhatThereIsNot) {
+TEST(Simd, UnknownTargetsChangeNothing) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   const std::size_t best = index_in_use();
   for (const char* name : {"", "mmx", "SSE4", "unknown"}) {

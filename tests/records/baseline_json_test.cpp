@@ -72,7 +72,7 @@ TEST(BaselineJson, NamesAPluginByItsPathHoweverWritten) {
   EXPECT_EQ(read->sections[0].key.backend, "plugin:p.so");
 }
 
-TEST(BaselineJson, OfNothingIsRead) {
+TEST(BaselineJson, ReadsAnEmptyBaseline) {
   const Result<Baseline> read = parse_baseline(to_json({}), "b.json");
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, Baseline());

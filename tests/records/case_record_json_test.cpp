@@ -59,7 +59,7 @@ TEST(CaseRecordJson, IsReadBack) {
 }
 
 // Members that most cases do not have take no space.
-TEST(CaseRecordJson, LeavesOutWhatThereIsNot) {
+TEST(CaseRecordJson, OmitsAbsentMembers) {
   const json second = cases::json_of(two_cases()).at(1);
   EXPECT_EQ(second.size(), 8U);
   for (const char* key : {"name", "mismatches", "worst"}) EXPECT_FALSE(second.contains(key)) << key;

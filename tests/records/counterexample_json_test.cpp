@@ -77,7 +77,7 @@ TEST(CounterexampleToJson, WritesTheFormat) {
   EXPECT_EQ(written.size(), 7U);
 }
 
-TEST(CounterexampleToJson, LeavesOutWhatThereIsNot) {
+TEST(CounterexampleToJson, OmitsAbsentMembers) {
   EXPECT_EQ(cases::json_of(Counterexample()).size(), 4U);
 }
 

@@ -99,7 +99,7 @@ TEST(InspectionToJson, WritesTheFormat) {
     "coverage_stage": "snap"})"));
 }
 
-TEST(InspectionToJson, LeavesOutWhatThereIsNot) {
+TEST(InspectionToJson, OmitsAbsentMembers) {
   const json written = cases::json_of(Inspection());
   for (const char* key : {"kind", "stratum", "attribute", "q_matrix", "coverage_stage"}) {
     EXPECT_FALSE(written.contains(key)) << key;

@@ -79,7 +79,7 @@ TEST(KnownJson, OfNoDriverMayLackRulesAndLaws) {
 }
 
 // Kills: a waiver that never ends, because its last day does not exist.
-TEST(KnownJson, IsRefusedWithADayThatThereIsNot) {
+TEST(KnownJson, RefusesInvalidDates) {
   for (const char* const day : {"2027-02-29", "2027-13-01", "27-01-01", "2027-1-1", "2027-01-0x"}) {
     json document = json::parse(kWaivers);
     document["entries"][0]["until"] = day;

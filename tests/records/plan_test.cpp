@@ -35,8 +35,9 @@ TEST(ReplayWords, AreThoseOfDrawingAndKnowing) {
                           "mine.json", "--timeout", "0.5"));
 }
 
-// Kills: comparing settings with a baseline that are only recorded and decide nothing.
-TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
+// Kills: a comparison with a baseline that includes settings which are only recorded and decide
+// nothing.
+TEST(Frozen, KeepsOnlySettingsThatDecideResults) {
   Plan expected;
   expected.seed = 7;
   expected.cases_per_law = 12;

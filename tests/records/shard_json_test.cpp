@@ -23,7 +23,7 @@ TEST(ShardJson, ComesBackAsItWas) {
 }
 
 // Kills: writing keys that have no content.
-TEST(ShardJson, LeavesOutWhatThereIsNot) {
+TEST(ShardJson, OmitsAbsentMembers) {
   const json document = cases::json_of(Shard());
   EXPECT_EQ(document.size(), 3U);
 }

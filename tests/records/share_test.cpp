@@ -29,7 +29,7 @@ TEST(ShareText, IsInPercent) {
 }
 
 // Kills: "0%" of something that exists; "100%" of something that is not everything.
-TEST(ShareText, IsNeitherNoneNorAllOfWhatIsNot) {
+TEST(ShareText, IsExactly0Or100PercentOnlyForNoneOrAll) {
   EXPECT_EQ(share_text(1, kMost), "0.0000000000000000054%");
   EXPECT_EQ(share_text(kMost - 1, kMost), "99.9999999999999999946%");
   EXPECT_EQ(share_text(1, 201), "0.5%");

@@ -12,7 +12,7 @@ TEST(LargestPart, IsTheFirstOfTheGreatestMagnitude) {
   EXPECT_EQ(largest_part(split), Stage::weights);
 }
 
-TEST(LargestPart, IsNothingWhereThereIsNoError) {
+TEST(LargestPart, IsEmptyWithoutErrors) {
   ErrorSplit split;
   EXPECT_EQ(largest_part(split), std::nullopt);
   split.parts = {{Stage::set_up, {0, 0}}, {Stage::rounding, {0, 0}}};

@@ -11,7 +11,7 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
-/// The most pipelines that are kept: for each one, a driver has some hundred kilobytes of code.
+/// The most pipelines that are kept: for each one, a driver has several hundred kilobytes of code.
 constexpr std::size_t kKept = 128;
 
 // Locations of shaders/case.vert.

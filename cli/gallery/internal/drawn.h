@@ -13,7 +13,7 @@
 namespace rastercheck::gallery {
 
 struct DrawnScene {
-  std::string method;        ///< the backend's specification, or a name in its place
+  std::string method;        ///< the backend's specification, or a name used instead
   std::string missing;       ///< why nothing was drawn; empty if drawn
   cases::Case scene;         ///< in clip positions
   cases::Contract contract;  ///< decides what is a violation

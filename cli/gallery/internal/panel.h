@@ -28,7 +28,7 @@ struct ErrorUnit {
   double per_one = 0;
 };
 ErrorUnit in_ulp();
-ErrorUnit in_texels();  ///< of a texture of kTexels · kTexels
+ErrorUnit in_texels();  ///< texels of a texture of kTexels × kTexels
 ErrorUnit in_levels();
 
 inline constexpr int kTexels = 256;

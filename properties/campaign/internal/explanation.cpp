@@ -103,7 +103,7 @@ DrawnParts parts_to_put_right(const Experiment& experiment, const cases::Case& c
 
 /// Returns the case with a framebuffer that shows more of its triangles.
 cases::Case with_room(cases::Case c) {
-  constexpr int kRoom = 32;  // pixels; a triangle that fills them has some hundred samples
+  constexpr int kRoom = 32;  // pixels; a triangle may have several hundred samples
   c.framebuffer.width = std::max(c.framebuffer.width, kRoom);
   c.framebuffer.height = std::max(c.framebuffer.height, kRoom);
   return c;

@@ -51,10 +51,10 @@ double short_factor(Draw& draw);
 void add_close_edge(Draw& draw, cases::Case& c);
 
 /// Adds a triangle as thin as the spacing of floats, with a sample strictly inside, at weights 1 :
-/// 1 : 1. Two corners appear at the same point up to ±t in x or in y, with an exponent of t in
-/// `thickness`; the third corner is the sample's homogeneous position, times a factor, minus the
-/// other two corners. At the sample, values are means of the corners' values, but arithmetic in
-/// double cannot show this.
+/// 1 : 1. Two corners appear at points that differ only in x or in y: the clip coordinate is t and
+/// −t, with an exponent of t from `thickness`. The third corner is the sample's homogeneous
+/// position, times a factor, minus the other two corners. At the sample, values are means of the
+/// corners' values, but arithmetic in double cannot show this.
 void add_needle(Draw& draw, cases::Case& c, const Exponents& thickness = kTiny);
 
 /// Adds three corners in one plane with the eye: the third is m a + n b with small integers m and

@@ -33,9 +33,8 @@ std::optional<std::array<float, 2>> split_in_two(Draw& draw, double total);
 
 /// Like split_in_two(), but returns three floats.
 std::optional<std::array<float, 3>> split_in_three(Draw& draw, double total);
-/// Returns `total` and two opposite numbers, smaller than `total` by a factor of 2^-24 to 2^-56. No
-/// double holds the sum of such a number and one as large as `total`. Returns nothing if `total` is
-/// not a float.
+/// Returns `total` and two opposite numbers of about 2^-56 to 2^-24 times its size. No double holds
+/// the sum of such a number and one as large as `total`. Returns nothing if `total` is not a float.
 std::optional<std::array<float, 3>> split_off_opposites(Draw& draw, double total);
 
 /// Moves the nonzero number with the smallest magnitude by one float, up or down with equal chance.

@@ -43,8 +43,8 @@ inline constexpr const char* kDrawnBefore = "required: the other drawing has it"
 /// Matches the fragments of two drawings by place, whatever their order. Calls
 ///
 ///   both(place, i, j)          if both have one there: number i of `before`, number j of `now`
-///   extra(place, j, expected)  if `before` has none there, or number j is a second one of `now`;
-///                              `expected` says which
+///   extra(place, j, expected)  if `before` has none there, or if number j is the second one of
+///                              `now` there; `expected` is the text for that reason
 ///   missing(place)             if only `before` has one there; called after the other two
 template <typename Both, typename Extra, typename Missing>
 void visit_places(const cases::Fragments& before, const cases::Fragments& now, const Both& both,

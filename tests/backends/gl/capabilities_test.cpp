@@ -43,9 +43,7 @@ Capabilities all_there() {
   return has;
 }
 
-TEST(Capabilities, OfACaseWithNothingSpecialLackNothing) {
-  EXPECT_EQ(lacks(all_there(), small_case()), "");
-}
+TEST(Capabilities, SufficeForAPlainCase) { EXPECT_EQ(lacks(all_there(), small_case()), ""); }
 
 TEST(Capabilities, NameWhatIsLacking) {
   const auto expect = [](const Capabilities& has, const cases::Case& c, const std::string& what) {

@@ -51,7 +51,7 @@ std::vector<std::vector<std::uint64_t>> places_of(const std::vector<Counterexamp
 TEST(CausesOf, NothingIsNoCause) { EXPECT_THAT(causes_of({}), IsEmpty()); }
 
 // Kills: a separate cause for each law.
-TEST(CausesOf, WhatIsWrongInTheSamePartIsOneCause) {
+TEST(CausesOf, FaultsInTheSamePartShareOneCause) {
   const std::vector<records::Cause> causes =
       causes_of({one("a", FragmentClass::missing, explained({kCoverage}, {})),
                  one("b", FragmentClass::extra, explained({kCoverage}, {})),
@@ -74,7 +74,7 @@ TEST(CausesOf, OtherPartsAreOtherCausesTheLargestFirst) {
 
 // Kills: two faults of one part merged into one, although each needs a condition that the other
 // does without.
-TEST(CausesOf, EachNeedsSomethingOfItsOwn) {
+TEST(CausesOf, DifferentNeedsSeparateCauses) {
   const records::Explanation tie = explained({kCoverage}, {"tie"}, {"near plane"});
   const records::Explanation near = explained({kCoverage}, {"near plane"}, {"tie"});
   const std::vector<Counterexample> all{
@@ -90,7 +90,7 @@ TEST(CausesOf, EachNeedsSomethingOfItsOwn) {
 }
 
 // A single law may hold by chance after something is removed.
-TEST(CausesOf, OneLawAloneIsNotEnoughForThat) {
+TEST(CausesOf, DifferentNeedsOfASingleLawDoNotSeparateCauses) {
   const records::Explanation tie = explained({kCoverage}, {"tie"}, {"near plane"});
   const records::Explanation near = explained({kCoverage}, {"near plane"}, {"tie"});
   EXPECT_EQ(causes_of({one("a", FragmentClass::missing, tie), one("b", FragmentClass::missing, tie),
@@ -99,7 +99,7 @@ TEST(CausesOf, OneLawAloneIsNotEnoughForThat) {
             1U);
 }
 
-TEST(CausesOf, WhatNeedsAScissorIsApartFromWhatDoesWithout) {
+TEST(CausesOf, NeedingAScissorSeparatesCauses) {
   const records::Explanation scissor = explained({kCoverage}, {"scissor"});
   const records::Explanation without = explained({kCoverage}, {}, {"tie"});
   EXPECT_THAT(
@@ -109,7 +109,7 @@ TEST(CausesOf, WhatNeedsAScissorIsApartFromWhatDoesWithout) {
 }
 
 // Kills: a condition that was kept on purpose, counted as a need.
-TEST(CausesOf, WhatIsKeptOfEachConditionSaysNothingOfNeeds) {
+TEST(CausesOf, NeedsImpliedByTheConditionDoNotSeparateCauses) {
   std::vector<Counterexample> all;
   for (const char* law : {"a", "b"}) {
     all.push_back(one(law, FragmentClass::missing, explained({kCoverage}, {"samples"}, {"tie"})));
@@ -121,7 +121,7 @@ TEST(CausesOf, WhatIsKeptOfEachConditionSaysNothingOfNeeds) {
 }
 
 // Kills: a law about pictures counted as a separate cause although its fragments are wrong.
-TEST(CausesOf, WhatIsMadeOfWrongFragmentsIsOfTheirCause) {
+TEST(CausesOf, WrongPicturesShareTheCauseOfTheirFragments) {
   records::Explanation picture = explained({}, {});
   picture.wrong = {kCoverage};
   EXPECT_THAT(places_of({one("a", FragmentClass::missing, explained({kCoverage}, {})),
@@ -205,7 +205,7 @@ TEST(CausesOf, GivesTheChangeThatMakesMostDrawingsRight) {
 }
 
 // Kills: an upside-down picture reported as two faults, of coverage and of values.
-TEST(CausesOf, WhatOneChangeMakesRightIsOneCause) {
+TEST(CausesOf, CasesThatOneChangeMendsShareOneCause) {
   Counterexample values = hinted("a", {{"y points in the other direction"}});
   values.explanation->parts = {kValues};
   const Counterexample coverage = hinted("b", {{"y points in the other direction"}});
@@ -228,7 +228,7 @@ TEST(CausesOf, TheFirstOfACauseShowsWhatItsSentenceSays) {
 }
 
 // Kills: a state left over from an earlier drawing, reported as a separate fault for each class.
-TEST(CausesOf, WhatDoesNotFailAgainIsOneCause) {
+TEST(CausesOf, CasesThatDoNotFailAgainShareOneCause) {
   records::Explanation held;
   held.fails_again = false;
   const std::vector<Counterexample> all{
@@ -242,7 +242,7 @@ TEST(CausesOf, WhatDoesNotFailAgainIsOneCause) {
 
 // If a lost depth clamp cuts off a triangle, the triangle's values are wrong too: they belong to
 // the clamp's cause.
-TEST(CausesOf, OneThatNeedsWhatAnotherGroupDoesIsOfThat) {
+TEST(CausesOf, ACaseMovesToTheGroupWithTheSameNeeds) {
   const records::Explanation clamped = explained({kCoverage}, {"depth clamp"});
   const records::Explanation values = explained({kValues}, {}, {"tie"});
   EXPECT_THAT(

@@ -117,7 +117,7 @@ TEST(FirstToRead, IsOfTheCaseAsItStandsAndSmall) {
 
 // Kills: a wrong fill rule, visible as one sample in every mesh, shown after a sample that floats
 // cannot decide.
-TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
+TEST(FirstToRead, PrefersFaultsOfLogicToFaultsOfRounding) {
   const auto one = [](double distance, std::size_t triangles) {
     Counterexample counterexample;
     counterexample.source.found =

@@ -148,7 +148,7 @@ TEST(HintsOf, AreOfThePartsInQuestion) {
 // Kills: reporting a change under which the correct drawing would be right, too, so that it
 // explains nothing. With centroids this is so: a centroid may be any point of a covered pixel, so
 // values at samples and at centres are both right.
-TEST(HintsOf, AChangeThatTellsNothingApartIsNone) {
+TEST(HintsOf, OmitsChangesUnderWhichTheRightDrawingIsRight) {
   cases::Case c = scene();
   c.framebuffer.samples = 4;
   c.positions = {{-4, -4, 0.5F, 1}, {12, -4, 0.5F, 1}, {-4, 12, 0.5F, 1}, {0, 0, 0.5F, 1}};
@@ -159,7 +159,7 @@ TEST(HintsOf, AChangeThatTellsNothingApartIsNone) {
   EXPECT_THAT(backend.hints(c), Optional(ElementsAre("attributes are taken at centres")));
 }
 
-TEST(HintsOf, WhatNothingIsPromisedOfIsNotWrong) {
+TEST(HintsOf, NothingIsWrongWithoutAPromise) {
   DamagedBackend backend(
       [](const cases::Case& /*c*/, cases::Fragments& drawn) {
         for (float& value : drawn.attributes) value += 0.5F;

@@ -127,7 +127,7 @@ TEST(KnownDefects, DoNotExplainWhatElseIsWrongWithACase) {
 }
 
 // Kills: shrinking a new failure into a known one, which is smaller here because it has no scissor.
-TEST(KnownDefects, AreNotWhatANewFailureIsShrunkTo) {
+TEST(KnownDefects, NewFailuresAreNotShrunkIntoKnownOnes) {
   KnownDefects known = known_defects(*driver());
   known.defects[0].entry.when.facts = {{records::KnownFact::scissor, false}};
   DamagedBackend backend([](const auto&, auto& d) {

@@ -34,7 +34,7 @@ records::Power measured(const records::Plan& plan, const std::string& law,
 }
 
 // Kills: a wrong share, such as all cases or none; sabotaged cases of laws that draw twice.
-TEST(IsSabotaged, IsOneInSoManyOfTwoLaws) {
+TEST(IsSabotaged, SelectsTheRequestedShareOfTwoLaws) {
   records::Plan plan = plan_of({kCoverage, kValues});
   const auto count = [&plan](const std::string& law) {
     int sabotaged = 0;

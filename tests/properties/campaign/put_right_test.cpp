@@ -107,7 +107,7 @@ TEST_F(PutRight, OfNoPartChangesNothing) {
   EXPECT_EQ(drawn_.size(), size);
 }
 
-// Kills: correcting a fault that is not known together with one that is.
+// Kills: correcting a fault that was not asked for along with one that was.
 TEST_F(PutRight, LeavesWhatIsNotMeant) {
   erase_first();
   drawn_.depth.back() = 7;

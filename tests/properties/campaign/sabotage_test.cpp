@@ -69,7 +69,8 @@ TEST_F(SabotageTest, AreInTheOrderOfTheirDefects) {
   }
 }
 
-// Kills: an extra sample given to the judge twice; a lost sample that others stand in for.
+// Kills: an extra sample that adds several fragments; a missing sample whose place keeps another
+// fragment.
 TEST_F(SabotageTest, OneSampleIsOne) {
   const std::size_t count = drawn(cases::ClipCase(case_))->size();
   EXPECT_EQ(damaged(of(Defect::extra_16th))->size(), count + 1);

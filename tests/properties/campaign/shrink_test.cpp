@@ -224,7 +224,7 @@ TEST(Shrink, StaysWithinItsLimits) {
 }
 
 // Kills: returning a case that does not fail; returning the check of another case.
-TEST(Shrink, GivesBackWhatNothingSmallerFailsLike) {
+TEST(Shrink, ReturnsTheCaseIfNoSmallerOneFails) {
   const cases::Case c = full_case();
   int checks = 0;
   const FailsAlike fails = [&checks](const cases::Case&) {

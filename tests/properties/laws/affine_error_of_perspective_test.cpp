@@ -64,7 +64,7 @@ TEST(AffineError, SaysNothingWhereSomeWIsNotPositive) {
   EXPECT_FALSE(check_of(kLaw, c, {}, "method:screen-linear").is_applicable);
 }
 
-TEST(AffineError, SaysNothingOfWhatClaimsPerspective) {
+TEST(AffineError, DoesNotApplyToMethodsInPerspective) {
   EXPECT_FALSE(checked_with(2, "cpu").is_applicable);
 }
 

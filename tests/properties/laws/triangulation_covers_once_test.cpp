@@ -127,7 +127,7 @@ TEST(Triangulation, OfTiesLeftOpenIsHeldWhereTwoMeet) {
   EXPECT_EQ(checked(screen(), twice(4), kTextbook).violation_count, 0U);
 }
 
-TEST(Triangulation, SaysNothingOfWhatIsNone) {
+TEST(Triangulation, DoesNotApplyToOtherMeshes) {
   const auto is_applicable = [](const Case& c) { return checked(c, {}).is_applicable; };
   EXPECT_TRUE(is_applicable(screen()));
   EXPECT_FALSE(is_applicable(square()));  // its outline is the viewport's border

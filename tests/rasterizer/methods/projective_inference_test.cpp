@@ -152,7 +152,7 @@ double promised(State& state, const std::vector<float>& values) {
 //   r = 3, 7, 3             not paired: κ = 4²/4²
 //   det = 2^-20             neither paired, the first with κ = 2²/2
 //   all equal               only roundings to float32
-TEST(ProjectiveInference, PromisesWhatTheTextureIsGoodFor) {
+TEST(ProjectiveInference, PromiseDependsOnTheTexture) {
   State state = small_state(8, 8);
   EXPECT_DOUBLE_EQ(promised(state, {0, 0, 1, 0, 0, 1}), 400.0 / 3);
   EXPECT_DOUBLE_EQ(promised(state, {4096, 0, 4097, 0, 4096, 1}), 400.0 / 3);
