@@ -144,11 +144,14 @@ def shade(draw, triangle, sample, centroid):
         if interpolation == "flat":
             values.append(draw.values[provoking][i])
             continue
-        weights = [float(edge) for edge in triangle.at(*(centroid if location == "centroid" else sample))]
+        place = centroid if location == "centroid" else sample
+        weights = [float(edge) for edge in triangle.at(*place)]
         if interpolation == "smooth":
             weights = [weight / w for weight, w in zip(weights, triangle.w)]
-        corners = [draw.values[vertex][i] for vertex in triangle.vertices]
-        values.append(sum(r * weight for r, weight in zip(corners, weights)) / sum(weights))
+        r = [draw.values[vertex][i] for vertex in triangle.vertices]
+        # Not by sum(), which begins with +0 and so loses the sign of -0.
+        total = r[0] * weights[0] + r[1] * weights[1] + r[2] * weights[2]
+        values.append(total / (weights[0] + weights[1] + weights[2]))
     return values
 
 
