@@ -167,10 +167,8 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
     if (scene->contract().has_open_viewport()) open_viewport();
     may_turn = ideal.orientation() == 0 || !has_points_deeper_than(moved_alone);
   } else {
-    for (std::size_t i = 0; i < 3; ++i) {
-      extreme_columns_[i] = placed_columns(*snapped[i], snapping.subpixel_bits, true);
-    }
-    corners_.resize(corner_count());
+    corner_count_ = 1;
+    for (const auto& vertex : snapped) corner_count_ *= vertex->extreme_placements();
   }
   has_open_sides = sign_of(side_reach) > 0 && scene->has_samples_within(near_double(side_reach));
   for (std::size_t i = 0; i < 3; ++i) edge_bands[i] = band_of(ideal.edge(i), reach);
@@ -192,12 +190,15 @@ void TriangleSetup::open_viewport() {
   side_reach = grown * side_reach + Ring(error);
 }
 
-std::size_t TriangleSetup::corner_count() const {
-  return extreme_columns_[0].size() * extreme_columns_[1].size() * extreme_columns_[2].size();
-}
-
 const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
-  std::optional<ProjectiveMap>& map = corners_[number];
+  if (corners_.empty()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      extreme_columns_[i] =
+          placed_columns(*snapped[i], scene->contract().coverage->subpixel_bits, true);
+    }
+    corners_.resize(corner_count_);
+  }
+  std::unique_ptr<const ProjectiveMap>& map = corners_[number];
   if (!map) {
     // The number has three digits, one per vertex. The second and third digits count from the
     // first, so the lowest numbers choose the same extreme for all three vertices.
@@ -205,8 +206,9 @@ const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
     const std::size_t first = number % choices[0].size();
     const std::size_t second = number / choices[0].size() % choices[1].size();
     const std::size_t third = number / choices[0].size() / choices[1].size();
-    map.emplace(std::array{choices[0][first], choices[1][(first + second) % choices[1].size()],
-                           choices[2][(first + third) % choices[2].size()]});
+    map = std::make_unique<const ProjectiveMap>(
+        std::array{choices[0][first], choices[1][(first + second) % choices[1].size()],
+                   choices[2][(first + third) % choices[2].size()]});
   }
   return *map;
 }
