@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "oracle/internal/float_ulp.h"
+#include "oracle/internal/next_double.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/ulp.h"
@@ -54,6 +55,11 @@ bool is_required(const records::SampleVerdict& decision) {
 
 }  // namespace
 
+const DepthFilter& PreparedTriangles::Prepared::depths() const {
+  if (!depth_filter) depth_filter = std::make_shared<const DepthFilter>(truth->setup(), *filter);
+  return *depth_filter;
+}
+
 const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle) {
   const auto found = prepared_.find(triangle);
   if (found != prepared_.end()) return found->second;
@@ -61,7 +67,11 @@ const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle)
   auto truth = std::make_shared<const TriangleTruth>(*scene_, triangle);
   auto filter =
       std::make_shared<const TriangleFilter>(truth->setup(), truth->setup().pixels(), first_level_);
-  return prepared_[triangle] = {std::move(truth), std::move(filter)};
+  return prepared_[triangle] = {std::move(truth), std::move(filter), nullptr};
+}
+
+void PreparedTriangles::forget_rows_before(int y) {
+  std::erase_if(prepared_, [y](const auto& entry) { return entry.second.filter->box().y1 <= y; });
 }
 
 NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles,
@@ -92,15 +102,14 @@ Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
     if (!exact) return {kNoDepth, kNoDepth};
     depth = {exact->lo.enclosure().lo, exact->hi.enclosure().hi};
   }
-  return {std::nextafter(depth->lo - slack, -kFarthest),
-          std::nextafter(depth->hi + slack, kFarthest)};
+  return {next_below(depth->lo - slack), next_above(depth->hi + slack)};
 }
 
 void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
   const PreparedTriangles::Prepared& prepared = triangles_->of(triangle);
   if (prepared.filter->is_empty()) return;
   const TriangleSetup& setup = prepared.truth->setup();
-  const DepthFilter depths(setup, *prepared.filter);
+  const DepthFilter& depths = prepared.depths();
   const double slack =
       prepared.truth->is_value_free(std::nullopt) ? kNoDepth : near_depth_slack(setup);
   const cases::FramebufferSize& size = scene_->source().framebuffer;

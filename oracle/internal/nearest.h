@@ -26,12 +26,18 @@ class PreparedTriangles {
   struct Prepared {
     std::shared_ptr<const TriangleTruth> truth;
     std::shared_ptr<const TriangleFilter> filter;
+    mutable std::shared_ptr<const DepthFilter> depth_filter;  ///< made when first asked for
+
+    const DepthFilter& depths() const;
   };
 
   PreparedTriangles(const SceneTruth& scene, Level first) : scene_(&scene), first_level_(first) {}
 
   /// Prepares the triangle unless cached. The reference holds until the next call.
   const Prepared& of(std::uint32_t triangle);
+
+  /// Drops the triangles that have no pixels in row y or beyond it.
+  void forget_rows_before(int y);
 
  private:
   static constexpr std::size_t kMost = 8192;

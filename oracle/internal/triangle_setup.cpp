@@ -139,7 +139,8 @@ bool TriangleSetup::has_points_deeper_than(const Ring& distance) const {
 
 bool TriangleSetup::is_beyond_guard_band(std::size_t vertex) const {
   const RingVector3& column = columns[vertex];
-  const auto [lo, hi] = guard_band_box(*scene);
+  const Point& lo = scene->guard_band_lo();
+  const Point& hi = scene->guard_band_hi();
   return column[0] < lo.u * column[2] || column[0] > hi.u * column[2] ||
          column[1] < lo.v * column[2] || column[1] > hi.v * column[2];
 }
@@ -412,26 +413,8 @@ ConvexRegion box_around(const Point& p, const Ring& reach) {
   return {Point{p.u - reach, p.v - reach}, Point{p.u + reach, p.v + reach}};
 }
 
-std::pair<Point, Point> guard_band_box(const Scene& scene) {
-  const Ring band = exact_ring(scene.contract().guard_band);
-  Point lo = scene.viewport_lo();
-  Point hi = scene.viewport_hi();
-  // If viewport and guard band do not overlap along an axis, a vertex between them lies in neither,
-  // so along this axis the box stays that of the viewport.
-  if (lo.u <= band && hi.u >= -band) {
-    lo.u = std::min(-band, lo.u);
-    hi.u = std::max(band, hi.u);
-  }
-  if (lo.v <= band && hi.v >= -band) {
-    lo.v = std::min(-band, lo.v);
-    hi.v = std::max(band, hi.v);
-  }
-  return {lo, hi};
-}
-
 ConvexRegion guard_band_of(const Scene& scene) {
-  const auto [lo, hi] = guard_band_box(scene);
-  return {lo, hi};
+  return {scene.guard_band_lo(), scene.guard_band_hi()};
 }
 
 }  // namespace rastercheck::oracle

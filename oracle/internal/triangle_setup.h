@@ -185,9 +185,7 @@ struct TriangleSetup {
 
 /// The closed square of half-width `reach` around a point.
 ConvexRegion box_around(const Point& p, const Ring& reach);
-/// The corners of the closed box in which a contract leaves vertices unclipped. Along each axis,
-/// the box is the viewport, extended to the guard band if viewport and guard band overlap there.
-std::pair<Point, Point> guard_band_box(const Scene& scene);
+/// The box of Scene::guard_band_lo() and guard_band_hi().
 ConvexRegion guard_band_of(const Scene& scene);
 
 }  // namespace rastercheck::oracle
