@@ -80,8 +80,9 @@ class NearestBand {
   /// compared as precisely as a backend can know them. One of two depths is certainly nearer if
   /// they stay apart after each is moved towards the other by the contract's depth bound, and then
   /// on to the next step of the depth test's format. Which of two equal depths was drawn first is
-  /// not judged. A fragment not certainly nearer than the depth buffer's initial value need not be
-  /// drawn.
+  /// judged only if the contract keeps equal depths (cases::Contract::keeps_equal_depth) and both
+  /// triangles lie in one plane of constant depth: the second then fails the test. A fragment not
+  /// certainly nearer than the depth buffer's initial value need not be drawn.
   void for_each_answer(const Take& take);
 
  private:
