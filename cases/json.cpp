@@ -187,7 +187,9 @@ std::string printable(std::string_view text) {
 }
 
 std::string child_pointer(const std::string& parent, std::string_view key) {
-  std::string pointer = parent + "/";
+  std::string pointer;
+  pointer.reserve(parent.size() + 1 + key.size());
+  pointer.append(parent).append(1, '/');
   for (const char c : one_line(key)) {
     if (c == '~') {
       pointer += "~0";

@@ -92,7 +92,12 @@ std::vector<std::string> JsonNode::keys() const {
 }
 
 JsonNode JsonNode::element(std::size_t i) const {
-  return {(*value_)[i], child_pointer(pointer_, std::to_string(i)), *error_, *file_};
+  // Like child_pointer(), without looking for what digits never need: escapes.
+  const std::string index = std::to_string(i);
+  std::string pointer;
+  pointer.reserve(pointer_.size() + 1 + index.size());
+  pointer.append(pointer_).append(1, '/').append(index);
+  return {(*value_)[i], std::move(pointer), *error_, *file_};
 }
 
 std::vector<JsonNode> JsonNode::elements() const {

@@ -1,7 +1,6 @@
 #include "oracle/picture_truth.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "oracle/internal/floating_point.h"
@@ -23,8 +22,8 @@ struct Seen {
 /// The answers of a band of rows: candidates and values in flat lists, found triangle by triangle.
 class BandAnswers {
  public:
-  BandAnswers(const SceneTruth& scene, int y0, int y1)
-      : scene_(&scene), y0_(y0), y1_(y1), triangles_(scene, Level::filter) {
+  BandAnswers(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles)
+      : scene_(&scene), y0_(y0), y1_(y1), triangles_(&triangles) {
     const cases::FramebufferSize& size = scene.source().framebuffer;
     samples_ = static_cast<std::size_t>(size.samples);
     row_samples_ = static_cast<std::size_t>(size.width) * samples_;
@@ -35,18 +34,18 @@ class BandAnswers {
   /// Finds the candidates by drawing all triangles of these rows.
   void find_candidates(std::span<const PixelBox> boxes) {
     if (scene_->source().depth_test == cases::DepthTest::none) {
-      fill(LatestBand(*scene_, y0_, y1_, triangles_), boxes);
+      fill(LatestBand(*scene_, y0_, y1_, *triangles_), boxes);
       return;
     }
     // Depths of open placements are slow to compare, and seldom told apart.
     const auto comparison = scene_->contract().is_unspecified() ? NearestBand::Comparison::enclosed
                                                                 : NearestBand::Comparison::exact;
-    fill(NearestBand(*scene_, y0_, y1_, triangles_, comparison), boxes);
+    fill(NearestBand(*scene_, y0_, y1_, *triangles_, comparison), boxes);
   }
 
   /// Finds the samples that several triangles may be drawn at.
   void find_overlaps(std::span<const PixelBox> boxes) {
-    LayerBand band(*scene_, y0_, y1_, triangles_);
+    LayerBand band(*scene_, y0_, y1_, *triangles_);
     for (std::uint32_t t = 0; t < boxes.size(); ++t) {
       if (boxes[t].y0 < y1_ && boxes[t].y1 > y0_) band.add(t);
     }
@@ -56,18 +55,14 @@ class BandAnswers {
   /// Finds the values of all candidates.
   void find_values(const std::vector<bool>& is_wanted) {
     const std::size_t width = is_wanted.size();
-    std::vector<std::uint32_t> order(seen_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-      return std::pair(seen_[a].triangle, a) < std::pair(seen_[b].triangle, b);
-    });
+    const std::vector<std::uint32_t> order = order_by_triangle();
     values_.resize(seen_.size() * width);
     ValueRanges ranges(*scene_, is_wanted);
     std::vector<SampleAt> places;
     std::vector<ValueSpan> spans(kBatchSize * width);
     for (std::size_t begin = 0; begin < order.size();) {
       const std::uint32_t triangle = seen_[order[begin]].triangle;
-      const PreparedTriangles::Prepared prepared = triangles_.of(triangle);
+      const PreparedTriangles::Prepared prepared = triangles_->of(triangle);
       ranges.begin(*prepared.truth, *prepared.filter);
       while (begin < order.size() && seen_[order[begin]].triangle == triangle) {
         places.clear();
@@ -110,6 +105,20 @@ class BandAnswers {
   }
 
  private:
+  /// The indices of the candidates, in ascending order of triangles.
+  std::vector<std::uint32_t> order_by_triangle() const {
+    // A triangle and an index in one number are compared without looking up the candidate.
+    std::vector<std::uint64_t> keys(seen_.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      keys[i] = std::uint64_t{seen_[i].triangle} << 32U | i;
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> order(keys.size());
+    std::transform(keys.begin(), keys.end(), order.begin(),
+                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+    return order;
+  }
+
   template <typename Band>
   void fill(Band band, std::span<const PixelBox> boxes) {
     records::LevelCounts unused;
@@ -133,7 +142,7 @@ class BandAnswers {
   const SceneTruth* scene_;
   int y0_;
   int y1_;
-  PreparedTriangles triangles_;
+  PreparedTriangles* triangles_;
   std::size_t samples_ = 1;
   std::size_t row_samples_ = 0;
   std::vector<Seen> seen_;
@@ -162,8 +171,10 @@ void PictureTruth::for_each_pixel_of_rows(int y0, int y1, const TakePixel& take)
   const DefaultFloatingPoint floating_point;
   const std::vector<PixelBox> boxes = boxes_of_triangles(*scene_);
   const int height = rows_of_band(scene_->source().framebuffer);
+  PreparedTriangles triangles(*scene_, Level::filter);
   for (int y = y0; y < y1; y += height) {
-    BandAnswers band(*scene_, y, std::min(y + height, y1));
+    triangles.forget_rows_before(y);
+    BandAnswers band(*scene_, y, std::min(y + height, y1), triangles);
     band.find_candidates(boxes);
     if (layers_ == Layers::all) band.find_overlaps(boxes);
     band.find_values(is_wanted_);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "oracle/internal/float_ulp.h"
+#include "oracle/internal/next_double.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/ulp.h"
@@ -52,7 +53,35 @@ bool is_required(const records::SampleVerdict& decision) {
   return decision.verdict == Verdict::required;
 }
 
+/// The z/w that all vertices of a triangle share.
+struct PlaneDepth {
+  Ring z;
+  Ring w;
+
+  bool operator==(const PlaneDepth& other) const { return z * other.w == other.z * w; }
+};
+
+/// Empty unless the triangle lies in a plane of constant depth, and the contract keeps its depth
+/// equal to that of other triangles of the plane. A camera's positions are rounded before they are
+/// drawn, and their depths may then differ.
+std::optional<PlaneDepth> kept_plane(const TriangleSetup& triangle) {
+  const Scene& scene = *triangle.scene;
+  if (!scene.contract().keeps_equal_depth || scene.source().camera) return std::nullopt;
+  const RingVector4 first = scene.clip_position(triangle.indices[0]);
+  const PlaneDepth depth{first[2], first[3]};
+  for (const std::uint32_t vertex : triangle.indices) {
+    const RingVector4 p = scene.clip_position(vertex);
+    if (sign_of(p[3]) == 0 || !(PlaneDepth{p[2], p[3]} == depth)) return std::nullopt;
+  }
+  return depth;
+}
+
 }  // namespace
+
+const DepthFilter& PreparedTriangles::Prepared::depths() const {
+  if (!depth_filter) depth_filter = std::make_shared<const DepthFilter>(truth->setup(), *filter);
+  return *depth_filter;
+}
 
 const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle) {
   const auto found = prepared_.find(triangle);
@@ -61,7 +90,11 @@ const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle)
   auto truth = std::make_shared<const TriangleTruth>(*scene_, triangle);
   auto filter =
       std::make_shared<const TriangleFilter>(truth->setup(), truth->setup().pixels(), first_level_);
-  return prepared_[triangle] = {std::move(truth), std::move(filter)};
+  return prepared_[triangle] = {std::move(truth), std::move(filter), nullptr};
+}
+
+void PreparedTriangles::forget_rows_before(int y) {
+  std::erase_if(prepared_, [y](const auto& entry) { return entry.second.filter->box().y1 <= y; });
 }
 
 NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles,
@@ -92,15 +125,14 @@ Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
     if (!exact) return {kNoDepth, kNoDepth};
     depth = {exact->lo.enclosure().lo, exact->hi.enclosure().hi};
   }
-  return {std::nextafter(depth->lo - slack, -kFarthest),
-          std::nextafter(depth->hi + slack, kFarthest)};
+  return {next_below(depth->lo - slack), next_above(depth->hi + slack)};
 }
 
 void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
   const PreparedTriangles::Prepared& prepared = triangles_->of(triangle);
   if (prepared.filter->is_empty()) return;
   const TriangleSetup& setup = prepared.truth->setup();
-  const DepthFilter depths(setup, *prepared.filter);
+  const DepthFilter& depths = prepared.depths();
   const double slack =
       prepared.truth->is_value_free(std::nullopt) ? kNoDepth : near_depth_slack(setup);
   const cases::FramebufferSize& size = scene_->source().framebuffer;
@@ -136,10 +168,18 @@ struct NearestBand::Rival {
   const Covering* covering = nullptr;
   /// The depths that a backend may compute; empty if any is right.
   std::optional<FieldRange> depth;
+  std::optional<PlaneDepth> plane;  ///< kept_plane()
 
   bool is_surely_nearer_than(double other) const { return depth && depth->hi < Field(other); }
   bool is_surely_nearer_than(const Rival& other) const {
     return depth && other.depth && depth->hi < other.depth->lo;
+  }
+  /// True if the other, drawn later, fails the depth test because it has the same depth.
+  bool is_equal_and_first(const Rival& other) const {
+    return covering->triangle < other.covering->triangle && plane && plane == other.plane;
+  }
+  bool surely_hides(const Rival& other) const {
+    return is_surely_nearer_than(other) || is_equal_and_first(other);
   }
 };
 
@@ -164,8 +204,8 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
   bool is_any_required = sample.is_required;
   std::vector<Rival> rivals;
   for (const Covering& covering : sample.coverings) {
-    rivals.push_back({&covering, std::nullopt});
     const auto truth = triangles_->of(covering.triangle).truth;
+    rivals.push_back({&covering, std::nullopt, kept_plane(truth->setup())});
     if (truth->is_value_free(std::nullopt)) continue;
     const auto depth = truth->depth(x, y, s);
     const Field slack = depth_slack(truth->setup());
@@ -178,11 +218,11 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
     if (is_beyond) continue;
     is_any_required = is_any_required || (is_drawn && is_required(a.covering->decision));
     const bool is_beaten = std::any_of(rivals.begin(), rivals.end(), [&a](const Rival& b) {
-      return is_required(b.covering->decision) && b.is_surely_nearer_than(a);
+      return is_required(b.covering->decision) && b.surely_hides(a);
     });
     if (is_beaten) continue;
     const bool beats_all = std::all_of(rivals.begin(), rivals.end(), [&a](const Rival& b) {
-      return &b == &a || a.is_surely_nearer_than(b);
+      return &b == &a || a.surely_hides(b);
     });
     candidates.push_back({a.covering->triangle, a.covering->decision});
     if (!(is_drawn && beats_all) && is_required(a.covering->decision)) {

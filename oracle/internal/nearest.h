@@ -26,12 +26,18 @@ class PreparedTriangles {
   struct Prepared {
     std::shared_ptr<const TriangleTruth> truth;
     std::shared_ptr<const TriangleFilter> filter;
+    mutable std::shared_ptr<const DepthFilter> depth_filter;  ///< made when first asked for
+
+    const DepthFilter& depths() const;
   };
 
   PreparedTriangles(const SceneTruth& scene, Level first) : scene_(&scene), first_level_(first) {}
 
   /// Prepares the triangle unless cached. The reference holds until the next call.
   const Prepared& of(std::uint32_t triangle);
+
+  /// Drops the triangles that have no pixels in row y or beyond it.
+  void forget_rows_before(int y);
 
  private:
   static constexpr std::size_t kMost = 8192;
@@ -74,8 +80,9 @@ class NearestBand {
   /// compared as precisely as a backend can know them. One of two depths is certainly nearer if
   /// they stay apart after each is moved towards the other by the contract's depth bound, and then
   /// on to the next step of the depth test's format. Which of two equal depths was drawn first is
-  /// not judged. A fragment not certainly nearer than the depth buffer's initial value need not be
-  /// drawn.
+  /// judged only if the contract keeps equal depths (cases::Contract::keeps_equal_depth) and both
+  /// triangles lie in one plane of constant depth: the second then fails the test. A fragment not
+  /// certainly nearer than the depth buffer's initial value need not be drawn.
   void for_each_answer(const Take& take);
 
  private:

@@ -85,6 +85,11 @@ PictureOptions::PictureOptions(const SceneTruth& scene, const cases::PictureView
     if (channel.shows == Shown::depth) is_wanted_[0] = true;
     if (channel.shows == Shown::attribute) is_wanted_[1 + channel.attribute] = true;
   }
+  codes_.resize(view.channels.size());
+  for (std::size_t c = 0; c < codes_.size(); ++c) {
+    const Storage storage = final_storage(c);
+    if (storage == Storage::unorm8 || storage == Storage::srgb8) codes_[c] = make_codes(c);
+  }
 }
 
 ValueSpan PictureOptions::shown_of(std::size_t channel,
@@ -210,6 +215,10 @@ bool PictureOptions::has_one_value() const {
   if (triangles_.size() != 1) return false;
   for (std::size_t c = 0; c < view_->channels.size(); ++c) {
     if (view_->channels[c].shows == Shown::nothing) continue;
+    if (const std::optional<bool> is_alone = is_stored_alone(c, spans_[c])) {
+      if (!*is_alone) return false;
+      continue;
+    }
     const ChannelRange range = stored_range(0, c);
     if (range.is_free || range.least != range.greatest) return false;
   }
@@ -240,8 +249,41 @@ records::Enclosure PictureOptions::stored_numbers(std::size_t channel) const {
 void PictureOptions::set_stored(std::span<const float> stored) {
   stored_ = stored;
   for (std::size_t c = 0; c < stored.size(); ++c) {
-    numbers_[c] = numbers_stored_as(final_storage(c), view_->rounding, stored[c]);
+    const StoredNumbers* const code = stored_code(c);
+    numbers_[c] = code ? std::optional(*code)
+                       : numbers_stored_as(final_storage(c), view_->rounding, stored[c]);
   }
+}
+
+PictureOptions::Codes PictureOptions::make_codes(std::size_t channel) const {
+  const Storage storage = final_storage(channel);
+  Codes codes;
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    codes[k] = *numbers_stored_as(storage, view_->rounding, static_cast<float>(k));
+  }
+  return codes;
+}
+
+const StoredNumbers* PictureOptions::stored_code(std::size_t channel) const {
+  if (!codes_[channel] || stored_.empty()) return nullptr;
+  const float value = stored_[channel];
+  const Codes& codes = *codes_[channel];
+  const bool is_code =
+      value >= 0 && value < static_cast<float>(codes.size()) && value == std::floor(value);
+  return is_code ? &codes[static_cast<std::size_t>(value)] : nullptr;
+}
+
+/// True if the numbers of the span may be stored as the picture's code and as no other. Empty if
+/// they may not be stored as this code, or if the storage has no codes.
+std::optional<bool> PictureOptions::is_stored_alone(std::size_t channel,
+                                                    const ValueSpan& span) const {
+  const StoredNumbers* const code = stored_code(channel);
+  if (code == nullptr || span.is_free || !is_explained(channel, span)) return std::nullopt;
+  // The numbers of codes are ordered as the codes are, so the neighbours decide.
+  const Codes& codes = *codes_[channel];
+  const bool has_lower = code != &codes.front() && span.lo <= double{(code - 1)->greatest};
+  const bool has_higher = code != &codes.back() && span.hi >= double{(code + 1)->least};
+  return !has_lower && !has_higher;
 }
 
 bool PictureOptions::is_explained(std::size_t channel, const ValueSpan& span) const {

@@ -3,6 +3,7 @@
 // The answers for one pixel of a picture: for each thing that may be seen there, the numbers of all
 // channels before they are stored (oracle/picture_judge.h).
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -64,6 +65,9 @@ class PictureOptions {
   double steps_off(std::size_t channel, const ChannelRange& range) const;
 
  private:
+  /// [code]: the numbers that an 8-bit storage may store as the code.
+  using Codes = std::array<StoredNumbers, 256>;
+
   /// The number that the triangle shows in a channel, and the number that the target holds after
   /// the triangle has been drawn.
   ValueSpan shown_of(std::size_t channel, const SampleAnswer::Candidate& candidate) const;
@@ -71,7 +75,11 @@ class PictureOptions {
   /// The storage of the resolved pixel. If stored values are averaged, the mean of srgb8 codes is
   /// stored as a unorm8, without encoding it again.
   cases::Storage final_storage(std::size_t channel) const;
+  Codes make_codes(std::size_t channel) const;
+  /// The numbers of the code that is stored in the channel; nullptr if its storage has no codes.
+  const StoredNumbers* stored_code(std::size_t channel) const;
   bool is_explained(std::size_t channel, const ValueSpan& span) const;
+  std::optional<bool> is_stored_alone(std::size_t channel, const ValueSpan& span) const;
   void mix(std::span<const SampleAnswer> samples);
   void add_sample_boxes(const SampleAnswer& sample, std::vector<std::vector<ValueSpan>>& boxes);
   ValueSpan averaged(std::size_t channel, const ValueSpan& span) const;
@@ -86,7 +94,8 @@ class PictureOptions {
   bool is_layered_ = false;
   std::uint64_t widened_ = 0;
 
-  std::span<const float> stored_;  ///< [channel]
+  std::vector<std::optional<Codes>> codes_;  ///< [channel]; only for 8-bit storages
+  std::span<const float> stored_;            ///< [channel]
   /// [channel]: the numbers that may be stored as stored_[channel]
   std::vector<std::optional<StoredNumbers>> numbers_;
 };

@@ -132,8 +132,27 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   const bool left_wins_downwards =
       (contract.tie_rule == cases::TieRule::top_left) == !conventions_.window_y_up;
   tie_sign_ = left_wins_downwards ? 1 : -1;
+  set_guard_band();
+  min_depth_ = exact_ring(v.min_depth);
+  depth_range_ = exact_ring(v.max_depth) - min_depth_;
   least_depth_ = std::min(exact_ring(v.min_depth), exact_ring(v.max_depth));
   greatest_depth_ = std::max(exact_ring(v.min_depth), exact_ring(v.max_depth));
+}
+
+void Scene::set_guard_band() {
+  const Ring band = exact_ring(contract_->guard_band);
+  guard_band_lo_ = viewport_lo_;
+  guard_band_hi_ = viewport_hi_;
+  // If viewport and guard band do not overlap along an axis, a vertex between them lies in neither,
+  // so along this axis the box stays that of the viewport.
+  if (viewport_lo_.u <= band && viewport_hi_.u >= -band) {
+    guard_band_lo_.u = std::min(-band, viewport_lo_.u);
+    guard_band_hi_.u = std::max(band, viewport_hi_.u);
+  }
+  if (viewport_lo_.v <= band && viewport_hi_.v >= -band) {
+    guard_band_lo_.v = std::min(-band, viewport_lo_.v);
+    guard_band_hi_.v = std::max(band, viewport_hi_.v);
+  }
 }
 
 RingVector4 Scene::clip_position(std::size_t vertex) const {
@@ -206,10 +225,8 @@ Ring Scene::depth_numerator(std::size_t vertex) const {
 }
 
 Ring Scene::depth_numerator(const Ring& z, const Ring& w) const {
-  const Ring n = exact_ring(case_->viewport.min_depth);
-  const Ring f = exact_ring(case_->viewport.max_depth);
-  const Ring share = conventions_.depth_is_halved ? half(z + w) : z;
-  return n * w + (f - n) * share;
+  const Ring share = depth_range_ * (conventions_.depth_is_halved ? half(z + w) : z);
+  return sign_of(min_depth_) == 0 ? share : min_depth_ * w + share;
 }
 
 bool Scene::clamps_depth() const { return case_->depth_clamp || conventions_.depth_always_clamped; }

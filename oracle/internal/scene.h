@@ -72,6 +72,11 @@ class Scene {
   /// The viewport rectangle, sorted; in pixels.
   const Point& viewport_lo() const { return viewport_lo_; }
   const Point& viewport_hi() const { return viewport_hi_; }
+  /// The corners of the closed box in which the contract leaves vertices unclipped. Along each
+  /// axis, the box is the viewport, extended to the guard band if viewport and guard band overlap
+  /// there.
+  const Point& guard_band_lo() const { return guard_band_lo_; }
+  const Point& guard_band_hi() const { return guard_band_hi_; }
 
   /// True if a point exactly on a boundary is inside. The signs of the boundary's inward normal (A,
   /// B) decide: inside iff A > 0, or A = 0 and ±B > 0 (RULES §2). Meaningless under an unspecified
@@ -96,6 +101,8 @@ class Scene {
   bool is_affine(std::size_t attribute) const;
 
  private:
+  void set_guard_band();
+
   const cases::Case* case_;
   const cases::Contract* contract_;
   Conventions conventions_;
@@ -106,10 +113,14 @@ class Scene {
   std::span<const cases::SamplePosition> pattern_;
   Point viewport_lo_;
   Point viewport_hi_;
+  Point guard_band_lo_;
+  Point guard_band_hi_;
   PixelBox target_pixels_;
   PixelBox pixels_;
   PixelBox inner_pixels_;
   int tie_sign_;  ///< ±1: the factor of B if A = 0
+  Ring min_depth_;
+  Ring depth_range_;  ///< max_depth − min_depth
   Ring least_depth_;
   Ring greatest_depth_;
 };

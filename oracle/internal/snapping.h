@@ -37,6 +37,10 @@ struct SnappedVertex {
   Ring w;
 
   long placements() const { return x.count() * y.count(); }
+  /// The number of placements with `corners_only`: the ends of both ranges.
+  std::size_t extreme_placements() const {
+    return (x.count() > 1 ? 2U : 1U) * (y.count() > 1 ? 2U : 1U);
+  }
 };
 SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snapping);
 

@@ -139,7 +139,8 @@ bool TriangleSetup::has_points_deeper_than(const Ring& distance) const {
 
 bool TriangleSetup::is_beyond_guard_band(std::size_t vertex) const {
   const RingVector3& column = columns[vertex];
-  const auto [lo, hi] = guard_band_box(*scene);
+  const Point& lo = scene->guard_band_lo();
+  const Point& hi = scene->guard_band_hi();
   return column[0] < lo.u * column[2] || column[0] > hi.u * column[2] ||
          column[1] < lo.v * column[2] || column[1] > hi.v * column[2];
 }
@@ -167,10 +168,8 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
     if (scene->contract().has_open_viewport()) open_viewport();
     may_turn = ideal.orientation() == 0 || !has_points_deeper_than(moved_alone);
   } else {
-    for (std::size_t i = 0; i < 3; ++i) {
-      extreme_columns_[i] = placed_columns(*snapped[i], snapping.subpixel_bits, true);
-    }
-    corners_.resize(corner_count());
+    corner_count_ = 1;
+    for (const auto& vertex : snapped) corner_count_ *= vertex->extreme_placements();
   }
   has_open_sides = sign_of(side_reach) > 0 && scene->has_samples_within(near_double(side_reach));
   for (std::size_t i = 0; i < 3; ++i) edge_bands[i] = band_of(ideal.edge(i), reach);
@@ -192,12 +191,15 @@ void TriangleSetup::open_viewport() {
   side_reach = grown * side_reach + Ring(error);
 }
 
-std::size_t TriangleSetup::corner_count() const {
-  return extreme_columns_[0].size() * extreme_columns_[1].size() * extreme_columns_[2].size();
-}
-
 const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
-  std::optional<ProjectiveMap>& map = corners_[number];
+  if (corners_.empty()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      extreme_columns_[i] =
+          placed_columns(*snapped[i], scene->contract().coverage->subpixel_bits, true);
+    }
+    corners_.resize(corner_count_);
+  }
+  std::unique_ptr<const ProjectiveMap>& map = corners_[number];
   if (!map) {
     // `number` is read in mixed radix, one digit per vertex. The digits of vertices 1 and 2 are
     // offsets from that of vertex 0, so the lowest numbers choose the same extreme for all three
@@ -206,8 +208,9 @@ const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
     const std::size_t first = number % choices[0].size();
     const std::size_t second = number / choices[0].size() % choices[1].size();
     const std::size_t third = number / choices[0].size() / choices[1].size();
-    map.emplace(std::array{choices[0][first], choices[1][(first + second) % choices[1].size()],
-                           choices[2][(first + third) % choices[2].size()]});
+    map = std::make_unique<const ProjectiveMap>(
+        std::array{choices[0][first], choices[1][(first + second) % choices[1].size()],
+                   choices[2][(first + third) % choices[2].size()]});
   }
   return *map;
 }
@@ -411,26 +414,8 @@ ConvexRegion box_around(const Point& p, const Ring& reach) {
   return {Point{p.u - reach, p.v - reach}, Point{p.u + reach, p.v + reach}};
 }
 
-std::pair<Point, Point> guard_band_box(const Scene& scene) {
-  const Ring band = exact_ring(scene.contract().guard_band);
-  Point lo = scene.viewport_lo();
-  Point hi = scene.viewport_hi();
-  // If viewport and guard band do not overlap along an axis, a vertex between them lies in neither,
-  // so along this axis the box stays that of the viewport.
-  if (lo.u <= band && hi.u >= -band) {
-    lo.u = std::min(-band, lo.u);
-    hi.u = std::max(band, hi.u);
-  }
-  if (lo.v <= band && hi.v >= -band) {
-    lo.v = std::min(-band, lo.v);
-    hi.v = std::max(band, hi.v);
-  }
-  return {lo, hi};
-}
-
 ConvexRegion guard_band_of(const Scene& scene) {
-  const auto [lo, hi] = guard_band_box(scene);
-  return {lo, hi};
+  return {scene.guard_band_lo(), scene.guard_band_hi()};
 }
 
 }  // namespace rastercheck::oracle

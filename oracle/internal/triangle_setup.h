@@ -3,6 +3,7 @@
 // One triangle of a scene, prepared for questions about its samples.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -83,7 +84,8 @@ struct TriangleSetup {
   /// Shapes placed and cut: the grid points of each vertex that is not clipped.
   std::array<std::optional<SnappedVertex>, 3> snapped;
   /// Shape placed: the number of extreme placements (at most 64); 1 if only one placement exists.
-  std::size_t corner_count() const;
+  /// 0 for other shapes.
+  std::size_t corner_count() const { return corner_count_; }
   /// Shape placed: the map of an extreme placement, made when first asked for. The first few move
   /// all vertices the same way, so their values differ most.
   const ProjectiveMap& corner(std::size_t number) const;
@@ -170,19 +172,20 @@ struct TriangleSetup {
   /// The corners of the clipped triangle within the guard band, except the ends of the edge.
   std::vector<HomogeneousPoint> corners_beside(std::size_t edge) const;
 
-  std::array<std::vector<RingVector3>, 3> extreme_columns_;
+  std::size_t corner_count_ = 0;
   mutable std::optional<NearPositions> near_positions_;
   mutable std::optional<std::vector<ClipFunctional>> clip_functionals_;
-  mutable std::vector<std::optional<ProjectiveMap>> corners_;
+  // Doubles answer for most triangles without any corner, and 64 maps take 100 KB.
+  mutable std::array<std::vector<RingVector3>, 3>
+      extreme_columns_;  ///< of each vertex, by corner()
+  mutable std::vector<std::unique_ptr<const ProjectiveMap>> corners_;
   mutable std::optional<Placements> placements_;
   mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;
 };
 
 /// The closed square of half-width `reach` around a point.
 ConvexRegion box_around(const Point& p, const Ring& reach);
-/// The corners of the closed box in which a contract leaves vertices unclipped. Along each axis,
-/// the box is the viewport, extended to the guard band if viewport and guard band overlap there.
-std::pair<Point, Point> guard_band_box(const Scene& scene);
+/// The box of Scene::guard_band_lo() and guard_band_hi().
 ConvexRegion guard_band_of(const Scene& scene);
 
 }  // namespace rastercheck::oracle

@@ -6,6 +6,7 @@
 
 #include "oracle/internal/depth_filter.h"
 #include "oracle/internal/float_ulp.h"
+#include "oracle/internal/next_double.h"
 #include "oracle/internal/scene.h"
 #include "oracle/internal/value_bound.h"
 
@@ -23,16 +24,6 @@ constexpr double kNoDigit = 0x1p24;
 double scale_ulp_of(double magnitude) {
   if (!(magnitude > 0)) return std::ldexp(1.0, kLeastUlpExponent);
   return std::ldexp(1.0, static_cast<int>(ulp_exponent_at(std::ilogb(magnitude))));
-}
-
-/// Widens a range by a bound in scale ULP of `magnitude` or of the range's largest magnitude,
-/// whichever is greater.
-ValueSpan widened_span(const Enclosure& range, double ulps, double magnitude) {
-  if (ulps == 0) return {range.lo, range.hi, false};
-  const double greatest = std::max({magnitude, std::abs(range.lo), std::abs(range.hi)});
-  const double slack = ulps * scale_ulp_of(greatest);
-  return {std::nextafter(range.lo - slack, -kEverything),
-          std::nextafter(range.hi + slack, kEverything), false};
 }
 
 }  // namespace
@@ -74,10 +65,10 @@ ValueRanges::Bound ValueRanges::make_bound(std::optional<std::size_t> attribute)
     }
   }
   bound.magnitude = std::max(std::abs(least), std::abs(greatest));
+  bound.scale_ulp = scale_ulp_of(bound.magnitude);
   if (bound.terms.constant >= kNoDigit) return bound;
   double fixed{bound.terms.constant};
-  if (attribute)
-    fixed += bound.terms.range_share * (greatest - least) / scale_ulp_of(bound.magnitude);
+  if (attribute) fixed += bound.terms.range_share * (greatest - least) / bound.scale_ulp;
   bound.fixed = fixed * kRoundedUp;
   bound.varies = attribute && !bound.terms.is_uniform() && setup.ideal.orientation() != 0;
   return bound;
@@ -242,6 +233,15 @@ std::optional<double> ValueRanges::bound_at(const PreparedValue& prepared, const
   return varying_bound(prepared, bound, lane, at);
 }
 
+/// Widens a range by a bound in scale ULP of the magnitude or of the range's largest magnitude,
+/// whichever is greater.
+ValueSpan ValueRanges::Bound::widen(const Enclosure& range, double ulps) const {
+  if (ulps == 0) return {range.lo, range.hi, false};
+  const double greatest = std::max(std::abs(range.lo), std::abs(range.hi));
+  const double slack = ulps * (greatest <= magnitude ? scale_ulp : scale_ulp_of(greatest));
+  return {next_below(range.lo - slack), next_above(range.hi + slack), false};
+}
+
 void ValueRanges::find(std::span<const SampleAt> places, std::span<ValueSpan> spans) {
   gather(places);
   const std::size_t width = is_wanted_.size();
@@ -260,7 +260,7 @@ void ValueRanges::find(std::span<const SampleAt> places, std::span<ValueSpan> sp
       std::optional<Enclosure> range = by_doubles(prepared, k);
       if (!range) range = exactly(prepared, places[k]);
       const std::optional<double> ulps = bound_at(prepared, bounds_[v], k, places[k]);
-      if (range && ulps) span = widened_span(*range, *ulps, bounds_[v].magnitude);
+      if (range && ulps) span = bounds_[v].widen(*range, *ulps);
     }
   }
 }

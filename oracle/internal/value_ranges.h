@@ -60,8 +60,11 @@ class ValueRanges {
     cases::ValueBound terms;
     /// The part that does not depend on the place; empty if nothing is promised.
     std::optional<double> fixed;
-    bool varies = false;   ///< g and K count as well
-    double magnitude = 0;  ///< its ulp is the scale ULP
+    bool varies = false;  ///< g and K count as well
+    double magnitude = 0;
+    double scale_ulp = 0;  ///< the ulp of the magnitude
+
+    ValueSpan widen(const records::Enclosure& range, double ulps) const;
   };
   /// The terms of g and K in doubles, about the window's origin.
   struct Condition {

@@ -113,6 +113,37 @@ TEST(DepthBuffer, ComparesAsFinelyAsTheContractSays) {
   EXPECT_EQ(count(c, contract, {}, FragmentClass::missing), 6U);
 }
 
+/// The number of samples at which the contract permits the second of two layers.
+std::uint64_t seen_of_second(const cases::Case& c, bool keeps_equal_depth) {
+  cases::Contract contract = cases::contract_of(c);
+  contract.keeps_equal_depth = keeps_equal_depth;
+  EXPECT_EQ(count(c, contract, drawing(0, 0.5F), FragmentClass::correct), 6U);
+  EXPECT_EQ(count(c, contract, {}, FragmentClass::missing), 6U);
+  return count(c, contract, drawing(1, 0.5F), FragmentClass::correct);
+}
+
+// z/w is 1/2 at all vertices, whatever their w; the second triangle fails the test "less".
+TEST(DepthBuffer, KeepsTheFirstOfTwoTrianglesInAPlaneOfEqualDepth) {
+  cases::Case c = layers(0.5F, 0.5F);
+  EXPECT_EQ(seen_of_second(c, false), 6U);
+  EXPECT_EQ(seen_of_second(c, true), 0U);
+  c.positions[4] = {2, -2, 1, 2};
+  EXPECT_EQ(seen_of_second(c, true), 0U);
+}
+
+// Kills: planes of different depth, or triangles of no constant depth, taken for equal ones. Depths
+// within an ulp of 1 may still be computed as equal or in either order.
+TEST(DepthBuffer, LeavesTheOrderOfOtherTrianglesOpen) {
+  cases::Case c = layers(0.5F, 0.5F + 0x1p-24F);
+  EXPECT_EQ(seen_of_second(c, true), 6U);
+  c = layers(0.5F, 0.5F);
+  c.positions[4].z = 0.5F + 0x1p-24F;
+  EXPECT_EQ(seen_of_second(c, true), 6U);
+  c = layers(0.5F, 0.5F);
+  for (std::size_t i : {0U, 3U}) c.positions[i].z = 0.5F + 0x1p-24F;  // the same, but not a plane
+  EXPECT_EQ(seen_of_second(c, true), 6U);
+}
+
 TEST(DepthBuffer, IsHeededWhereFragmentsAreListed) {
   cases::Case c = layers(0.5F, 1);
   const auto listed = [&c](records::Verdict verdict) {

@@ -91,6 +91,29 @@ RC_GTEST_PROP(PictureJudge, MasksHoldFaultlessPictures, ()) {
   }
 }
 
+// Judge and mask find how much a pixel leaves open in different ways: the judge asks the codes next
+// to the stored one first. Kills: a neighbouring code forgotten, at the ends of a storage, too.
+RC_GTEST_PROP(PictureJudge, CountsFreedomAsMasksDoWhateverThePictureShows, ()) {
+  cases::Case c = two_triangles();
+  c.framebuffer.samples = 1;
+  cases::Contract contract = cases::contract_of(c);
+  contract.bounds.smooth.constant = one_of({0.5F, 0x1p14F, 0x1p20F});
+  const SceneTruth scene(c, contract);
+  PictureLayout layout = random_layout();
+  layout.channels = {{"R", "a0", {}}, {"G", "a1", 0.5F}};
+  ShownPicture shown = perfect_picture(scene, layout);
+  if (*rc::gen::arbitrary<bool>()) {
+    for (float& value : shown.file.values) value = next_stored(*layout.storage, value, true);
+  }
+  const records::PictureFreedom judged = judge_picture(scene, shown.view, shown.file).freedom;
+  const records::PictureFreedom masked = mask_of(scene, shown.view).freedom;
+  RC_CLASSIFY(masked.one_value > 0, "one value");
+  RC_CLASSIFY(masked.may_differ > 0, "several values");
+  RC_ASSERT(judged.one_value == masked.one_value);
+  RC_ASSERT(judged.may_differ == masked.may_differ);
+  RC_ASSERT(judged.background == masked.background);
+}
+
 // --- Kinds of wrong pixels -----------------------------------------------------------------------
 
 /// A far triangle of colour 1 behind the left half of a near one of colour 0; 4 × 2 pixels.

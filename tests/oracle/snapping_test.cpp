@@ -77,6 +77,15 @@ records::SampleVerdict judge(const cases::Case& c, int x, int y) {
   return TriangleTruth(scene, 0).judge(x, y, 0);
 }
 
+TEST(Snapping, CountsTheExtremePlacements) {
+  for (const long columns : {1L, 2L, 5L}) {
+    for (const long rows : {1L, 2L, 3L}) {
+      const SnappedVertex vertex{{7, 6 + columns}, {-3, rows - 4}, Ring(1)};
+      EXPECT_EQ(vertex.extreme_placements(), placed_columns(vertex, 8, true).size());
+    }
+  }
+}
+
 TEST(Snapping, MovesTheTriangleThatIsCovered) {
   EXPECT_EQ(judge(near_column(std::nullopt, cases::Basis::ideal), 0, 1).verdict,
             Verdict::forbidden);
