@@ -1,6 +1,8 @@
 #include "cases/capabilities_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 namespace rastercheck::cases {
 
@@ -22,6 +24,11 @@ void members(Archive& archive, T& all) {
   archive.optional("max_clip_distances", all.max_clip_distances, usual.max_clip_distances);
   archive.optional("numbers", all.numbers);
   archive.check([&](const JsonNode& node) {
+    if constexpr (!std::is_const_v<T>) {
+      std::sort(all.rules.begin(), all.rules.end());
+      std::sort(all.sample_counts.begin(), all.sample_counts.end());
+      std::sort(all.lacks.begin(), all.lacks.end());
+    }
     if (!has_meaning(all)) node.refuse("is inconsistent or excludes every case");
   });
 }

@@ -6,7 +6,7 @@
 //    "max_viewport": 8192, "max_attributes": 8, "max_clip_distances": 0, "numbers": {"least": "…",
 //    "greatest": "…"}}
 //
-// A key is absent if it sets no limit.
+// A key is absent if it sets no limit. Readers accept lists in any order.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -20,6 +20,10 @@
 
 namespace rastercheck::backends {
 
+namespace {
+constexpr std::string_view kOurName = "RasterCheck";
+}
+
 template <typename Archive, cases::Either<ProgramHello> Hello>
 void members(Archive& archive, Hello& hello) {
   std::uint64_t protocol = kExecProtocol;
@@ -30,6 +34,10 @@ void members(Archive& archive, Hello& hello) {
     }
   });
   archive.required("name", hello.name);
+  archive.check([&](const cases::JsonNode& node) {
+    if (hello.name == kOurName)
+      node["name"].refuse("is RasterCheck's: the program repeats what it reads");
+  });
   archive.optional("version", hello.version);
   archive.optional("gives", hello.gives, Gives::attributes);
   archive.optional("shared_memory", hello.has_shared_memory);
@@ -157,7 +165,7 @@ constexpr cases::ValueBound kNoBound{.constant = 0x1p24F};
 }  // namespace
 
 std::string our_hello() {
-  return nlohmann::json{{"protocol", kExecProtocol}, {"name", "RasterCheck"}}.dump();
+  return nlohmann::json{{"protocol", kExecProtocol}, {"name", kOurName}}.dump();
 }
 
 Result<ProgramHello> parse_hello(std::string_view line) {

@@ -94,9 +94,11 @@ std::string cause_of(const Inspection& inspection, const std::optional<std::uint
 /// The exact value and the drawn one in full, after `start`.
 std::string value_sentence(const Inspection& inspection, const InspectedValue& value,
                            const std::string& start) {
-  std::string text = fmt::format(
-      "<p class=\"finding\">{}{} is exactly {}", start, name_of(inspection, value.attribute),
-      value.exact.empty() ? "not defined" : shortened_value(value.exact));
+  const bool is_range = value.exact.starts_with('[');
+  std::string text =
+      fmt::format("<p class=\"finding\">{}{} {} {}", start, name_of(inspection, value.attribute),
+                  is_range ? "must be within" : "is exactly",
+                  value.exact.empty() ? "not defined" : shortened_value(value.exact));
   if (value.nearest && value.exact.find('/') != std::string::npos) {
     text += fmt::format(" ≈ {}", shortened_value(fmt::format("{}", *value.nearest)));
   }

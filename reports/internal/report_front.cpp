@@ -119,7 +119,8 @@ std::string run_figures(const Run& run, const std::vector<LawSummary>& rows,
   if (all.size() == 1) {
     text += figure("worst error", number_text(all[0].worst), "scale ULP") +
             figure("p99 error", at_most_text(all[0].p99), "scale ULP, the largest of a property") +
-            figure("after allowances", number_text(all[0].excess), "scale ULP, the worst");
+            figure("after allowances", number_text(all[0].excess),
+                   "scale ULP, the worst; also of values with no single exact answer");
   }
   return text + "</dl>\n";
 }

@@ -12,7 +12,7 @@ const kReasons = {
   'clip edge': 'close to an edge that clipping created or moved',
   'w <= 0': 'close to an edge that was cut because some w ≤ 0',
   depth: 'it is left open which fragment is nearest',
-  outside: 'beyond an edge',
+  outside: 'beyond an edge, or on one that the triangle does not own',
   clipped: 'beyond a clip plane',
   viewport: 'outside the viewport, scissor or target',
   culled: 'the triangle faces the wrong way',
@@ -38,11 +38,14 @@ function verdict(sample) {
     note(`${sample.verdict}: ${kReasons[sample.reason] ?? sample.reason}`));
 }
 
+/** True if the contract leaves open at which place the value is taken, so that no one value is exact. */
+const isRange = (value) => value.exact?.startsWith('[') ?? false;
+
 function valueFacts(value) {
   const facts = [];
   const exact = value.exact ?? 'not defined here';
-  facts.push(fact('exact', code(exact)));
-  if (!Number.isNaN(value.nearest) && exact !== String(value.nearest)) {
+  facts.push(fact(isRange(value) ? 'must be within' : 'exact', code(exact)));
+  if (!isRange(value) && !Number.isNaN(value.nearest) && exact !== String(value.nearest)) {
     facts.push(fact('exact, nearest double', code(String(value.nearest))));
   }
   if (value.hex === null) {
@@ -63,7 +66,8 @@ const kUnits = {
 };
 
 function errorFacts(value) {
-  return Object.entries(kUnits).filter(([key]) => value[key] !== null)
+  return Object.entries(kUnits)
+    .filter(([key]) => value[key] !== null && !(key === 'localError' && isRange(value)))
     .map(([key, [term, what]]) => {
       const text = key.startsWith('kappa') ? value[key] : signed(value[key]);
       return fact(term, element('span', { class: 'figure' }, text), ' ', note(what));

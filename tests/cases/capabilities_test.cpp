@@ -126,6 +126,10 @@ TEST(Capabilities, HaveMeaning) {
   nothing = {};
   nothing.max_attributes = kMaxAttributes + 1;
   EXPECT_FALSE(has_meaning(nothing));
+  const auto sorted =
+      read_json(R"({"lacks": ["culling", "nonpositive_w"]})", "file", &read_as<Capabilities>);
+  ASSERT_TRUE(sorted);
+  EXPECT_EQ(sorted->lacks, (std::vector{Feature::nonpositive_w, Feature::culling}));
   const auto refused = read_json(R"({"sample_counts": []})", "file", &read_as<Capabilities>);
   ASSERT_FALSE(refused);
   EXPECT_EQ(to_string(refused.error()), "file: /: is inconsistent or excludes every case");

@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -24,6 +25,8 @@ VERTEX_ORDER = "vertex-order-changes-nothing-beyond-the-bound"
 # A pattern that matches exactly these three laws.
 THREE_LAWS = "[cv]*-the-[bc]o*"
 RANDOM_CASES = 5
+# Of a program, whose interpreter may take long.
+PROGRAM_CASES = 5
 
 # The fault, the class of its counterexamples (None: the plugin cannot be loaded), and the message.
 FAULTS = [
@@ -359,6 +362,53 @@ class Starter(PluginTest):
         replayed = self.rastercheck(1, "replay", file)
         for line in replayed.splitlines()[1:]:
             self.assertIn(line.rstrip(), page)
+
+
+class Programs(PluginTest):
+    """Programs of docs/examples/exec, and plugins as programs."""
+
+    def held(self, *words):
+        command = " ".join(shlex.quote(str(word)) for word in words)
+        self.rastercheck(0, "run", "--backend", f"exec:{command}", "--seed", 1, "--cases", PROGRAM_CASES,
+                         "--corpus", self.folder / "corpus")
+
+    def find(self, program):
+        """Where a program is. Elsewhere than in CI, a language that a machine does not have is skipped."""
+        found = shutil.which(program)
+        if found is None:
+            (self.fail if os.environ.get("RASTERCHECK_REQUIRE_BACKENDS") else self.skipTest)(f"no {program}")
+        return found
+
+    def compile(self, *command):
+        done = self.run_command(*command)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), command)
+
+    def test_python(self):
+        self.held(sys.executable, SOURCE / "docs/examples/exec/python/little.py")
+
+    def test_javascript(self):
+        self.held(self.find("node"), SOURCE / "docs/examples/exec/javascript/little.mjs")
+
+    def test_rust(self):
+        self.compile(self.find("rustc"), "-O", SOURCE / "docs/examples/exec/rust/little.rs", "-o", "little")
+        self.held(self.folder / "little")
+
+    def test_a_plugin_in_c(self):
+        self.compile(CC, "-std=c11", "-O2", *WARNINGS, "-I", self.folder / "include",
+                     SOURCE / "docs/examples/exec/c/little_exec.c", SOURCE / "docs/examples/plugin/little.c",
+                     "-o", "little_exec", "-lm")
+        for options in ((), ("--shared-memory",)):
+            self.held(self.folder / "little_exec", *options)
+
+    def test_a_faulty_plugin_in_c(self):
+        self.compile(CC, "-std=c11", "-O2", "-I", self.folder / "include", SOURCE / "docs/examples/exec/c/little_exec.c",
+                     SOURCE / "docs/examples/plugin/faulty/nan.c", "-o", "faulty", "-lm")
+        said = self.rastercheck(1, "run", "--backend", f"exec:{self.folder}/faulty", "--corpus",
+                                self.folder / "corpus", "--cases", 1)
+        self.assertIn("was drawn as NaN", said)
+
+    def test_an_echo_is_no_program(self):
+        self.assertIn("repeats what it reads", self.rastercheck(4, "run", "--backend", "exec:cat"))
 
 
 if __name__ == "__main__":

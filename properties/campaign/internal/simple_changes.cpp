@@ -106,6 +106,12 @@ void set_locations(Case& c, Location location) {
   for (cases::Attribute& a : c.attributes) a.location = location;
 }
 
+void move_centroids(Case& c, Location to) {
+  for (cases::Attribute& a : c.attributes) {
+    if (a.location == Location::centroid) a.location = to;
+  }
+}
+
 /// Turns the viewport upside down within the framebuffer.
 void mirror_viewport(Case& c) {
   c.viewport.y = static_cast<float>(c.framebuffer.height) - c.viewport.y;
@@ -239,6 +245,10 @@ constexpr std::array kOfValues{
                 [](Case& c) { set_interpolation(c, Interpolation::flat, Interpolation::smooth); }},
     PlainChange{"smooth attributes are flat",
                 [](Case& c) { set_interpolation(c, Interpolation::smooth, Interpolation::flat); }},
+    PlainChange{"attributes at centroids are taken at the pixel's centre",
+                [](Case& c) { move_centroids(c, Location::center); }},
+    PlainChange{"attributes at centroids are taken at samples",
+                [](Case& c) { move_centroids(c, Location::sample); }},
     PlainChange{"attributes are taken at samples",
                 [](Case& c) { set_locations(c, Location::sample); }},
     PlainChange{"attributes are taken at centres",
@@ -371,14 +381,17 @@ void add_moved_values(Changes& changes) {
                     from[1], from[2]),
         [&from](Case& c) { move_values(c, from, [](const cases::Attribute&) { return true; }); });
   }
-  for (std::size_t vertex = 0; vertex < 3; ++vertex) {
-    changes.add(fmt::format("flat attributes are those of vertex {}", vertex), [vertex](Case& c) {
-      const auto is_flat = [](const cases::Attribute& a) {
-        return a.interpolation == Interpolation::flat;
-      };
-      if (std::none_of(c.attributes.begin(), c.attributes.end(), is_flat)) return;
-      move_values(c, {vertex, vertex, vertex}, is_flat);
-    });
+  constexpr std::array<std::string_view, 3> kWhich{"first", "second", "third"};
+  for (std::size_t vertex = 0; vertex < kWhich.size(); ++vertex) {
+    changes.add(
+        fmt::format("flat attributes are those of each triangle's {} vertex", kWhich[vertex]),
+        [vertex](Case& c) {
+          const auto is_flat = [](const cases::Attribute& a) {
+            return a.interpolation == Interpolation::flat;
+          };
+          if (std::none_of(c.attributes.begin(), c.attributes.end(), is_flat)) return;
+          move_values(c, {vertex, vertex, vertex}, is_flat);
+        });
   }
 }
 
