@@ -32,6 +32,8 @@ INSTEAD = [
      "the default, for the next line"),
     (r"^((?:build/release/bin/)?rastercheck run .*--cases) \d+", r"\1 5", "takes minutes; the corpus is run as well"),
     (r"^(rastercheck cases --out .*)", r"mkdir none && \1 --corpus none", "with the corpus 60 MB"),
+    (r"^(rastercheck run --backend 'exec:.*)", r"\1 --property values-stay-within-the-bound",
+     "a rasterizer in Python takes minutes for all properties"),
     (r"^cc ", "$CC ", "the compiler of this build"),
     (r"^(rastercheck bisect )", r"\1--cases 5 ", "takes minutes"),
     (r"(second_opinion_test.py .*--cases) 5000", r"\1 20", "takes minutes"),
