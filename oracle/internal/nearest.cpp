@@ -68,7 +68,7 @@ std::optional<PlaneDepth> kept_plane(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   if (!scene.contract().keeps_equal_depth || scene.source().camera) return std::nullopt;
   const RingVector4 first = scene.clip_position(triangle.indices[0]);
-  const PlaneDepth depth{first[2], first[3]};
+  PlaneDepth depth{first[2], first[3]};
   for (const std::uint32_t vertex : triangle.indices) {
     const RingVector4 p = scene.clip_position(vertex);
     if (sign_of(p[3]) == 0 || !(PlaneDepth{p[2], p[3]} == depth)) return std::nullopt;

@@ -39,7 +39,8 @@ struct SnappedVertex {
   long placements() const { return x.count() * y.count(); }
   /// The number of placements with `corners_only`: the ends of both ranges.
   std::size_t extreme_placements() const {
-    return (x.count() > 1 ? 2U : 1U) * (y.count() > 1 ? 2U : 1U);
+    const std::size_t ends_of_x = x.count() > 1 ? 2 : 1;
+    return y.count() > 1 ? 2 * ends_of_x : ends_of_x;
   }
 };
 SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snapping);
