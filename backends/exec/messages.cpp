@@ -104,18 +104,11 @@ void append_triangle(std::string& to, const cases::Case& c, std::uint32_t triang
   append(to, std::span<const std::uint32_t>(kItsVertices));
 }
 
-std::string_view rounding_name(std::uint32_t rounding) {
-  return rounding == RASTERCHECK_ROUNDING_HALF_UP ? "half_up" : "nearest_even";
-}
-
-std::string_view basis_name(std::uint32_t basis) {
-  if (basis == RASTERCHECK_BASIS_IDEAL) return "ideal";
-  return basis == RASTERCHECK_BASIS_SNAPPED ? "snapped" : "unspecified";
-}
-
 /// The members of plugin.h's rastercheck_draw. Enumerators are written as the names that case files
 /// use for them.
-nlohmann::json header_of(const cases::Case& c, const rastercheck_draw& d) {
+nlohmann::json header_of(const cases::Case& c, const cases::Contract& promised,
+                         const rastercheck_draw& d) {
+  const cases::Snapping grid = c.coverage.value_or(cases::Snapping{});
   nlohmann::json header{{"rules", name_of(c.rules)},
                         {"width", d.width},
                         {"height", d.height},
@@ -137,9 +130,9 @@ nlohmann::json header_of(const cases::Case& c, const rastercheck_draw& d) {
                         {"depth_clear", d.depth_clear},
                         {"coverage", c.coverage ? "snapped" : "exact"},
                         {"subpixel_bits", d.subpixel_bits},
-                        {"rounding", rounding_name(d.rounding)},
+                        {"rounding", name_of(grid.rounding)},
                         {"tie_rule", name_of(c.fill_rule)},
-                        {"basis", basis_name(d.basis)},
+                        {"basis", name_of(promised.coverage ? c.basis : cases::Basis::ideal)},
                         {"clip_distance_count", d.clip_distance_count},
                         {"attribute_count", d.attribute_count}};
   nlohmann::json& interpolations = header["interpolations"] = nlohmann::json::array();
@@ -216,7 +209,7 @@ DrawMessage draw_message(const cases::Case& c, const cases::Contract& promised,
   } else {
     append_whole(message.arrays, c);
   }
-  nlohmann::json header = header_of(c, d);
+  nlohmann::json header = header_of(c, promised, d);
   header["vertex_count"] = triangle ? 3 : c.positions.size();
   header["triangle_count"] = triangle ? 1 : c.triangles.size();
   header["bytes"] = message.arrays.size();
