@@ -12,8 +12,10 @@ namespace {
 
 using records::Counterexample;
 
-/// Maximum time for which results stay unwritten. Writing takes a few hundredths of this time.
+/// Maximum time for which results stay unwritten while tasks end.
 constexpr std::chrono::seconds kMostUnwritten{1};
+/// News is written sooner, but writing takes at most about one part in this many of the run.
+constexpr int kShareOfWriting = 16;
 
 bool is_same_failure(const Counterexample& a, const Counterexample& b) {
   const cases::Found& of_a = *a.source.found;
@@ -50,8 +52,11 @@ CampaignRun::CampaignRun(Checkpoint start, std::string directory, std::size_t co
 Result<void> CampaignRun::begin() { return write(); }
 
 Result<void> CampaignRun::write() {
+  const auto begin = std::chrono::steady_clock::now();
+  Result<void> written = cases::write_file(checkpoint_file(directory_), to_json(checkpoint_));
   written_ = std::chrono::steady_clock::now();
-  return cases::write_file(checkpoint_file(directory_), to_json(checkpoint_));
+  write_time_ = written_ - begin;
+  return written;
 }
 
 void CampaignRun::save() {
@@ -65,8 +70,10 @@ void CampaignRun::save() {
 }
 
 void CampaignRun::write_if_due(bool is_news) {
-  const auto now = std::chrono::steady_clock::now();
-  if (is_news || now - written_ >= kMostUnwritten) save();
+  const std::chrono::steady_clock::duration unwritten = std::chrono::steady_clock::now() - written_;
+  if (unwritten >= kMostUnwritten || (is_news && unwritten >= kShareOfWriting * write_time_)) {
+    save();
+  }
 }
 
 Result<void> CampaignRun::check_cases(const Execute& execute, const Progress& progress) {

@@ -71,6 +71,7 @@ class CampaignRun {
   bool has_cut_short_ = false;
   bool has_warned_ = false;
   std::chrono::steady_clock::time_point written_;
+  std::chrono::steady_clock::duration write_time_{};  ///< how long the last write took
 };
 
 }  // namespace rastercheck::properties
