@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 
 #include "cases/fragments.h"
 #include "cases/some_fragments.h"
@@ -22,6 +23,7 @@ using records::FragmentClass;
 struct Wrong {
   WrongParts parts;
   std::vector<cases::SamplePlace> places;  ///< the first and the last wrong sample
+  std::set<FragmentClass> classes;         ///< how coverage is wrong
 };
 
 /// Judges the given parts of a drawing against a case.
@@ -82,7 +84,10 @@ class Judging {
   void take(const oracle::JudgedSample& sample, Wrong& wrong) const {
     WrongParts of_sample;
     const bool is_right = sample.fragment_class == FragmentClass::correct;
-    if (!is_right && parts_->contains(DrawnPart::coverage)) of_sample.coverage = true;
+    if (!is_right && parts_->contains(DrawnPart::coverage)) {
+      of_sample.coverage = true;
+      wrong.classes.insert(sample.fragment_class);
+    }
     for (const oracle::JudgedValue& value : sample.values) {
       if (value.fragment_class == FragmentClass::correct) continue;
       if (!parts_->contains(part_of(value.kind))) continue;
@@ -115,6 +120,11 @@ Fragments at_its_places(const SimpleChange& change, Fragments drawn) {
   return drawn;
 }
 
+cases::TieRule other_tie_rule(cases::TieRule rule) {
+  const bool is_top = rule == cases::TieRule::top_left;
+  return is_top ? cases::TieRule::bottom_left : cases::TieRule::top_left;
+}
+
 cases::Contract contract_of(const SimpleChange& change, const backends::Backend& backend,
                             cases::TieRule tie_rule) {
   cases::Contract contract = backend.contract(change.source);
@@ -127,10 +137,27 @@ cases::Contract contract_of(const SimpleChange& change, const backends::Backend&
     for (cases::TrianglePromise& promise : contract.triangles) promise.position_error = 0;
   }
   if (change.swaps_ties && tie_rule != cases::TieRule::unspecified) {
-    const bool is_top = tie_rule == cases::TieRule::top_left;
-    contract.tie_rule = is_top ? cases::TieRule::bottom_left : cases::TieRule::top_left;
+    contract.tie_rule = other_tie_rule(tie_rule);
   }
   return contract;
+}
+
+/// Returns the clause of a rasterizer that draws all samples on edges, or none. Such a drawing has
+/// samples too many by either tie rule, or too few by either, and is right if ties are left open.
+std::optional<std::string> hint_of_ties(const cases::ClipCase& c, const cases::Contract& contract,
+                                        const Fragments& drawn) {
+  if (contract.tie_rule == cases::TieRule::unspecified) return std::nullopt;
+  const DrawnParts parts{DrawnPart::coverage};
+  const Judging judging(parts);
+  cases::Contract other = contract;
+  other.tie_rule = other_tie_rule(contract.tie_rule);
+  const std::set<FragmentClass> classes = judging.wrong(c, contract, drawn).classes;
+  if (classes.size() != 1 || judging.wrong(c, other, drawn).classes != classes) return std::nullopt;
+  other.tie_rule = cases::TieRule::unspecified;
+  if (!judging.is_right(c, other, drawn)) return std::nullopt;
+  if (classes.contains(FragmentClass::extra)) return "every triangle owns the samples on its edges";
+  if (classes.contains(FragmentClass::missing)) return "no triangle owns the samples on its edges";
+  return std::nullopt;
 }
 
 }  // namespace
@@ -155,6 +182,9 @@ std::optional<std::vector<std::string>> hints_of(const cases::Case& source,
   const Fragments right = put_right_in(parts);
   const Fragments wholly_right = parts == whole ? right : put_right_in(whole);
   std::vector<std::string> hints;
+  if (wrong.parts.coverage) {
+    if (auto hint = hint_of_ties(*c, drawn->contract, drawn->fragments)) hints.push_back(*hint);
+  }
   visit_simple_changes(*c, wrong.parts, [&](const SimpleChange& change) {
     const bool is_there = std::find(hints.begin(), hints.end(), change.change) != hints.end();
     if (is_there || (is_to_end && is_to_end())) return;

@@ -126,6 +126,44 @@ TEST(HintsOf, TiesOfTheOtherEdges) {
   EXPECT_THAT(backend.hints(c), Optional(Contains("ties go to the other edges")));
 }
 
+// The corners are the centres of pixels (1, 1), (5, 1) and (1, 5); by hand, 15 pixels have their
+// centre in the triangle or on an edge, and 3 within.
+TEST(HintsOf, TiesOfAllEdgesAndOfNone) {
+  cases::Case c = scene();
+  c.positions = {{-0.5F, -0.5F, 0.5F, 1}, {0.5F, -0.5F, 0.5F, 1}, {-0.5F, 0.5F, 0.5F, 1}};
+  c.attributes = {{"a0"}};
+  c.attribute_values = {2, 2, 2};
+  c.triangles = {{0, 1, 2}};
+  c.framebuffer = {7, 7, 1};
+  c.viewport = {-0.5F, -0.5F, 8, 8, 0, 1};
+  // Draws the pixels (x, y) with x, y >= first and x + y <= last.
+  const auto hints = [&c](unsigned first, unsigned last, std::size_t count) {
+    DamagedBackend backend(
+        [&](const cases::Case& /*c*/, cases::Fragments& drawn) {
+          drawn = {};
+          drawn.attribute_count = 1;
+          for (unsigned y = first; y + first <= last; ++y) {
+            for (unsigned x = first; x + y <= last; ++x) {
+              drawn.triangle.push_back(0);
+              drawn.x.push_back(static_cast<std::uint16_t>(x));
+              drawn.y.push_back(static_cast<std::uint16_t>(y));
+              drawn.sample.push_back(0);
+              drawn.depth.push_back(0.5F);
+              drawn.attributes.push_back(2);
+            }
+          }
+          EXPECT_EQ(drawn.size(), count);
+        },
+        "cpu");
+    return hints_of(c, backend, kAll, {});
+  };
+  EXPECT_THAT(hints(1, 6, 15),
+              Optional(ElementsAre("every triangle owns the samples on its edges")));
+  EXPECT_THAT(hints(2, 5, 3), Optional(Contains("no triangle owns the samples on its edges")));
+  // More than all samples on edges.
+  EXPECT_THAT(hints(1, 7, 21), Optional(IsEmpty()));
+}
+
 // Kills: a hint although a simple change explains only some of the errors; no hint because another
 // part is wrong for another reason.
 TEST(HintsOf, AreOfThePartsInQuestion) {
