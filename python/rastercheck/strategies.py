@@ -8,8 +8,8 @@
         assert_right(case, my_rasterizer.draw(case))
 
 Cases shrink as Hypothesis shrinks: towards one triangle on one pixel, whole coordinates, w = 1 and
-the first of the given rules. Pass strategies to narrow what is drawn to what your rasterizer can do;
-`st.just()` fixes a value.
+the first of the given rules. Pass strategies to narrow what is drawn to what your rasterizer can
+do; `st.just()` fixes a value.
 """
 
 from __future__ import annotations
@@ -103,7 +103,9 @@ def cases(
     1 where a triangle is drawn (`case.picture`).
     """
     framebuffer = Framebuffer(
-        draw(st.integers(1, max_size)), draw(st.integers(1, max_size)), draw(st.sampled_from(samples))
+        draw(st.integers(1, max_size)),
+        draw(st.integers(1, max_size)),
+        draw(st.sampled_from(samples)),
     )
     declared = draw(attributes)
     values = values if values is not None else float32s(-1, 1)
