@@ -4,7 +4,7 @@
 #   testing     RasterCheck::testing and the libraries that it needs (docs/using-in-googletest.md)
 #   plugin      rastercheck/plugin.h, which depends on nothing
 #   corpus      the cases that the program and RasterCheck::testing check first
-#   program     rastercheck
+#   program     rastercheck, and the Python package of the same name (python/)
 #
 # The first two are also the components of find_package(RasterCheck) (RasterCheckConfig.cmake.in).
 include(CMakePackageConfigHelpers)

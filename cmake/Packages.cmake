@@ -1,5 +1,6 @@
-# `cpack -G DEB` in a build folder makes two Debian packages: rastercheck, the program with its corpus,
-# and rastercheck-dev, the files for find_package(RasterCheck). Install.cmake lists the components.
+# `cpack -G DEB` in a build folder makes two Debian packages: rastercheck, the program with its corpus
+# and its Python package, and rastercheck-dev, the files for find_package(RasterCheck). Install.cmake
+# lists the components.
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
@@ -39,6 +40,8 @@ what is wrong as a case of a few pixels.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS TRUE)
 # The libraries that the program loads to judge a driver, and Mesa's drivers.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libegl1, libopengl0, libgles2, libgl1-mesa-dri, mesa-vulkan-drivers")
+# For the Python package, which the program does without.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3 (>= 3.11), python3-hypothesis, python3-numpy, python3-pytest")
 
 # The corpus comes with the program, of the same version. RasterCheckConfig.cmake.in looks for the
 # rest.

@@ -23,7 +23,7 @@ HEAVY = re.compile(r"^(CGAL/|gmp|mpfr|Eigen/|rapidcheck|nlohmann/json\.hpp|assim
 # The one public header that may include GoogleTest: it is only for users of GoogleTest.
 FOR_GTEST = "properties/campaign/testing.h"
 # The folders whose files the documents name.
-ROOMS = {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports", "gate", "cli", "tests", "docs",
+ROOMS = {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports", "gate", "cli", "python", "tests", "docs",
          "scripts", "cmake", ".ci"}
 # A placeholder for a name that the reader chooses, as in tests/mutants/NAME.patch.
 PLACEHOLDER = re.compile(r"[A-Z]{4}")

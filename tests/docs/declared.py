@@ -16,6 +16,7 @@ NOT_RUN = {
     r"\bscene\.json$": "takes six minutes",
     r"--corpus large\b": "judges 110 million fragments",
     r"^scripts/image-defects\b": "takes minutes, and needs ImageMagick",
+    r"^(python3 -m venv|environment/bin/pip) ": "test python.package installs with pip, without a network",
     r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",
 }
 
@@ -54,6 +55,7 @@ ENDS_WITH = [
     ("from-formula-to-law.md", r"rastercheck_with_mutants .*\Z", (1,), "mutants"),
     ("image-tests.md", r"^rastercheck deqp .*\Z", (1,), "two verdicts of the log are wrong"),
     ("judge-a-driver.md", r"^rastercheck (run|replay) .*(--no-known|quarter\.json).*\Z", (1,), "a driver's defects"),
+    ("python.md", r"^python3 -m pytest .*-k random\Z", (1,), "the rasterizer made wrong"),
     ("judge-your-rasterizer.md", r"^sed .*\n.*\nrastercheck run .*\Z", (1,), "the division is gone"),
     ("regression-gate.md", r'"A reciprocal in float32"\nrastercheck run .*\Z', (3,), "made less precise"),
     ("using-in-googletest.md", r"^ctest .*\Z", (8,), "the page's other suite, a careless rasterizer's, is in it"),
@@ -72,6 +74,8 @@ BEFORE = {
 {"format": "rastercheck-contract", "version": 1, "bounds": {"smooth": {"constant": 0.25}}}
 END""",
     "probing.md": LITTLE,
+    # Debian's Python, for which scripts/setup installs pytest, Hypothesis and NumPy.
+    "python.md": "PATH=$PWD/build/release/bin:/usr/bin:$PATH && unset RASTERCHECK PYTHONPATH",
     "using-in-googletest.md": """mkdir own && cp tests/consumer/testing/* own && mkdir own/build &&
         ln -s ../../build/release own/build/release && cd own""",
     "regression-gate.md": """rastercheck plugin new own && cd own && cmake -S . -B build && cmake --build build &&

@@ -38,6 +38,11 @@ useradd --create-home somebody
 su - somebody -c 'rastercheck list'
 su - somebody -c 'rastercheck run --cases 3 --seed 1 --output out'
 echo "The run ended with $?."
+apt-get install -y -q --no-install-recommends python3
+su - somebody -c 'python3 -c "
+import importlib.metadata, rastercheck
+case = rastercheck.Case.load(\\"/usr/share/rastercheck/corpus/behind-the-eye.json\\")
+print(\\"Python\\", importlib.metadata.version(\\"rastercheck\\"), len(rastercheck.oracle(case)))"'
 apt-get install -y -q --no-install-recommends /packages/rastercheck-dev_*.deb g++ cmake ninja-build
 su - somebody -c 'cmake -G Ninja -S /tests -B tests && cmake --build tests'
 su - somebody -c 'RASTERCHECK_CASES=3 tests/my_tests --gtest_filter=MyRasterizer.law/coverage*'
@@ -134,7 +139,13 @@ class Contents(unittest.TestCase):
         for name in ["copyright", "README.md", "docs/when-it-fails.md", "docs/images/bunny-cpu.png"]:
             self.assertIn(docs + name, held)
         self.assertEqual(held[docs + "docs/ci/gate.sh"], "-rwxr-xr-x")
-        others = {name for name in held if not name.startswith((docs, "usr/share/rastercheck/"))}
+        python = {name.removeprefix("usr/lib/python3/dist-packages/") for name in held if "python3/" in name}
+        modules = {f"rastercheck/{path.name}" for path in (SOURCE / "python/rastercheck").glob("*.py")}
+        self.assertGreater(len(modules), 5)
+        version = field("rastercheck", "Version")
+        self.assertEqual(python, {*modules, "rastercheck/py.typed", f"rastercheck-{version}.dist-info/METADATA"})
+        others = {name for name in held
+                  if not name.startswith((docs, "usr/share/rastercheck/", "usr/lib/python3/dist-packages/"))}
         self.assertEqual(others, {"usr/bin/rastercheck", "usr/share/man/man1/rastercheck.1",
                                   "usr/share/bash-completion/completions/rastercheck"})
 
@@ -193,6 +204,7 @@ class OnCleanDebian(unittest.TestCase):
         print(log)
 
         self.assertIn("The run ended with 0.", log)
+        self.assertIn(f"Python {field('rastercheck', 'Version')} 24\n", log)
         self.assertIn("The tests ended with 0.", log)
         self.assertIn("[  PASSED  ] 1 test.", log)
         self.assertIn("coverage-obeys-the-contract", log)
