@@ -104,6 +104,14 @@ void append_triangle(std::string& to, const cases::Case& c, std::uint32_t triang
   append(to, std::span<const std::uint32_t>(kItsVertices));
 }
 
+/// What a draw asks for where a case leaves the choice open, as rastercheck_draw does (plugin.h).
+cases::Rounding asked(cases::Rounding rounding) {
+  return rounding == cases::Rounding::half_up ? rounding : cases::Rounding::nearest_even;
+}
+cases::TieRule asked(cases::TieRule rule) {
+  return rule == cases::TieRule::top_left ? rule : cases::TieRule::bottom_left;
+}
+
 /// The members of plugin.h's rastercheck_draw. Enumerators are written as the names that case files
 /// use for them.
 nlohmann::json header_of(const cases::Case& c, const cases::Contract& promised,
@@ -130,8 +138,8 @@ nlohmann::json header_of(const cases::Case& c, const cases::Contract& promised,
                         {"depth_clear", d.depth_clear},
                         {"coverage", c.coverage ? "snapped" : "exact"},
                         {"subpixel_bits", d.subpixel_bits},
-                        {"rounding", name_of(grid.rounding)},
-                        {"tie_rule", name_of(c.fill_rule)},
+                        {"rounding", name_of(asked(grid.rounding))},
+                        {"tie_rule", name_of(asked(c.fill_rule))},
                         {"basis", name_of(promised.coverage ? c.basis : cases::Basis::ideal)},
                         {"clip_distance_count", d.clip_distance_count},
                         {"attribute_count", d.attribute_count}};
