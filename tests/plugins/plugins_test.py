@@ -326,22 +326,49 @@ class Mutants(PluginTest):
         return "plugin:./whole.so"
 
 
+def find(test, program):
+    """Where a program is. Elsewhere than in CI, a language that a machine does not have is skipped."""
+    found = shutil.which(program)
+    if found is None:
+        (test.fail if os.environ.get("RASTERCHECK_REQUIRE_BACKENDS") else test.skipTest)(f"no {program}")
+    return found
+
+
 class Starter(PluginTest):
     def test_builds_and_holds_as_it_is_written(self):
         for language in ("c", "c++"):
-            self.rastercheck(0, "plugin", "new", language, "--language", language)
-            compilers = [f"-DCMAKE_C_COMPILER={CC}"] if language == "c" else [f"-DCMAKE_CXX_COMPILER={CXX}"]
-            readme = (self.folder / language / "README.md").read_text(encoding="utf-8")
-            commands = re.findall(r"^    (cmake .*|rastercheck run .*)$", readme, re.MULTILINE)
-            self.assertEqual(len(commands), 3, readme)
-            for command, program, more in zip(commands, (CMAKE, CMAKE, RASTERCHECK),
-                                              (compilers, [], ["--cases", 20, "--seed", 1])):
-                words = [program, *command.split()[1:], *more]
-                done = subprocess.run([str(word) for word in words], cwd=self.folder / language,
-                                      capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, f"{words}\n{done.stdout}\n{done.stderr}")
-                self.assertNotIn("warning", done.stdout + done.stderr)
-            self.assertTrue((self.folder / language / "rastercheck-out/report.html").exists())
+            with self.subTest(language):
+                self.follow_readme(language, 3)
+
+    def test_programs_hold_as_they_are_written(self):
+        for language, tool, count in (("python", "python3", 1), ("javascript", "node", 1), ("rust", "rustc", 2)):
+            with self.subTest(language):
+                find(self, tool)
+                self.follow_readme(language, count)
+
+    def follow_readme(self, language, count, *options):
+        """Writes a project, and runs the commands that its README names before a counterexample."""
+        folder = self.folder / language
+        self.rastercheck(0, "plugin", "new", folder, "--language", language, *options)
+        readme = (folder / "README.md").read_text(encoding="utf-8")
+        commands = re.findall(r"^    (cmake .*|rustc .*|rastercheck run .*)$", readme, re.MULTILINE)
+        self.assertEqual(len(commands), count, readme)
+        for command in commands:
+            words = shlex.split(command)
+            if words[:2] == ["cmake", "-S"]:
+                words += [f"-DCMAKE_C_COMPILER={CC}", f"-DCMAKE_CXX_COMPILER={CXX}", "-Wno-dev", "--no-warn-unused-cli"]
+            if words[0] == "rastercheck":
+                words = words[:words.index("--seed")] if "--seed" in words else words
+                words += ["--seed", 1, "--cases", PROGRAM_CASES if language in ("python", "javascript") else 20]
+                if language == "python":  # which takes a minute for the whole corpus
+                    words += ["--corpus", self.folder / "corpus"]
+            words[0] = {"cmake": CMAKE, "rastercheck": RASTERCHECK}.get(words[0], words[0])
+            done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(done.returncode, 0, f"{words}\n{done.stdout}\n{done.stderr}")
+            self.assertNotIn("warning", done.stdout + done.stderr)
+        self.assertTrue((folder / "rastercheck-out/report.html").exists())
+        return folder
 
     def test_the_page_shows_what_is_printed(self):
         page = (SOURCE / "docs/judge-your-rasterizer.md").read_text(encoding="utf-8")
@@ -372,13 +399,6 @@ class Programs(PluginTest):
         self.rastercheck(0, "run", "--backend", f"exec:{command}", "--seed", 1, "--cases", PROGRAM_CASES,
                          "--corpus", self.folder / "corpus")
 
-    def find(self, program):
-        """Where a program is. Elsewhere than in CI, a language that a machine does not have is skipped."""
-        found = shutil.which(program)
-        if found is None:
-            (self.fail if os.environ.get("RASTERCHECK_REQUIRE_BACKENDS") else self.skipTest)(f"no {program}")
-        return found
-
     def compile(self, *command):
         done = self.run_command(*command)
         self.assertEqual((done.returncode, done.stderr), (0, ""), command)
@@ -387,10 +407,10 @@ class Programs(PluginTest):
         self.held(sys.executable, SOURCE / "docs/examples/exec/python/little.py")
 
     def test_javascript(self):
-        self.held(self.find("node"), SOURCE / "docs/examples/exec/javascript/little.mjs")
+        self.held(find(self, "node"), SOURCE / "docs/examples/exec/javascript/little.mjs")
 
     def test_rust(self):
-        self.compile(self.find("rustc"), "-O", SOURCE / "docs/examples/exec/rust/little.rs", "-o", "little")
+        self.compile(find(self, "rustc"), "-O", SOURCE / "docs/examples/exec/rust/little.rs", "-o", "little")
         self.held(self.folder / "little")
 
     def test_a_plugin_in_c(self):
