@@ -83,7 +83,8 @@ class PluginTest(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="plugins-"))
         self.addCleanup(shutil.rmtree, self.folder)
         (self.folder / "include/rastercheck").mkdir(parents=True)
-        shutil.copy(SOURCE / "backends/plugin/plugin.h", self.folder / "include/rastercheck")
+        for header in ("plugin.h", "barycentrics.h"):
+            shutil.copy(SOURCE / "backends/plugin" / header, self.folder / "include/rastercheck")
         for name, text in (("wide", WIDE), ("narrow", NARROW)):
             self.write(f"corpus/{name}.json", json.dumps(text))
 
@@ -287,6 +288,17 @@ class Faulty(PluginTest):
         said = self.rastercheck(2, "run", "--backend", "plugin:./nowhere.so")
         self.assertEqual(said, "rastercheck: plugin:./nowhere.so: no such file; paths are relative "
                                "to the folder that rastercheck runs in\n")
+
+
+class Header(PluginTest):
+    def test_barycentrics_are_as_calculated_by_hand(self):
+        for compiler in ([CC, "-std=c99"], [CXX, "-x", "c++", "-std=c++11"]):
+            words = [*compiler, *WARNINGS, "-I", self.folder / "include",
+                     SOURCE / "tests/plugins/barycentrics_test.c", "-o", "barycentrics_test"]
+            done = self.run_command(*words)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), words)
+            done = self.run_command(self.folder / "barycentrics_test")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 class Mutants(PluginTest):
