@@ -93,12 +93,19 @@ Action set_up(CLI::App& app) {
       ->check(CLI::IsMember(languages()))
       ->type_name("LANGUAGE")
       ->capture_default_str();
+  new_command
+      ->add_option("--from", options->gives,
+                   "What your rasterizer gives: fragments with values, or only an 8-bit image")
+      ->check(CLI::IsMember({"fragments", "image"}))
+      ->type_name("OUTPUT")
+      ->capture_default_str();
   new_command->add_flag("-q,--quiet", options->quiet, "Print nothing");
   constexpr const char* kFooter =
       "Prints the names of the files. Their README.md describes the next steps.\n\n"
       "Examples:\n"
       "  rastercheck plugin new mine\n"
-      "  rastercheck plugin new mine --language python";
+      "  rastercheck plugin new mine --language python\n"
+      "  rastercheck plugin new mine --from image --language c++";
   app.footer(kFooter);
   new_command->footer(kFooter);
   return [options] { return make_new(*options); };

@@ -352,6 +352,39 @@ class Starter(PluginTest):
             with self.subTest(language):
                 self.follow_readme(language, 3)
 
+    # Defects of the rasterizer in the image starter: the law that has to find each, what it says, and
+    # what is replaced in the text by what.
+    IMAGE_DEFECTS = {
+        "affine colours": (VALUES, "beyond bound", "w[i] /= t->vertex[i].position[3]; /* perspective */", ""),
+        "half a pixel off": (COVERAGE, "extra", "x * GRID + GRID / 2", "x * GRID"),
+        "the farthest is seen": ("the-nearest-fragment-wins", "another one is nearest here", "if (!(z < *depth)) return;",
+                                 "if (*depth <= 1 && !(z > *depth)) return;"),
+        "gamma": (COVERAGE, "which no triangle has", "(color * 255 + 0.5)", "(sqrt(color) * 255 + 0.5)"),
+    }
+
+    def test_an_image_suffices(self):
+        for language, suffix in (("c", "c"), ("c++", "cpp")):
+            folder = self.follow_readme(language, 3, "--from", "image")
+            source = folder / f"rasterizer.{suffix}"
+            whole = source.read_text(encoding="utf-8")
+            defects = self.IMAGE_DEFECTS if language == "c" else {}
+            for name, (law, message, right, wrong) in defects.items():
+                with self.subTest(name):
+                    self.assertEqual(whole.count(right), 1)
+                    source.write_text(whole.replace(right, wrong), encoding="utf-8")
+                    done = self.run_command(CMAKE, "--build", folder / "build")
+                    self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                    said = self.rastercheck(1, "run", "--backend", f"plugin:{folder}/build/plugin.so", "--seed", 1,
+                                            "--cases", 30, "--property", law, "--shrink-tries", 20,
+                                            "--output", "broken")
+                    self.assertIn(message, said)
+                    self.assertEqual({one["law"] for one in self.counterexamples("broken").values()}, {law})
+
+    def test_there_is_no_image_starter_for_every_language(self):
+        said = self.rastercheck(2, "plugin", "new", "none", "--from", "image", "--language", "rust")
+        self.assertEqual(said, "rastercheck: --from image: has no project in rust, but in: c, c++\n")
+        self.assertFalse((self.folder / "none").exists())
+
     def test_programs_hold_as_they_are_written(self):
         for language, tool, count in (("python", "python3", 1), ("javascript", "node", 1), ("rust", "rustc", 2)):
             with self.subTest(language):
