@@ -22,6 +22,7 @@ SOURCE, RASTERCHECK = pathlib.Path(), ""
 # Pages about other things: the projects that `rastercheck plugin new` makes, and the source of some
 # test cases.
 ELSEWHERE = ("docs/examples/plugin/starter/README.md", "docs/examples/plugin/image/README.md",
+             "docs/examples/exec/image/README.md",
              *(f"docs/examples/exec/starter/{language}/README.md" for language in ("python", "javascript", "rust")),
              "tests/oracle/vectors/README.md")
 # Numbers that pages write as words.

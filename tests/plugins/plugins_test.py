@@ -352,8 +352,8 @@ class Starter(PluginTest):
             with self.subTest(language):
                 self.follow_readme(language, 3)
 
-    # Defects of the rasterizer in the image starter: the law that has to find each, what it says, and
-    # what is replaced in the text by what.
+    # Defects of the rasterizers in the image starters: the law that has to find each, what it says,
+    # and what is replaced in the text by what.
     IMAGE_DEFECTS = {
         "affine colours": (VALUES, "beyond bound", "w[i] /= t->vertex[i].position[3]; /* perspective */", ""),
         "half a pixel off": (COVERAGE, "extra", "x * GRID + GRID / 2", "x * GRID"),
@@ -361,28 +361,40 @@ class Starter(PluginTest):
                                  "if (*depth <= 1 && !(z > *depth)) return;"),
         "gamma": (COVERAGE, "which no triangle has", "(color * 255 + 0.5)", "(sqrt(color) * 255 + 0.5)"),
     }
+    PYTHON_DEFECTS = {
+        "affine colours": (VALUES, "beyond bound", "[weight / p[3] for weight,", "[weight for weight,"),
+        "half a pixel off": (COVERAGE, "extra", "column * GRID + GRID // 2", "column * GRID"),
+        "gamma": (COVERAGE, "which no triangle has", "int(color / sum(weights) * 255",
+                  "int((color / sum(weights)) ** 0.5 * 255"),
+    }
 
     def test_an_image_suffices(self):
-        for language, suffix in (("c", "c"), ("c++", "cpp")):
-            folder = self.follow_readme(language, 3, "--from", "image")
-            source = folder / f"rasterizer.{suffix}"
-            whole = source.read_text(encoding="utf-8")
-            defects = self.IMAGE_DEFECTS if language == "c" else {}
-            for name, (law, message, right, wrong) in defects.items():
-                with self.subTest(name):
-                    self.assertEqual(whole.count(right), 1)
-                    source.write_text(whole.replace(right, wrong), encoding="utf-8")
-                    done = self.run_command(CMAKE, "--build", folder / "build")
-                    self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-                    said = self.rastercheck(1, "run", "--backend", f"plugin:{folder}/build/plugin.so", "--seed", 1,
-                                            "--cases", 30, "--property", law, "--shrink-tries", 20,
-                                            "--output", "broken")
-                    self.assertIn(message, said)
-                    self.assertEqual({one["law"] for one in self.counterexamples("broken").values()}, {law})
+        self.check_image(self.follow_readme("c++", 3, "--from", "image") / "rasterizer.cpp", {}, "")
+        folder = self.follow_readme("c", 3, "--from", "image")
+        self.check_image(folder / "rasterizer.c", self.IMAGE_DEFECTS, f"plugin:{folder}/build/plugin.so",
+                         CMAKE, "--build", folder / "build")
+
+    def test_an_image_suffices_in_python(self):
+        folder = self.follow_readme("python", 1, "--from", "image")
+        self.check_image(folder / "rasterizer.py", self.PYTHON_DEFECTS, f"exec:{sys.executable} {folder}/image.py",
+                         "true")
+
+    def check_image(self, source, defects, backend, *build):
+        whole = source.read_text(encoding="utf-8")
+        for name, (law, message, right, wrong) in defects.items():
+            with self.subTest(name):
+                self.assertEqual(whole.count(right), 1)
+                source.write_text(whole.replace(right, wrong), encoding="utf-8")
+                done = self.run_command(*build)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                said = self.rastercheck(1, "run", "--backend", backend, "--seed", 1, "--cases", 30, "--property", law,
+                                        "--shrink-tries", 20, "--output", "broken")
+                self.assertIn(message, said)
+                self.assertEqual({one["law"] for one in self.counterexamples("broken").values()}, {law})
 
     def test_there_is_no_image_starter_for_every_language(self):
         said = self.rastercheck(2, "plugin", "new", "none", "--from", "image", "--language", "rust")
-        self.assertEqual(said, "rastercheck: --from image: has no project in rust, but in: c, c++\n")
+        self.assertEqual(said, "rastercheck: --from image: has no project in rust, but in: c, c++, python\n")
         self.assertFalse((self.folder / "none").exists())
 
     def test_programs_hold_as_they_are_written(self):
