@@ -25,7 +25,8 @@ class FragmentCollector {
   /// the fragment does not fit the case.
   std::string add(const SamplePlace& at, float depth, std::span<const float> attributes);
 
-  /// Returns the sorted fragments; the collector is then of no more use. Fails with a reason if a triangle has two fragments at a sample.
+  /// Returns the sorted fragments; the collector is then of no more use. Fails with a reason if a
+  /// triangle has two fragments at a sample.
   tl::expected<Fragments, std::string> take();
 
  private:
