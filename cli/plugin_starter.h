@@ -1,10 +1,10 @@
 #pragma once
 
-// The files of a starter project for plugins (docs/examples/plugin), which the build embeds in the
-// program.
+// The files of the starter projects (docs/examples/plugin, docs/examples/exec), which the build
+// embeds in the program.
 
-#include <span>
 #include <string_view>
+#include <vector>
 
 namespace rastercheck::cli {
 
@@ -13,7 +13,13 @@ struct StarterFile {
   std::string_view text;
 };
 
-std::span<const StarterFile> starter_in_c();
-std::span<const StarterFile> starter_in_cxx();
+/// A project for a rasterizer of this language, which gives fragments or only an image.
+struct Starter {
+  std::string_view language;
+  std::string_view gives;
+  std::vector<StarterFile> files;
+};
+
+const std::vector<Starter>& starters();
 
 }  // namespace rastercheck::cli

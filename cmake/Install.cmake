@@ -2,7 +2,7 @@
 #
 #   rasterizer  RasterCheck::rasterizer (docs/using-the-rasterizer.md)
 #   testing     RasterCheck::testing and the libraries that it needs (docs/using-in-googletest.md)
-#   plugin      rastercheck/plugin.h, which depends on nothing
+#   plugin      rastercheck/plugin.h and barycentrics.h, which depend on nothing
 #   corpus      the cases that the program and RasterCheck::testing check first
 #   program     rastercheck, and the Python package of the same name (python/)
 #

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -104,6 +105,14 @@ void append_triangle(std::string& to, const cases::Case& c, std::uint32_t triang
   append(to, std::span<const std::uint32_t>(kItsVertices));
 }
 
+/// What a draw asks for where a case leaves the choice open, as rastercheck_draw does (plugin.h).
+cases::Rounding asked(cases::Rounding rounding) {
+  return rounding == cases::Rounding::half_up ? rounding : cases::Rounding::nearest_even;
+}
+cases::TieRule asked(cases::TieRule rule) {
+  return rule == cases::TieRule::top_left ? rule : cases::TieRule::bottom_left;
+}
+
 /// The members of plugin.h's rastercheck_draw. Enumerators are written as the names that case files
 /// use for them.
 nlohmann::json header_of(const cases::Case& c, const cases::Contract& promised,
@@ -130,8 +139,8 @@ nlohmann::json header_of(const cases::Case& c, const cases::Contract& promised,
                         {"depth_clear", d.depth_clear},
                         {"coverage", c.coverage ? "snapped" : "exact"},
                         {"subpixel_bits", d.subpixel_bits},
-                        {"rounding", name_of(grid.rounding)},
-                        {"tie_rule", name_of(c.fill_rule)},
+                        {"rounding", name_of(asked(grid.rounding))},
+                        {"tie_rule", name_of(asked(c.fill_rule))},
                         {"basis", name_of(promised.coverage ? c.basis : cases::Basis::ideal)},
                         {"clip_distance_count", d.clip_distance_count},
                         {"attribute_count", d.attribute_count}};
@@ -290,59 +299,50 @@ class Values {
   std::vector<float> values_;
 };
 
-/// One of an answer's arrays, with `row` numbers for each sample.
-class Rows {
- public:
-  Rows(std::string_view bytes, std::size_t row) : bytes_(bytes), row_(row), numbers_(row) {}
-
-  std::span<const float> at(std::size_t sample) {
-    if (row_ == 0) return {};
-    std::memcpy(numbers_.data(), bytes_.data() + sample * row_ * sizeof(float),
-                row_ * sizeof(float));
-    return numbers_;
-  }
-
- private:
-  std::string_view bytes_;
-  std::size_t row_;
-  std::vector<float> numbers_;
-};
+/// Copies the numbers at the beginning of an answer's arrays, which may lie at any address, and
+/// drops them there.
+template <typename T>
+std::vector<T> take_numbers(std::string_view& arrays, std::size_t count) {
+  std::vector<T> numbers(count);
+  if (count > 0) std::memcpy(numbers.data(), arrays.data(), count * sizeof(T));
+  arrays.remove_prefix(count * sizeof(T));
+  return numbers;
+}
 
 }  // namespace
 
 std::string add_answer(const AnswerHeader& header, std::string_view arrays, Gives gives,
                        const cases::Case& c, std::optional<std::uint32_t> triangle,
                        cases::FragmentCollector& fragments) {
-  const auto per_pixel = static_cast<std::uint64_t>(c.framebuffer.samples);
-  const std::uint64_t columns = (header.max_x - header.min_x) * per_pixel;
-  const std::uint64_t count = header.pixels() * per_pixel;
-  const std::uint64_t bytes = count * sizeof(float);
-  const std::size_t depths = gives == Gives::triangle ? 0 : 1;
+  const auto per_pixel = static_cast<std::uint32_t>(c.framebuffer.samples);
+  const std::size_t count = header.pixels() * per_pixel;
   const std::size_t row = gives == Gives::barycentrics ? 3
                           : gives == Gives::attributes ? c.attributes.size()
                                                        : 0;
-  const std::string_view seen = arrays.substr(0, bytes);
-  Rows depth(arrays.substr(bytes), depths);
-  Rows given(arrays.substr(bytes * (1 + depths)), row);
+  const auto seen = take_numbers<std::uint32_t>(arrays, count);
+  const auto depths = take_numbers<float>(arrays, gives == Gives::triangle ? 0 : count);
+  const auto given = take_numbers<float>(arrays, row * count);
   Values values(gives, c);
   const std::uint32_t triangles = triangle ? 1 : static_cast<std::uint32_t>(c.triangles.size());
-  for (std::uint64_t i = 0; i < count; ++i) {
-    std::uint32_t index = 0;
-    std::memcpy(&index, seen.data() + i * sizeof index, sizeof index);
-    if (index == 0) continue;
-    const cases::SamplePlace at{triangle.value_or(index - 1),
-                                header.min_y + static_cast<std::uint32_t>(i / columns),
-                                header.min_x + static_cast<std::uint32_t>(i % columns / per_pixel),
-                                static_cast<std::uint32_t>(i % per_pixel)};
-    if (index > triangles) {
-      return fmt::format(
-          "its answer shows triangle {} at pixel {}, {}; 0 means none, and the draw has {}", index,
-          at.x, at.y, triangles);
-    }
-    const float z = depths == 0 ? std::nanf("") : depth.at(i).front();
-    if (std::string fault = fragments.add(at, z, values.of(at.triangle, given.at(i)));
-        !fault.empty()) {
-      return "its answer: " + fault;
+  fragments.reserve(count - static_cast<std::size_t>(std::count(seen.begin(), seen.end(), 0U)));
+  std::size_t i = 0;
+  for (std::uint32_t y = header.min_y; y < header.max_y; ++y) {
+    for (std::uint32_t x = header.min_x; x < header.max_x; ++x) {
+      for (std::uint32_t sample = 0; sample < per_pixel; ++sample, ++i) {
+        if (seen[i] == 0) continue;
+        if (seen[i] > triangles) {
+          return fmt::format(
+              "its answer shows triangle {} at pixel {}, {}; 0 means none, and the draw has {}",
+              seen[i], x, y, triangles);
+        }
+        const cases::SamplePlace at{triangle.value_or(seen[i] - 1), y, x, sample};
+        const float depth = depths.empty() ? std::numeric_limits<float>::quiet_NaN() : depths[i];
+        const auto own = std::span(given).subspan(i * row, row);
+        if (std::string fault = fragments.add(at, depth, values.of(at.triangle, own));
+            !fault.empty()) {
+          return "its answer: " + fault;
+        }
+      }
     }
   }
   return "";

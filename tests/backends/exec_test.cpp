@@ -72,6 +72,21 @@ TEST(Exec, DrawsAllTrianglesTogetherForADepthTest) {
   EXPECT_THAT(drawn->fragments.triangle, ElementsAre(0, 0, 0, 0));
 }
 
+// Kills: names that the protocol does not have, at which a program ends that reads names strictly.
+TEST(Exec, AsksForOneRuleWhereTheCaseLeavesItOpen) {
+  cases::Case c = two_triangles();
+  c.coverage = cases::Snapping{.rounding = cases::Rounding::unspecified};
+  c.fill_rule = cases::TieRule::unspecified;
+  const std::string header = draw_message(c, cases::contract_of(c), 0).header;
+  EXPECT_THAT(header, HasSubstr(R"("rounding":"nearest_even")"));
+  EXPECT_THAT(header, HasSubstr(R"("tie_rule":"bottom_left")"));
+  c.coverage->rounding = cases::Rounding::half_up;
+  c.fill_rule = cases::TieRule::top_left;
+  const std::string other = draw_message(c, cases::contract_of(c), 0).header;
+  EXPECT_THAT(other, HasSubstr(R"("rounding":"half_up")"));
+  EXPECT_THAT(other, HasSubstr(R"("tie_rule":"top_left")"));
+}
+
 TEST(Exec, PassesArraysThroughSharedMemoryThatGrows) {
   const auto backend = program("shared");
   ASSERT_TRUE(backend) << to_string(backend.error());

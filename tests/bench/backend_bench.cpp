@@ -1,5 +1,7 @@
-// backend/…: the cost of drawing in a process of the backend's own. The same case is drawn
-// alternately in this process and in the other one. The counter is the median of the differences.
+// backend/…: the cost of drawing in a process of the backend's own. For backend/worker, the same
+// case is drawn alternately in this process and in the other one, and the counter is the median of
+// the differences. The programs of backend/exec draw next to nothing, so all of their time is the
+// cost of asking and answering.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -100,6 +102,29 @@ BENCHMARK_CAPTURE(draw_with_driver, softpipe, "gl:softpipe")
     ->Arg(64)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
+
+/// The time of asking a program, and of taking its answer.
+void ask_program(benchmark::State& bench, const char* command) {
+  const auto backend = backends::make_backend(std::string("exec:") + command);
+  if (!backend) return bench.SkipWithError(backend.error().reason.c_str());
+  const cases::Case c = half_case(static_cast<int>(bench.range(0)), 3);
+  if (!(*backend)->draw(c)) return bench.SkipWithError("the program does not draw");
+  for (auto _ : bench) benchmark::DoNotOptimize((*backend)->draw(c));
+}
+void register_program(const char* name, const char* command) {
+  benchmark::RegisterBenchmark(name, ask_program, command)
+      ->Arg(64)
+      ->Arg(256)
+      ->UseRealTime()
+      ->Unit(benchmark::kMicrosecond);
+}
+const bool kAreRegistered = [] {
+  register_program("backend/exec/c", RASTERCHECK_BENCH_EXEC_PROGRAM);
+  register_program("backend/exec/c-shared-memory",
+                   RASTERCHECK_BENCH_EXEC_PROGRAM " --shared-memory");
+  register_program("backend/exec/python", RASTERCHECK_BENCH_EXEC_PYTHON);
+  return true;
+}();
 
 }  // namespace
 }  // namespace rastercheck::bench

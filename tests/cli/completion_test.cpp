@@ -76,6 +76,7 @@ TEST(Completion, OffersValuesWhereTheyAreKnown) {
   EXPECT_THAT(completions({"list", "b"}), ElementsAre("backends"));
   EXPECT_THAT(completions("plugin new --language=c", {"plugin", "new", "--language", "=", "c"}),
               ElementsAre("c", "c++"));
+  EXPECT_THAT(completions({"plugin", "new", "--language", "r"}), ElementsAre("rust"));
   EXPECT_THAT(completions({"run", "--cases", ""}), IsEmpty());
   EXPECT_THAT(completions({"run", "--seed", "-"}), IsEmpty());
 }

@@ -19,9 +19,12 @@ import page as pages  # noqa: E402
 
 SOURCE, RASTERCHECK = pathlib.Path(), ""
 
-# Pages about other things: the project that `rastercheck plugin new` makes, and the source of some
+# Pages about other things: the projects that `rastercheck plugin new` makes, and the source of some
 # test cases.
-ELSEWHERE = ("docs/examples/plugin/starter/README.md", "tests/oracle/vectors/README.md")
+ELSEWHERE = ("docs/examples/plugin/starter/README.md", "docs/examples/plugin/image/README.md",
+             "docs/examples/exec/image/README.md",
+             *(f"docs/examples/exec/starter/{language}/README.md" for language in ("python", "javascript", "rust")),
+             "tests/oracle/vectors/README.md")
 # Numbers that pages write as words.
 WORDS = {"six": 6, "nine": 9, "ten": 10, "twelve": 12, "thirteen": 13, "fourteen": 14, "seventeen": 17, "forty": 40, "fifty": 50, "eighty": 80}
 

@@ -159,7 +159,7 @@ class Contents(unittest.TestCase):
         held = files("rastercheck-dev")
         library = r"usr/lib/(\S+/)?"
         for pattern in [r"usr/include/rasterizer/rasterizer\.h", r"usr/include/rastercheck/backends/backend\.h",
-                        r"usr/include/rastercheck/plugin\.h",
+                        r"usr/include/rastercheck/plugin\.h", r"usr/include/rastercheck/barycentrics\.h",
                         library + r"librastercheck_rasterizer\.a", library + r"librastercheck_campaign\.a",
                         library + r"cmake/RasterCheck/RasterCheckConfig\.cmake",
                         r"usr/share/doc/rastercheck-dev/copyright"]:

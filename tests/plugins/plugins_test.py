@@ -83,7 +83,8 @@ class PluginTest(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="plugins-"))
         self.addCleanup(shutil.rmtree, self.folder)
         (self.folder / "include/rastercheck").mkdir(parents=True)
-        shutil.copy(SOURCE / "backends/plugin/plugin.h", self.folder / "include/rastercheck")
+        for header in ("plugin.h", "barycentrics.h"):
+            shutil.copy(SOURCE / "backends/plugin" / header, self.folder / "include/rastercheck")
         for name, text in (("wide", WIDE), ("narrow", NARROW)):
             self.write(f"corpus/{name}.json", json.dumps(text))
 
@@ -289,6 +290,17 @@ class Faulty(PluginTest):
                                "to the folder that rastercheck runs in\n")
 
 
+class Header(PluginTest):
+    def test_barycentrics_are_as_calculated_by_hand(self):
+        for compiler in ([CC, "-std=c99"], [CXX, "-x", "c++", "-std=c++11"]):
+            words = [*compiler, *WARNINGS, "-I", self.folder / "include",
+                     SOURCE / "tests/plugins/barycentrics_test.c", "-o", "barycentrics_test"]
+            done = self.run_command(*words)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), words)
+            done = self.run_command(self.folder / "barycentrics_test")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
 class Mutants(PluginTest):
     def test_each_is_killed_by_the_law_it_names(self):
         patches = sorted(SOURCE.glob("tests/plugins/mutants/*.patch"))
@@ -326,22 +338,94 @@ class Mutants(PluginTest):
         return "plugin:./whole.so"
 
 
+def find(test, program):
+    """Where a program is. Elsewhere than in CI, a language that a machine does not have is skipped."""
+    found = shutil.which(program)
+    if found is None:
+        (test.fail if os.environ.get("RASTERCHECK_REQUIRE_BACKENDS") else test.skipTest)(f"no {program}")
+    return found
+
+
 class Starter(PluginTest):
     def test_builds_and_holds_as_it_is_written(self):
         for language in ("c", "c++"):
-            self.rastercheck(0, "plugin", "new", language, "--language", language)
-            compilers = [f"-DCMAKE_C_COMPILER={CC}"] if language == "c" else [f"-DCMAKE_CXX_COMPILER={CXX}"]
-            readme = (self.folder / language / "README.md").read_text(encoding="utf-8")
-            commands = re.findall(r"^    (cmake .*|rastercheck run .*)$", readme, re.MULTILINE)
-            self.assertEqual(len(commands), 3, readme)
-            for command, program, more in zip(commands, (CMAKE, CMAKE, RASTERCHECK),
-                                              (compilers, [], ["--cases", 20, "--seed", 1])):
-                words = [program, *command.split()[1:], *more]
-                done = subprocess.run([str(word) for word in words], cwd=self.folder / language,
-                                      capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, f"{words}\n{done.stdout}\n{done.stderr}")
-                self.assertNotIn("warning", done.stdout + done.stderr)
-            self.assertTrue((self.folder / language / "rastercheck-out/report.html").exists())
+            with self.subTest(language):
+                self.follow_readme(language, 3)
+
+    # Defects of the rasterizers in the image starters: the law that has to find each, what it says,
+    # and what is replaced in the text by what.
+    IMAGE_DEFECTS = {
+        "affine colours": (VALUES, "beyond bound", "w[i] /= t->vertex[i].position[3]; /* perspective */", ""),
+        "half a pixel off": (COVERAGE, "extra", "x * GRID + GRID / 2", "x * GRID"),
+        "the farthest is seen": ("the-nearest-fragment-wins", "another one is nearest here", "if (!(z < *depth)) return;",
+                                 "if (*depth <= 1 && !(z > *depth)) return;"),
+        "gamma": (COVERAGE, "which no triangle has", "(color * 255 + 0.5)", "(sqrt(color) * 255 + 0.5)"),
+    }
+    PYTHON_DEFECTS = {
+        "affine colours": (VALUES, "beyond bound", "[weight / p[3] for weight,", "[weight for weight,"),
+        "half a pixel off": (COVERAGE, "extra", "column * GRID + GRID // 2", "column * GRID"),
+        "gamma": (COVERAGE, "which no triangle has", "int(color / sum(weights) * 255",
+                  "int((color / sum(weights)) ** 0.5 * 255"),
+    }
+
+    def test_an_image_suffices(self):
+        self.check_image(self.follow_readme("c++", 3, "--from", "image") / "rasterizer.cpp", {}, "")
+        folder = self.follow_readme("c", 3, "--from", "image")
+        self.check_image(folder / "rasterizer.c", self.IMAGE_DEFECTS, f"plugin:{folder}/build/plugin.so",
+                         CMAKE, "--build", folder / "build")
+
+    def test_an_image_suffices_in_python(self):
+        folder = self.follow_readme("python", 1, "--from", "image")
+        self.check_image(folder / "rasterizer.py", self.PYTHON_DEFECTS, f"exec:{sys.executable} {folder}/image.py",
+                         "true")
+
+    def check_image(self, source, defects, backend, *build):
+        whole = source.read_text(encoding="utf-8")
+        for name, (law, message, right, wrong) in defects.items():
+            with self.subTest(name):
+                self.assertEqual(whole.count(right), 1)
+                source.write_text(whole.replace(right, wrong), encoding="utf-8")
+                done = self.run_command(*build)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                said = self.rastercheck(1, "run", "--backend", backend, "--seed", 1, "--cases", 30, "--property", law,
+                                        "--shrink-tries", 20, "--output", "broken")
+                self.assertIn(message, said)
+                self.assertEqual({one["law"] for one in self.counterexamples("broken").values()}, {law})
+
+    def test_there_is_no_image_starter_for_every_language(self):
+        said = self.rastercheck(2, "plugin", "new", "none", "--from", "image", "--language", "rust")
+        self.assertEqual(said, "rastercheck: --from image: has no project in rust, but in: c, c++, python\n")
+        self.assertFalse((self.folder / "none").exists())
+
+    def test_programs_hold_as_they_are_written(self):
+        for language, tool, count in (("python", "python3", 1), ("javascript", "node", 1), ("rust", "rustc", 2)):
+            with self.subTest(language):
+                find(self, tool)
+                self.follow_readme(language, count)
+
+    def follow_readme(self, language, count, *options):
+        """Writes a project, and runs the commands that its README names before a counterexample."""
+        folder = self.folder / language
+        self.rastercheck(0, "plugin", "new", folder, "--language", language, *options)
+        readme = (folder / "README.md").read_text(encoding="utf-8")
+        commands = re.findall(r"^    (cmake .*|rustc .*|rastercheck run .*)$", readme, re.MULTILINE)
+        self.assertEqual(len(commands), count, readme)
+        for command in commands:
+            words = shlex.split(command)
+            if words[:2] == ["cmake", "-S"]:
+                words += [f"-DCMAKE_C_COMPILER={CC}", f"-DCMAKE_CXX_COMPILER={CXX}", "-Wno-dev", "--no-warn-unused-cli"]
+            if words[0] == "rastercheck":
+                words = words[:words.index("--seed")] if "--seed" in words else words
+                words += ["--seed", 1, "--cases", PROGRAM_CASES if language in ("python", "javascript") else 20]
+                if language == "python":  # which takes a minute for the whole corpus
+                    words += ["--corpus", self.folder / "corpus"]
+            words[0] = {"cmake": CMAKE, "rastercheck": RASTERCHECK}.get(words[0], words[0])
+            done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(done.returncode, 0, f"{words}\n{done.stdout}\n{done.stderr}")
+            self.assertNotIn("warning", done.stdout + done.stderr)
+        self.assertTrue((folder / "rastercheck-out/report.html").exists())
+        return folder
 
     def test_the_page_shows_what_is_printed(self):
         page = (SOURCE / "docs/judge-your-rasterizer.md").read_text(encoding="utf-8")
@@ -372,13 +456,6 @@ class Programs(PluginTest):
         self.rastercheck(0, "run", "--backend", f"exec:{command}", "--seed", 1, "--cases", PROGRAM_CASES,
                          "--corpus", self.folder / "corpus")
 
-    def find(self, program):
-        """Where a program is. Elsewhere than in CI, a language that a machine does not have is skipped."""
-        found = shutil.which(program)
-        if found is None:
-            (self.fail if os.environ.get("RASTERCHECK_REQUIRE_BACKENDS") else self.skipTest)(f"no {program}")
-        return found
-
     def compile(self, *command):
         done = self.run_command(*command)
         self.assertEqual((done.returncode, done.stderr), (0, ""), command)
@@ -387,10 +464,10 @@ class Programs(PluginTest):
         self.held(sys.executable, SOURCE / "docs/examples/exec/python/little.py")
 
     def test_javascript(self):
-        self.held(self.find("node"), SOURCE / "docs/examples/exec/javascript/little.mjs")
+        self.held(find(self, "node"), SOURCE / "docs/examples/exec/javascript/little.mjs")
 
     def test_rust(self):
-        self.compile(self.find("rustc"), "-O", SOURCE / "docs/examples/exec/rust/little.rs", "-o", "little")
+        self.compile(find(self, "rustc"), "-O", SOURCE / "docs/examples/exec/rust/little.rs", "-o", "little")
         self.held(self.folder / "little")
 
     def test_a_plugin_in_c(self):
