@@ -166,9 +166,9 @@ void read_triangles(const JsonNode& node, Case& c) {
 }
 
 Found read_found(const JsonNode& node) {
-  node.expect_object({}, {"law", "backend", "verdict", "seed", "index", "kind", "condition"});
+  node.expect_object({}, {"property", "backend", "verdict", "seed", "index", "kind", "condition"});
   Found found;
-  if (node.has("law")) found.law = node["law"].text();
+  if (node.has("property")) found.law = node["property"].text();
   if (node.has("backend")) found.backend = node["backend"].text();
   if (node.has("verdict")) found.verdict = node["verdict"].text();
   if (node.has("seed")) found.seed = node["seed"].unsigned_integer();

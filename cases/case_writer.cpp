@@ -65,9 +65,10 @@ std::string found_text(const Found& found) {
   if (!found.condition.empty()) {
     rest += fmt::format(R"(, "condition": {})", json_string(found.condition));
   }
-  return fmt::format(R"({{"law": {}, "backend": {}, "verdict": {}, "seed": {}, "index": {}{}}})",
-                     json_string(found.law), json_string(found.backend), json_string(found.verdict),
-                     found.seed, found.index, rest);
+  return fmt::format(
+      R"({{"property": {}, "backend": {}, "verdict": {}, "seed": {}, "index": {}{}}})",
+      json_string(found.law), json_string(found.backend), json_string(found.verdict), found.seed,
+      found.index, rest);
 }
 
 }  // namespace

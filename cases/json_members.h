@@ -26,7 +26,7 @@
 //   archive.object("driver", [&](auto& inner) {…});         an object that is no record
 //   archive.optional_object("worst", x.worst, [](auto& inner, auto& worst) {…});
 //   archive.entries(x.facts);                               a map's entries as members
-//   archive.list("laws", x.laws, "law of the same name");   a map as a list (write_entries)
+//   archive.list("cases", x.cases, "case of the same name"); a map as a list (write_entries)
 //   archive.check([&](const JsonNode& node) {…});           checks that only a reader makes
 
 #include <array>

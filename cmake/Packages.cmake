@@ -48,7 +48,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3 (>= 3.11), python3-hypothesis
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME rastercheck-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_DESCRIPTION
-  "For programs in C++ built with CMake: RasterCheck's own rasterizer, and its laws as GoogleTest cases of
+  "For programs in C++ built with CMake: RasterCheck's own rasterizer, and its properties as GoogleTest cases of
 any class that draws.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "rastercheck (= ${PROJECT_VERSION})" libexpected-dev libfmt-dev libglm-dev libgmp-dev libgtest-dev

@@ -92,7 +92,7 @@ bool apply(const Allowance& allowance, std::vector<records::Comparison>& compari
 
 template <typename Archive, cases::Either<Allowance> T>
 void members(Archive& archive, T& allowance) {
-  archive.optional("law", allowance.law, "*");
+  archive.optional("property", allowance.law, "*");
   archive.optional("backend", allowance.backend, "*");
   archive.optional("kind", allowance.kind, "*");
   archive.optional("stratum", allowance.stratum, "*");

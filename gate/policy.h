@@ -4,7 +4,7 @@
 // when. A file written by the user:
 //
 //   {"format": "rastercheck-policy", "version": 1, "allow": [
-//     {"law": "values-*", "backend": "cpu", "kind": "smooth", "stratum": "*",
+//     {"property": "values-*", "backend": "cpu", "kind": "smooth", "stratum": "*",
 //      "reason": "…", "until": "2026-12-31", "worst": 0.75}]}
 
 #include <cstdint>

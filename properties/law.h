@@ -11,7 +11,7 @@
 //                                        .check = &check,
 //                                        .covers = {cover(5, "clipped")}});
 //
-// docs/adding-a-law.md walks through it. A law needs only a Case, which may come from the law's
+// docs/adding-a-property.md walks through it. A law needs only a Case, which may come from the law's
 // generator, the corpus, or a saved counterexample.
 
 #include <cstdint>

@@ -46,7 +46,7 @@ void members(Archive& archive, T& approval) {
 
 template <typename Archive, Either<EntryKey> Key, Either<EntryFigures> T>
 void members(Archive& archive, Key& key, T& figures) {
-  archive.required("law", key.law);
+  archive.required("property", key.law);
   archive.required("kind", key.kind);
   archive.optional("stratum", key.stratum);
   archive.optional_object("cases", figures.cases, [](auto& inner, auto& counts) {
@@ -71,10 +71,10 @@ void members(Archive& archive, Key& key, T& figures) {
   });
 }
 
-/// "laws": the members of a law that do not belong to single cases.
+/// "properties": the members of a property that do not belong to single cases.
 template <typename Archive, Either<std::string> Key, Either<LawCases> T>
 void members(Archive& archive, Key& law, T& of) {
-  archive.required("law", law);
+  archive.required("property", law);
   archive.required("cases", of.count);
   archive.required("digest", DigestText{of.digest});
 }
@@ -143,7 +143,7 @@ struct CasesByLaw {
   std::string text() const {
     cases::JsonLines laws;
     for (const auto& [law, of] : section.laws) {
-      laws.add(fmt::format("{{\"law\": {}, \"cases\": {}}}", cases::json_string(law),
+      laws.add(fmt::format("{{\"property\": {}, \"cases\": {}}}", cases::json_string(law),
                            cases::TextWriter::text_of(of.cases)));
     }
     return std::move(laws).end();
@@ -151,11 +151,11 @@ struct CasesByLaw {
 
   friend void read_value(const JsonNode& node, CasesByLaw& cases) {
     for (const JsonNode& one : node.elements()) {
-      one.expect_object({"law", "cases"});
+      one.expect_object({"property", "cases"});
       if (one.failed()) return;
-      const auto of = cases.section.laws.find(one["law"].text());
+      const auto of = cases.section.laws.find(one["property"].text());
       if (of == cases.section.laws.end()) {
-        one["law"].refuse("is not in \"laws\"");
+        one["property"].refuse("is not in \"properties\"");
         return;
       }
       for (const JsonNode& each : one["cases"].elements()) {
@@ -183,7 +183,7 @@ void members(Archive& archive, T& section) {
   archive.required("taken", section.taken);
   archive.required("approvals", section.approvals);
   archive.list("entries", section.entries, "entry with the same property, kind and stratum");
-  archive.list("laws", section.laws, "property with the same name");
+  archive.list("properties", section.laws, "property with the same name");
   archive.required("corpus", CorpusNames{section.corpus});
   archive.required("cases", CasesByLaw{section});
   archive.optional("specimens", section.specimens);

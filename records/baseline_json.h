@@ -9,21 +9,21 @@
 //       "backend": "cpu", "architecture": "x86_64",
 //       "instruction_set": "avx2", "compiler": "GNU 12.2.0",   only if the section is so specific
 //       "records_version": 3, "rules_version": 1,
-//       "plan": {"seed": 1, "cases_per_law": 100, "properties": ["*edge*"]},   plan_json.h
+//       "plan": {…},   plan_json.h
 //       "taken": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx512",
 //                 "compiler": "GNU 12.2.0"},
 //       "approvals": [{"reason": "…", "version": "…", "commit": "…", "changes": ["…"]}],
 //       "entries": [
-//         {"law": "…", "kind": "coverage", "cases": {"checked": 9, "not_applicable": 1},
+//         {"property": "…", "kind": "coverage", "cases": {"checked": 9, "not_applicable": 1},
 //          "classes": {"correct": 800}},
-//         {"law": "…", "kind": "smooth", "classes": {"correct": 800}, "worst": [0.49, 0.49],
+//         {"property": "…", "kind": "smooth", "classes": {"correct": 800}, "worst": [0.49, 0.49],
 //          "histogram": {…}, "stages": {"rounding": {…}}},
-//         {"law": "…", "kind": "smooth", "stratum": "sliver", "worst": […], …}],
-//       "laws": [{"law": "…", "cases": 418, "digest": "0123456789abcdef"}],
+//         {"property": "…", "kind": "smooth", "stratum": "sliver", "worst": […], …}],
+//       "properties": [{"property": "…", "cases": 418, "digest": "0123456789abcdef"}],
 //       "corpus": [[0, "name of the case"]],
-//       "cases": [{"law": "…", "cases": [{"corpus": 3, "found": "0123456789abcdef",
-//                                         "outcome": "violated", "mismatches": 1,
-//                                         "worst": {"smooth": {"sliver": {…}}}}]}]
+//       "cases": [{"property": "…", "cases": [{"corpus": 3, "found": "0123456789abcdef",
+//                                              "outcome": "violated", "mismatches": 1,
+//                                              "worst": {"smooth": {"sliver": {…}}}}]}]
 //     }]
 //   }
 //

@@ -40,7 +40,7 @@ void read_value(const JsonNode& node, IndexSet& set) {
 
 template <typename Archive, Either<OutcomeKey> Key, Either<CaseOutcomes> T>
 void members(Archive& archive, Key& key, T& outcomes) {
-  archive.required("law", key.law);
+  archive.required("property", key.law);
   archive.required("backend", key.backend);
   archive.required("origin", key.origin);
   archive.optional("right", outcomes.right);

@@ -2,7 +2,7 @@
 
 // Outcomes of cases as JSON:
 //
-//   {"law": "…", "backend": "gl:llvmpipe", "origin": "random", "right": [[0, 6], [8, 59]],
+//   {"property": "…", "backend": "gl:llvmpipe", "origin": "random", "right": [[0, 6], [8, 59]],
 //    "wrong": [[7, 7]], "unlike": {"gl:softpipe": [[3, 4]]}}
 //
 // A pair is the first and the last number of neighbouring cases; pairs ascend, and at least one

@@ -2,7 +2,7 @@
 
 // Case records as JSON:
 //
-//   {"law": "…", "backend": "cpu", "origin": "random", "index": 12, "name": "…",
+//   {"property": "…", "backend": "cpu", "origin": "random", "index": 12, "name": "…",
 //    "stratum": "…", "outcome": "held", "source": "0123456789abcdef", "found": "…",
 //    "mismatches": 3,
 //    "worst": {"smooth": {"sliver": {"error": [-0.5, -0.5], "exact": "84/5", "actual": "0x…p+4",

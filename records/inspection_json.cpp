@@ -77,7 +77,7 @@ void check_place(const cases::JsonNode& node, const InspectedSample& sample,
 template <typename Archive, cases::Either<Inspection> T>
 void members(Archive& archive, T& inspection) {
   archive.required("occasion", inspection.occasion);
-  archive.required("law", inspection.law);
+  archive.required("property", inspection.law);
   archive.required("backend", inspection.backend);
   archive.required("counterexample", inspection.counterexample);
   archive.optional("kind", inspection.kind);

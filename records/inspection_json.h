@@ -2,7 +2,7 @@
 
 // An inspection as JSON:
 //
-//   {"occasion": "counterexample", "law": "…", "backend": "cpu", "counterexample": 0,
+//   {"occasion": "counterexample", "property": "…", "backend": "cpu", "counterexample": 0,
 //    "kind": "smooth", "stratum": "sliver", "case": {the case file, docs/case-format.md},
 //    "pattern": [[0.5, 0.5]], "triangle": 0, "x": 3, "y": 5, "sample": 0, "attribute": 0,
 //    "q_matrix": [["1/2", "0", "-3/4"], […], […]], "outlines": [[[0.5, 1.25], [8, 1], [3, 7]]],

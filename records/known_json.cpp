@@ -91,7 +91,7 @@ void check_expectation(const JsonNode& node, const KnownEntry& entry) {
 }
 
 void check_entry(const JsonNode& node, const KnownEntry& entry) {
-  for (const char* const key : {"laws", "backends"}) {
+  for (const char* const key : {"properties", "backends"}) {
     if (!node.has(key)) continue;
     for (const JsonNode& one : some_of(node[key], key)) check_line(one);
   }
@@ -123,7 +123,7 @@ void check_entries(const JsonNode& node, const KnownList& list) {
       entry["id"].refuse("is also the id of another entry");
     if (!list.driver) continue;
     // A driver's list must say more, because people who have not seen its defects read it.
-    for (const char* const key : {"rule", "finding", "laws"}) {
+    for (const char* const key : {"rule", "finding", "properties"}) {
       if (!entry.has(key)) entry.refuse(std::string("lacks \"") + key + "\"");
     }
   }
@@ -151,7 +151,7 @@ void members(Archive& archive, T& entry) {
   archive.optional("rule", entry.rule);
   archive.optional("finding", entry.finding);
   archive.optional("backends", entry.backends);
-  archive.optional("laws", entry.laws);
+  archive.optional("properties", entry.laws);
   archive.optional("verdicts", entry.verdicts);
   archive.optional("when", entry.when);
   archive.optional("case", entry.case_file);
@@ -184,7 +184,7 @@ template <typename Archive, cases::Either<UnexpectedPass> T>
 void members(Archive& archive, T& pass) {
   archive.required("backend", pass.backend);
   archive.required("id", pass.id);
-  archive.required("law", pass.law);
+  archive.required("property", pass.law);
   archive.required("staleness", pass.staleness);
 }
 

@@ -5,13 +5,14 @@
 //   {"format": "rastercheck-known", "version": 1,
 //    "driver": {"name": "llvmpipe", "version": "Mesa 22.3.6"},
 //    "entries": [{"id": "llvmpipe-1", "reason": "…", "rule": "OpenGL 4.6, 14.6.1",
-//                 "finding": "llvmpipe-1", "laws": ["values-stay-within-the-bound", "*edge*"],
+//                 "finding": "llvmpipe-1",
+//                 "properties": ["values-stay-within-the-bound", "*edge*"],
 //                 "verdicts": ["beyond bound"],
 //                 "when": {"nonpositive_w": true, "samples": [2, 4], "error_at_most": 1000},
 //                 "case": "known/llvmpipe-1.json"}]}
 //
-// A list without a driver lacks "driver"; its entries may lack "rule", "finding" and "laws", and
-// may have "backends": ["plugin:libmine.so"] and "until": "2027-01-31".
+// A list without a driver lacks "driver"; its entries may lack "rule", "finding" and "properties",
+// and may have "backends": ["plugin:libmine.so"] and "until": "2027-01-31".
 //
 // Also reads and writes the parts of run.json: known lists of the run's backends, and entries whose
 // defects no longer show. cases/schema/known.schema.json defines the same format; known.h explains

@@ -32,11 +32,11 @@ template <typename Archive, cases::Either<Plan> T>
 void members(Archive& archive, T& plan) {
   const Plan usual;
   archive.required("seed", plan.seed);
-  archive.required("cases_per_law", plan.cases_per_law);
+  archive.required("cases_per_property", plan.cases_per_law);
   archive.optional("backends", plan.backends);
   archive.optional("capabilities", plan.capabilities);
-  archive.optional("laws", plan.laws);
-  archive.optional("properties", plan.properties);
+  archive.optional("properties", plan.laws);
+  archive.optional("property_patterns", plan.properties);
   archive.optional("scene", plan.scene);
   archive.optional("scene_size", plan.scene_size, usual.scene_size);
   archive.optional("contract", plan.contract);

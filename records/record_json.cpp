@@ -179,7 +179,7 @@ void read_value(const JsonNode& node, Noticed& noticed) { cases::read_members(no
 
 template <typename Archive, Either<RecordKey> Key, Either<Record> T>
 void members(Archive& archive, Key& key, T& record) {
-  archive.required("law", key.law);
+  archive.required("property", key.law);
   archive.required("backend", key.backend);
   archive.required("attribute_kind", key.attribute_kind);
   archive.required("stratum", key.stratum);

@@ -2,7 +2,7 @@
 
 // Records as JSON:
 //
-//   [{"law": "…", "backend": "cpu", "attribute_kind": "smooth", "stratum": "…",
+//   [{"property": "…", "backend": "cpu", "attribute_kind": "smooth", "stratum": "…",
 //     "cases": {"checked": 7, "not_applicable": 0, "violations": 1},
 //     "counts": {"required": 9, "forbidden": 90, "permitted": 1, "undecided": 0},
 //     "classes": {"correct": 8, "beyond bound": 1, …},

@@ -2,8 +2,8 @@
 
 // Specimens as JSON:
 //
-//   {"law": "…", "backend": "cpu", "origin": "random", "index": 12, "name": "…", "triangle": 0,
-//    "left": 3, "top": 5, "width": 2, "height": 1, "samples": 1, "attributes": 1,
+//   {"property": "…", "backend": "cpu", "origin": "random", "index": 12, "name": "…",
+//    "triangle": 0, "left": 3, "top": 5, "width": 2, "height": 1, "samples": 1, "attributes": 1,
 //    "rows": ["3f000000:40490fdb -"]}
 //
 // "name" is absent if empty. Each row of pixels is one text, with its samples, pixel by pixel,

@@ -95,7 +95,7 @@ nlohmann::ordered_json to_json(const records::Comparison& comparison) {
       {"backend", comparison.backend}, {"worse", entries}, {"case", nullptr}};
   if (comparison.growths.empty()) return json;
   const records::CaseGrowth& growth = comparison.growths.front();
-  json["case"] = {{"law", growth.law},
+  json["case"] = {{"property", growth.law},
                   {"origin", records::to_string(growth.origin)},
                   {"index", growth.index},
                   {"name", growth.name},

@@ -106,9 +106,9 @@ nlohmann::ordered_json side_by_side_json(const records::SideBySide& pair) {
                               {"known_first", pair.known_first},
                               {"known_second", pair.known_second}};
   json.update(counts_json(pair.counts));
-  json["laws"] = nlohmann::ordered_json::object();
+  json["properties"] = nlohmann::ordered_json::object();
   for (const records::SideBySideLaw& law : pair.laws)
-    json["laws"][law.law] = counts_json(law.counts);
+    json["properties"][law.law] = counts_json(law.counts);
   return json;
 }
 
@@ -229,32 +229,33 @@ std::string thin_text(const std::vector<records::LawSummary>& rows) {
 }
 
 std::string summary_json(const records::Run& run, const std::vector<records::LawSummary>& rows) {
-  nlohmann::ordered_json json{{"seed", run.plan.seed}, {"laws", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"seed", run.plan.seed},
+                              {"properties", nlohmann::ordered_json::array()}};
   for (const records::LawSummary& row : rows) {
     nlohmann::ordered_json unreached = nlohmann::ordered_json::array();
     for (const records::UnreachedLabel& label : row.unreached) unreached.push_back(label.label);
-    json["laws"].push_back({{"law", row.law},
-                            {"backend", row.backend},
-                            {"checked", row.cases.checked},
-                            {"not_applicable", row.cases.not_applicable},
-                            {"violations", row.cases.violations},
-                            {"known", row.cases.known},
-                            {"known_defects", row.known},
-                            {"not_applicable_because", row.not_applicable_because},
-                            {"judged", judged_json(row.judged)},
-                            {"required", row.counts.required},
-                            {"forbidden", row.counts.forbidden},
-                            {"permitted", row.counts.permitted},
-                            {"undecided", row.counts.undecided},
-                            {"samples_decided", levels_json(row.levels.samples)},
-                            {"values_decided", levels_json(row.levels.values)},
-                            {"ideal_error", sizes_json(row.ideal)},
-                            {"beyond_contract", sizes_json(row.excess)},
-                            {"precision", precision_json(row.precision)},
-                            {"power", power_json(row.power)},
-                            {"labels", row.labels},
-                            {"unreached", unreached},
-                            {"verdict", to_string(row.verdict)}});
+    json["properties"].push_back({{"property", row.law},
+                                  {"backend", row.backend},
+                                  {"checked", row.cases.checked},
+                                  {"not_applicable", row.cases.not_applicable},
+                                  {"violations", row.cases.violations},
+                                  {"known", row.cases.known},
+                                  {"known_defects", row.known},
+                                  {"not_applicable_because", row.not_applicable_because},
+                                  {"judged", judged_json(row.judged)},
+                                  {"required", row.counts.required},
+                                  {"forbidden", row.counts.forbidden},
+                                  {"permitted", row.counts.permitted},
+                                  {"undecided", row.counts.undecided},
+                                  {"samples_decided", levels_json(row.levels.samples)},
+                                  {"values_decided", levels_json(row.levels.values)},
+                                  {"ideal_error", sizes_json(row.ideal)},
+                                  {"beyond_contract", sizes_json(row.excess)},
+                                  {"precision", precision_json(row.precision)},
+                                  {"power", power_json(row.power)},
+                                  {"labels", row.labels},
+                                  {"unreached", unreached},
+                                  {"verdict", to_string(row.verdict)}});
   }
   for (const records::SideBySide& pair : records::side_by_side(run)) {
     json["side_by_side"].push_back(side_by_side_json(pair));

@@ -1,4 +1,4 @@
-"""Lists laws, generators and mutants for the scripts that write pages of docs/."""
+"""Lists properties, generators and mutants for the scripts that write pages of docs/."""
 
 import hashlib
 import json

@@ -142,7 +142,7 @@ std::vector<ordered_json> known_rows(const Asked& asked) {
                       {"reason", entry.reason},
                       {"rule", entry.rule},
                       {"finding", entry.finding},
-                      {"laws", entry.laws}});
+                      {"properties", entry.laws}});
     }
   }
   return rows;

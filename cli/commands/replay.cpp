@@ -68,7 +68,7 @@ Result<std::vector<const properties::Law*>> laws_for(const cases::Case& c,
   }
   if (chosen.empty()) {
     return tl::unexpected(
-        Error{file, "/found/law",
+        Error{file, "/found/property",
               fmt::format("no property is called '{}' (see rastercheck list properties)",
                           cases::printable(c.found->law))});
   }
@@ -97,7 +97,7 @@ void print_json(const std::vector<Outcome>& outcomes) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Outcome& outcome : outcomes) {
     nlohmann::ordered_json json{{"file", outcome.file},
-                                {"law", outcome.law},
+                                {"property", outcome.law},
                                 {"backend", outcome.backend},
                                 {"verdict", outcome.verdict()},
                                 {"violation_count", outcome.check.violation_count},

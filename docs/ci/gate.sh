@@ -5,8 +5,8 @@
 #   ./gate.sh save    takes the baseline, rastercheck-baseline.json: to be looked at, and committed
 #   ./gate.sh         builds, checks, compares
 #
-# Exit code 0: all laws hold, and nothing is less precise than in the baseline. 3: something is;
-# rastercheck-out/compare.html has what, where, and by how much. 1: a law is violated; rastercheck-out/report.html.
+# Exit code 0: all properties hold, and nothing is less precise than in the baseline. 3: something is;
+# rastercheck-out/compare.html has what, where, and by how much. 1: a property is violated; rastercheck-out/report.html.
 set -eu
 
 source=.  # the folder of the plugin's CMakeLists.txt

@@ -186,9 +186,9 @@ Result<void> add_list(FoundList found, const std::string& specification,
   for (std::size_t i = 0; i < found.list.entries.size(); ++i) {
     KnownEntry& entry = found.list.entries[i];
     if (const std::string pattern = unknown_law(entry); !pattern.empty()) {
-      return tl::unexpected(Error{found.file,
-                                  entry.expected ? entry.id : fmt::format("/entries/{}/laws", i),
-                                  "no property is called '" + cases::printable(pattern) + "'"});
+      return tl::unexpected(
+          Error{found.file, entry.expected ? entry.id : fmt::format("/entries/{}/properties", i),
+                "no property is called '" + cases::printable(pattern) + "'"});
     }
     if (!records::is_of_backend(entry, names)) continue;
     of_backend.list.entries.push_back(entry);

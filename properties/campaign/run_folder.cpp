@@ -83,7 +83,7 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
     return refuse("/plan/scene", "was read from standard input, which cannot be read again");
   for (const std::string& law : plan.laws) {
     if (find_law(law) == nullptr) {
-      return refuse("/plan/laws", "no property is called '" + cases::printable(law) + "'");
+      return refuse("/plan/properties", "no property is called '" + cases::printable(law) + "'");
     }
   }
   return read;

@@ -1,13 +1,13 @@
 #pragma once
 
-// Makes every law a GoogleTest test for your own rasterizer (RasterCheck::testing,
+// Makes every property a GoogleTest test for your own rasterizer (RasterCheck::testing,
 // docs/using-in-googletest.md):
 //
 //   class MyRasterizer : public rastercheck::backends::Backend { … };
 //   RASTERCHECK_GTEST_SUITE(MyRasterizer)
 //
-// The tests are MyRasterizer.law/whole_pixels_move_the_picture and so on. Environment variables set
-// which cases are tried (trial_options in properties/campaign/trial.h).
+// The tests are MyRasterizer.property/whole_pixels_move_the_picture and so on. Environment
+// variables set which cases are tried (trial_options in properties/campaign/trial.h).
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@
 
 namespace rastercheck::properties {
 
-/// The ids of all laws. GoogleTest calls this once main() runs, when all laws have registered. If
-/// no law is linked, returns one entry, whose test fails.
+/// The ids of all properties. GoogleTest calls this once main() runs, when all have registered. If
+/// no property is linked, returns one entry, whose test fails.
 inline std::vector<std::string> ids_of_laws() {
   std::vector<std::string> ids;
   for (const Law& law : laws()) ids.emplace_back(law.id);
@@ -30,7 +30,8 @@ inline std::vector<std::string> ids_of_laws() {
   return ids;
 }
 
-/// Returns a law's id in the characters that GoogleTest accepts: letters, digits and underscores.
+/// Returns a property's id in the characters that GoogleTest accepts: letters, digits and
+/// underscores.
 inline std::string law_test_name(const testing::TestParamInfo<std::string>& test) {
   std::string name;
   for (const char c : test.param) {
@@ -45,7 +46,7 @@ inline std::string law_test_name(const testing::TestParamInfo<std::string>& test
   return name;
 }
 
-/// The body of a law's test; failures are reported at `file` and `line`.
+/// The body of a property's test; failures are reported at `file` and `line`.
 inline void test_law(const std::string& law, const std::string& backend, const MakeTried& make,
                      const char* file, int line) {
   const Law* const known = find_law(law);
@@ -65,20 +66,20 @@ inline void test_law(const std::string& law, const std::string& backend, const M
 
 }  // namespace rastercheck::properties
 
-/// Defines a test for each law on backend class `Class` (unqualified name), which must be
+/// Defines a test for each property on backend class `Class` (unqualified name), which must be
 /// default-constructible.
 #define RASTERCHECK_GTEST_SUITE(Class) \
   RASTERCHECK_GTEST_SUITE_OF(Class, [] { return std::make_unique<Class>(); })
 
-/// Defines a test for each law on the backend that a callable returns as std::unique_ptr; `Name`,
-/// an identifier, names the suite. Each test makes a new backend.
+/// Defines a test for each property on the backend that a callable returns as std::unique_ptr;
+/// `Name`, an identifier, names the suite. Each test makes a new backend.
 #define RASTERCHECK_GTEST_SUITE_OF(Name, ...)                                                     \
   static std::unique_ptr<::rastercheck::backends::Backend> rastercheck_make_##Name() {            \
     return (__VA_ARGS__)();                                                                       \
   }                                                                                               \
   namespace rastercheck_suites { /* so that the suite can have the name of the class */           \
   class Name : public ::testing::TestWithParam<::std::string> {};                                 \
-  TEST_P(Name, law) {                                                                             \
+  TEST_P(Name, property) {                                                                        \
     ::rastercheck::properties::test_law(GetParam(), #Name, &rastercheck_make_##Name, __FILE__,    \
                                         __LINE__);                                                \
   }                                                                                               \

@@ -82,7 +82,7 @@ Result<Subject> tried(const cases::Case& source, const std::string& name,
     return refuse("/found", "is missing; only a counterexample can be recorded as known");
   const Law* const law = find_law(source.found->law);
   if (law == nullptr) {
-    return refuse("/found/law",
+    return refuse("/found/property",
                   "no property is called '" + cases::printable(source.found->law) + "'");
   }
   const std::uint64_t index = source.found->index;

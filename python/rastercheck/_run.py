@@ -261,7 +261,7 @@ def _worst(members: dict[str, Any]) -> Optional[tuple[float, float]]:
 def _property(members: dict[str, Any]) -> PropertyResult:
     judged = members["judged"]
     return PropertyResult(
-        id=members["law"],
+        id=members["property"],
         backend=members["backend"],
         verdict=members["verdict"],
         checked=members["checked"],
@@ -282,7 +282,7 @@ def _result(table: dict[str, Any], document: dict[str, Any], exit_code: int) -> 
     return RunResult(
         exit_code=exit_code,
         seed=table["seed"],
-        properties=tuple(map(_property, table["laws"])),
+        properties=tuple(map(_property, table["properties"])),
         causes=tuple(_cause(one, every) for one in document.get("causes", [])),
         counterexamples=every,
         document=document,

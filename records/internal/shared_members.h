@@ -18,7 +18,7 @@ void members(Archive& archive, T& place) {
 
 template <typename Archive, cases::Either<CaseKey> T>
 void members(Archive& archive, T& key) {
-  archive.required("law", key.law);
+  archive.required("property", key.law);
   archive.required("backend", key.backend);
   archive.required("origin", key.origin);
   archive.required("index", key.index);

@@ -4,28 +4,28 @@
 //    "regression": true, "expired": ["…"], "unused": ["…"],
 //    "comparisons": [{
 //      "backend": "cpu", "architecture": "x86_64", "instruction_set": "", "compiler": "",
-//      "plan": {"seed": 1, "cases_per_law": 100},   records/plan_json.h
+//      "plan": {"seed": 1, "cases_per_property": 100},   records/plan_json.h
 //      "before": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx2",
 //                 "compiler": "…"},
 //      "after": {…},
 //      "entries": {"same": 500, "better": 1, "worse": 2, "new": 0, "gone": 0, "refused": 1},
-//      "changed": [{"law": "…", "kind": "smooth", "stratum": "sliver", "change": "worse",
+//      "changed": [{"property": "…", "kind": "smooth", "stratum": "sliver", "change": "worse",
 //                   "allowed_because": "…",
 //                   "figures": [{"figure": "worst", "change": "worse", "before": [0.5, 0.5],
 //                                "after": [0.7, 0.7]},
 //                               {"figure": "misrounded", "before": {"count": 1, "of": 9}, …},
 //                               {"figure": "missing", "before": 0, "after": 2, …}]}],
-//      "stages": [{"law": "…", "kind": "smooth", "grown": "set-up", "stages": [
+//      "stages": [{"property": "…", "kind": "smooth", "grown": "set-up", "stages": [
 //         {"stage": "set-up", "mean_before": [0.1, 0.1], "mean_after": [0.2, 0.2],
 //          "share_before": 0.1, "share_after": 0.2}]}],
 //      "cases": 19228, "changed_cases": 20, "grown_cases": 10,
-//      "growths": [{"law": "…", "origin": "random", "index": 12, "name": "…", "kind": "smooth",
-//                   "stratum": "sliver", "file": "grown/….json", "outcome_before": "held",
-//                   "outcome_after": "violated", "mismatches_before": 0,
+//      "growths": [{"property": "…", "origin": "random", "index": 12, "name": "…",
+//                   "kind": "smooth", "stratum": "sliver", "file": "grown/….json",
+//                   "outcome_before": "held", "outcome_after": "violated", "mismatches_before": 0,
 //                   "mismatches_after": 1, "before": {a worst error as in records}, "after": {…},
 //                   "part_to_look_at": {"stage": "set-up", "error": [0.3, 0.3]},
 //                   "commands": ["rastercheck replay …"]}],
-//      "gone_laws": [], "new_laws": []}]}
+//      "gone_properties": [], "new_properties": []}]}
 //
 // "changed" has the entries that are not the same. "stages" has the entries of laws that split
 // errors, if a stage's part grew. Members that do not apply are left out: "stratum",
@@ -58,7 +58,7 @@ ordered_json json_of(const records::FigureChange& figure) {
 }
 
 ordered_json json_of(const records::EntryKey& key) {
-  ordered_json object{{"law", key.law}, {"kind", to_string(key.kind)}};
+  ordered_json object{{"property", key.law}, {"kind", to_string(key.kind)}};
   if (key.stratum) object["stratum"] = to_string(*key.stratum);
   return object;
 }
@@ -91,7 +91,7 @@ ordered_json stages_of(const records::EntryChange& entry) {
 ordered_json json_of(const Gate& gate, const records::Comparison& comparison,
                      const records::CaseGrowth& growth) {
   ordered_json object{
-      {"law", growth.law}, {"origin", to_string(growth.origin)}, {"index", growth.index}};
+      {"property", growth.law}, {"origin", to_string(growth.origin)}, {"index", growth.index}};
   if (!growth.name.empty()) object["name"] = growth.name;
   if (growth.kind) object["kind"] = to_string(*growth.kind);
   if (growth.stratum) object["stratum"] = to_string(*growth.stratum);
@@ -155,8 +155,8 @@ ordered_json json_of(const Gate& gate, const records::Comparison& comparison) {
           {"changed_cases", comparison.changed_cases},
           {"grown_cases", comparison.grown_cases},
           {"growths", std::move(growths)},
-          {"gone_laws", comparison.gone_laws},
-          {"new_laws", comparison.new_laws}};
+          {"gone_properties", comparison.gone_laws},
+          {"new_properties", comparison.new_laws}};
 }
 
 std::string write(const Gate& gate) {

@@ -16,7 +16,7 @@
 //     "specimens": […],         records/specimen_json.h; only if there are any
 //     "counterexamples": […],   records/counterexample_json.h
 //     "inspections": […],       records/inspection_json.h; only if there are any
-//     "unreached": [{"law": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
+//     "unreached": [{"property": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
 //                    "checked": 1000}],
 //     "known": […],             records/known_json.h; only if a driver has known defects
 //     "unexpected_passes": […], the same; only if there are any

@@ -46,7 +46,7 @@ json result_of(const Run& run, const records::Counterexample& counterexample) {
                  {"level", "error"},
                  {"message", {{"text", text}}},
                  {"locations", json::array({location})},
-                 {"partialFingerprints", {{"lawBackendVerdict/v1", fingerprint}}}};
+                 {"partialFingerprints", {{"propertyBackendVerdict/v1", fingerprint}}}};
   const auto law = std::find(run.plan.laws.begin(), run.plan.laws.end(), found.law);
   if (law != run.plan.laws.end()) result["ruleIndex"] = law - run.plan.laws.begin();
   return result;

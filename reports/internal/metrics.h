@@ -18,7 +18,7 @@ struct Metric {
 };
 
 struct MeteredEntry {
-  std::string name;  ///< "LAW on BACKEND: KIND, STRATUM"
+  std::string name;  ///< "PROPERTY on BACKEND: KIND, STRATUM"
   std::vector<Metric> metrics;
 };
 

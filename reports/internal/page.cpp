@@ -89,7 +89,7 @@ std::string verdict_word(const LawSummary& row) {
                      verdict_sign(row.verdict), html(verdict_text(row)));
 }
 
-std::string law_link(std::string_view law) { return "law=" + url_encoded(law); }
+std::string law_link(std::string_view law) { return "property=" + url_encoded(law); }
 std::string inspection_link(std::size_t inspection) {
   return fmt::format("inspection={}", inspection);
 }

@@ -141,17 +141,18 @@ std::string number_cells(const LawSummary& row) {
 }
 
 /// One property on one backend: a row of figures, and a row with everything else, which opens on
-/// demand. `is_first` is true for the property's first row, to which the address #law=… leads.
+/// demand. `is_first` is true for the property's first row, to which the address #property=… leads.
 std::string property_rows(const records::Run& run, const LawSummary& row, bool is_first) {
   const std::string& sentence = records::sentence_of(run, row.law);
   std::string text =
       fmt::format("<tbody>\n<tr>{}{}{}{}</tr>\n", cell(html(row.law)), cell(html(row.backend)),
                   cell(verdict_word(row)), number_cells(row));
-  return text + fmt::format(
-                    "<tr class=\"more\"><td colspan=\"9\"><details class=\"law\"{} "
-                    "data-law=\"{}\">\n<summary>{}</summary>\n{}</details></td></tr>\n</tbody>\n",
-                    is_first ? fmt::format(" id=\"{}\"", law_link(row.law)) : std::string(),
-                    html(row.law), html(sentence), details_of(run, row));
+  return text +
+         fmt::format(
+             "<tr class=\"more\"><td colspan=\"9\"><details class=\"property\"{} "
+             "data-property=\"{}\">\n<summary>{}</summary>\n{}</details></td></tr>\n</tbody>\n",
+             is_first ? fmt::format(" id=\"{}\"", law_link(row.law)) : std::string(), html(row.law),
+             html(sentence), details_of(run, row));
 }
 
 }  // namespace

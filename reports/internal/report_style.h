@@ -81,7 +81,7 @@ svg .axis { fill: var(--muted); font-size: 10px; }
   }
   .verdicts > * > tr > td:nth-child(2), .verdicts > * > tr > td:nth-child(3) { grid-column: span 3; }
 }
-@media print { body { background: none; } section.law { break-inside: avoid; } }
+@media print { body { background: none; } }
 )css";
 
 }  // namespace rastercheck::reports

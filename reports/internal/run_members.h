@@ -98,7 +98,7 @@ void members(Archive& archive, T& label) {
   archive.required("backend", label.backend);
   archive.required("checked", label.checked);
   archive.required("label", label.label);
-  archive.required("law", label.law);
+  archive.required("property", label.law);
   archive.required("least", label.least);
   archive.required("reached", label.reached);
 }

@@ -1,4 +1,4 @@
-// Deep links: #law=…, #inspection=3&x=5&y=7&sample=0&view=ulp.
+// Deep links: #property=…, #inspection=3&x=5&y=7&sample=0&view=ulp.
 
 /**
  * @param {string} hash  of a location, with or without "#"

@@ -55,9 +55,9 @@ function follow() {
     if (!section) return;
     openSection(section);
     viewerOf(section)?.set(stateOf(link));
-  } else if (link.law !== undefined) {
-    const section = [...document.querySelectorAll('details[data-law]')].find((details) =>
-      details.dataset.law === link.law);
+  } else if (link.property !== undefined) {
+    const section = [...document.querySelectorAll('details[data-property]')].find((details) =>
+      details.dataset.property === link.property);
     if (section) openSection(section);
   }
 }
@@ -70,9 +70,9 @@ function start() {
     section.addEventListener('toggle', () => section.open && viewerOf(section));
     if (section.open) viewerOf(section);
   }
-  for (const section of document.querySelectorAll('details[data-law]')) {
+  for (const section of document.querySelectorAll('details[data-property]')) {
     section.querySelector('summary').addEventListener('click', () => {
-      if (!section.open) showLink({ law: section.dataset.law });
+      if (!section.open) showLink({ property: section.dataset.property });
     });
   }
   addEventListener('hashchange', follow);

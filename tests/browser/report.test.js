@@ -27,7 +27,7 @@ test('headers sort their table, by mouse and by keys', () => withPage(async (pag
   assert.deepEqual((await column(table, 2)).slice(0, 2), ['cpu', 'cpu']);
   // The row with the sentence stays with its figures.
   assert.deepEqual(await table.locator(':scope > tbody').evaluateAll((all) =>
-    all.map((body) => body.rows[0].cells[0].textContent === body.querySelector('details').dataset.law)),
+    all.map((body) => body.rows[0].cells[0].textContent === body.querySelector('details').dataset.property)),
   [true, true, true, true]);
 }));
 
@@ -42,8 +42,8 @@ test('what is wrong comes first, and the first counterexample is open', () => wi
 }));
 
 test('a link opens a property', () => withPage(async (page) => {
-  await until(page, () => document.getElementById('law=coverage+is+exact').open);
-}, { hash: '#law=coverage+is+exact' }));
+  await until(page, () => document.getElementById('property=coverage+is+exact').open);
+}, { hash: '#property=coverage+is+exact' }));
 
 test('a link opens a counterexample among the others of its cause', () => withPage(async (page) => {
   await page.evaluate(() => {
@@ -56,7 +56,7 @@ test('a link opens a counterexample among the others of its cause', () => withPa
 }));
 
 test('histograms tell the share of errors up to a bar', () => withPage(async (page) => {
-  const law = page.locator('details.law').last();
+  const law = page.locator('details.property').last();
   await law.locator('summary').first().click();
   const figure = law.locator('figure[data-histogram]').first();
   await figure.scrollIntoViewIfNeeded();
@@ -71,7 +71,7 @@ test('all of it is there without scripts', () => withPage(async (page) => {
   assert.match(finding, /u & v is exactly 97\/70.*most of this error is from set-up/);
   assert.match(finding, /set-up\+6\.5.*total\+5\.25/s);
   assert.equal(await page.locator('details.finding pre').first().isVisible(), true);
-  await page.locator('details.law summary').first().click();
+  await page.locator('details.property summary').first().click();
   assert.ok(await page.locator('details[open] figure svg rect').count() > 3);
   assert.equal(await page.locator('.viewer').count(), 0);
   await page.locator('#worst summary').first().click();

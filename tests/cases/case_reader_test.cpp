@@ -134,7 +134,7 @@ TEST(CaseReader, EveryKeyOfTheStateIsReadIntoItsField) {
   EXPECT_EQ(read_with("choices", "18446744073709551615").choices, 18446744073709551615U);
   EXPECT_TRUE(read_with("depth_clamp", "true").depth_clamp);
   EXPECT_FALSE(read_with("depth_clamp", "false").depth_clamp);
-  EXPECT_EQ(read_with("found", R"({"law": "l", "backend": "b", "verdict": "v", "seed": 1,
+  EXPECT_EQ(read_with("found", R"({"property": "l", "backend": "b", "verdict": "v", "seed": 1,
                                    "index": 2})")
                 .found,
             (Found{"l", "b", "v", 1, 2}));

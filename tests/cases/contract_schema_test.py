@@ -71,7 +71,7 @@ CASE = {
     "rules": "vulkan",
     "vertices": [{"position": [0, 0, 0, 1]}],
     "triangles": [[0, 0, 0]],
-    "found": {"law": "coverage-obeys-the-contract", "backend": "cpu"},
+    "found": {"property": "coverage-obeys-the-contract", "backend": "cpu"},
 }
 
 

@@ -261,7 +261,7 @@ FULL_CASE = {
         {"position": [0, 1, 0.5, 2], "attributes": [4, 0.5], "clip_distances": [2, 0]},
     ],
     "triangles": [[0, 1, 2], [2, 1, 0]],
-    "found": {"law": "a", "backend": "cpu", "verdict": "missing", "seed": 1, "index": 2**64 - 1,
+    "found": {"property": "a", "backend": "cpu", "verdict": "missing", "seed": 1, "index": 2**64 - 1,
               "kind": "coverage", "condition": "tie"},
 }
 

@@ -161,7 +161,7 @@ class Example(unittest.TestCase):
         """Checks that the report exists and names LAW, and that each of the texts names a law that
         got worse."""
         (comparison,) = json.loads((folder / "compare.json").read_text(encoding="utf-8"))["comparisons"]
-        worse = {entry["law"] for entry in comparison["changed"] if entry["change"] == "worse"}
+        worse = {entry["property"] for entry in comparison["changed"] if entry["change"] == "worse"}
         self.assertIn(LAW, worse)
         for text in texts:
             self.assertTrue(any(law in text for law in worse), text)

@@ -259,7 +259,7 @@ TEST_F(Compare, OfARunTakesItsCasesFromTheBaseline) {
   EXPECT_THAT(outcome.out, HasSubstr("\nNo regression: "));
   const json run = json::parse(folder()->content("again/run.json"));
   EXPECT_EQ(run["plan"]["seed"], 1);
-  EXPECT_EQ(run["plan"]["laws"], json::array({kLaw}));
+  EXPECT_EQ(run["plan"]["properties"], json::array({kLaw}));
   EXPECT_FALSE(json::parse(folder()->content("again/compare.json"))["regression"]);
   for (const auto& [option, value] : {std::pair("--seed", "2"), std::pair("--cases", "9"),
                                       std::pair("--property", "*"), std::pair("--contract", "c")}) {

@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr const char* kFound = R"("found": {"law": "coverage-obeys-the-contract",
+constexpr const char* kFound = R"("found": {"property": "coverage-obeys-the-contract",
     "backend": "gl:softpipe", "verdict": "missing", "seed": 5, "index": 77}, )";
 
 class Corpus : public testing::Test {

@@ -120,7 +120,7 @@ TEST(Drawn, RefusesFoldersThatHoldNoCampaign) {
   EXPECT_EQ(run_program({"judge", "case.json"}).code, 2);
   folder.put("campaign.json",
              R"({"format": "rastercheck-campaign", "version": 1, "program": "0",
-                 "plan": {"seed": 1, "cases_per_law": 1, "backends": ["drawn:x"]}})");
+                 "plan": {"seed": 1, "cases_per_property": 1, "backends": ["drawn:x"]}})");
   folder.put("list.txt", "");
   const Outcome nested =
       run_program({"judge", "--drawn", folder.path(), "--output", folder.path("out")});

@@ -90,7 +90,7 @@ TEST(Explain, FindsTheWorstSampleOfAPixelAndOfACase) {
 }
 
 TEST(Explain, TakesTheBackendOfACounterexample) {
-  const std::string c = square_case(R"("found": {"law": "coverage-obeys-the-contract",
+  const std::string c = square_case(R"("found": {"property": "coverage-obeys-the-contract",
       "backend": "method:rational-linear", "verdict": "missing", "seed": 1, "index": 3}, )");
   EXPECT_THAT(explain({"-"}, c).out, HasSubstr(", on method:rational-linear\n"));
   EXPECT_THAT(explain({"--backend", "cpu", "-"}, c).out, HasSubstr(", on cpu\n"));

@@ -22,8 +22,8 @@ constexpr const char* kCoverage = "coverage-obeys-the-contract";
 /// The key `found` of a saved counterexample.
 std::string found_key(const std::string& law, const std::string& backend,
                       const std::string& verdict) {
-  return R"("found": {"law": ")" + law + R"(", "backend": ")" + backend + R"(", "verdict": ")" +
-         verdict + R"(", "seed": 1, "index": 3}, )";
+  return R"("found": {"property": ")" + law + R"(", "backend": ")" + backend +
+         R"(", "verdict": ")" + verdict + R"(", "seed": 1, "index": 3}, )";
 }
 
 std::ptrdiff_t line_count(const std::string& text) {
@@ -104,7 +104,7 @@ TEST(Replay, PrintsJson) {
   ASSERT_THAT(document, SizeIs(1));
   const json& row = document.at(0);
   EXPECT_EQ(row.at("file"), "-");
-  EXPECT_EQ(row.at("law"), kCoverage);
+  EXPECT_EQ(row.at("property"), kCoverage);
   EXPECT_EQ(row.at("backend"), "damaged");
   EXPECT_EQ(row.at("verdict"), "missing");
   EXPECT_EQ(row.at("found"), "missing");
@@ -143,7 +143,7 @@ TEST(Replay, RefusesWhatItCannotReplay) {
   const Outcome law = run_program({"replay", "-"}, square_case(found_key("no law", "cpu", "")));
   EXPECT_TRUE(is_failure(law, 2)) << law;
   EXPECT_EQ(law.err,
-            "rastercheck: -: /found/law: no property is called 'no law' (see rastercheck list "
+            "rastercheck: -: /found/property: no property is called 'no law' (see rastercheck list "
             "properties)\n");
   const Outcome backend =
       run_program({"replay", "-"}, square_case(found_key(kCoverage, "damaged", "")));

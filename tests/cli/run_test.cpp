@@ -118,7 +118,7 @@ TEST_F(Run, ThatNoLawAppliesToIsNotOk) {
   folder_.put("corpus/square.json", square_case(camera));  // beyond float32
   const Outcome outcome = run({"--cases", "0", "--json"});
   EXPECT_EQ(outcome.code, 5) << outcome;
-  EXPECT_EQ(json::parse(outcome.out).at("laws").at(0).at("not_applicable"), 1);
+  EXPECT_EQ(json::parse(outcome.out).at("properties").at(0).at("not_applicable"), 1);
 }
 
 // Kills: exit code 5 because of laws about things that the backend does not promise.
@@ -180,7 +180,7 @@ std::string campaign_summary(const std::string& run_json) {
   std::map<std::pair<std::string, std::string>, Sums> all;
   const json run = json::parse(run_json);
   for (const json& record : run.at("records")) {
-    Sums& sums = all[{record.at("law"), record.at("attribute_kind")}];
+    Sums& sums = all[{record.at("property"), record.at("attribute_kind")}];
     const json& counts = record.at("counts");
     sums.checked += record.at("cases").at("checked").get<std::uint64_t>();
     sums.violations += record.at("cases").at("violations").get<std::uint64_t>();
@@ -238,7 +238,8 @@ TEST_F(Run, TakesSeveralPropertiesAndRefusesOneThatIsNone) {
   const Outcome outcome = run(
       {"--cases", "3", "--property", kCoverage, "--property", "whole*", "--property", "coverage*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_EQ(run_json().at("plan").at("laws"), (json{kCoverage, "whole-pixels-move-the-picture"}));
+  EXPECT_EQ(run_json().at("plan").at("properties"),
+            (json{kCoverage, "whole-pixels-move-the-picture"}));
   const Outcome refused = run({"--property", kCoverage, "--property", "none"});
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
   EXPECT_THAT(refused.err, HasSubstr("--property: none: "));
@@ -275,8 +276,8 @@ TEST_F(Run, EndsWhenItsTimeIsUpWithAllLawsCheckedAlike) {
     for (const json& record : document.at("records")) {
       if (record.at("stratum") == "corpus" || record.at("attribute_kind") != "coverage") continue;
       const json& cases = record.at("cases");
-      checked[record.at("law")] += cases.at("checked").get<std::uint64_t>() +
-                                   cases.at("not_applicable").get<std::uint64_t>();
+      checked[record.at("property")] += cases.at("checked").get<std::uint64_t>() +
+                                        cases.at("not_applicable").get<std::uint64_t>();
     }
   }
   ASSERT_THAT(checked, SizeIs(3));
@@ -300,9 +301,9 @@ TEST_F(Run, ChecksWhatFailedOnceMore) {
   EXPECT_EQ(again.code, 1) << again;
   const json after = json::parse(folder_.content("again/run.json"));
   EXPECT_EQ(after.at("plan").at("backends"), json{"damaged"});
-  EXPECT_EQ(after.at("plan").at("laws"), json{kCoverage});
+  EXPECT_EQ(after.at("plan").at("properties"), json{kCoverage});
   EXPECT_EQ(after.at("plan").at("seed"), 7);
-  EXPECT_EQ(after.at("plan").at("cases_per_law"), 6);
+  EXPECT_EQ(after.at("plan").at("cases_per_property"), 6);
   // Counterexamples of random cases are shrunk again, from the saved file.
   const auto ways = [](const json& run) {
     std::vector<std::string> all;
@@ -326,7 +327,7 @@ TEST_F(Run, ChecksSavedCounterexamplesAgain) {
     return run({"--cases", "6", "--seed", "1", "--property", kCoverage});
   };
   const std::string name = "counterexamples/coverage-obeys-the-contract-cpu-missing.json";
-  folder_.put("out/" + name, square_case(R"("found": {"law": "coverage-obeys-the-contract",
+  folder_.put("out/" + name, square_case(R"("found": {"property": "coverage-obeys-the-contract",
       "backend": "cpu", "verdict": "missing", "seed": 5, "index": 77}, )"));
   const Outcome held = run_cpu();
   EXPECT_EQ(held.code, 0) << held;
@@ -370,11 +371,11 @@ TEST_F(Run, PrintsTheTableAsJson) {
   EXPECT_EQ(outcome.err, "");
   const json document = json::parse(outcome.out);
   EXPECT_EQ(document.at("seed"), 9);
-  EXPECT_EQ(document.at("laws").size(), run_json().at("plan").at("laws").size());
+  EXPECT_EQ(document.at("properties").size(), run_json().at("plan").at("properties").size());
   const auto row =
-      std::find_if(document.at("laws").begin(), document.at("laws").end(),
-                   [](const json& candidate) { return candidate.at("law") == kCoverage; });
-  ASSERT_NE(row, document.at("laws").end());
+      std::find_if(document.at("properties").begin(), document.at("properties").end(),
+                   [](const json& candidate) { return candidate.at("property") == kCoverage; });
+  ASSERT_NE(row, document.at("properties").end());
   EXPECT_EQ(row->at("backend"), "damaged");
   EXPECT_EQ(row->at("checked"), 5);
   EXPECT_GT(row->at("violations"), 0);
@@ -387,7 +388,7 @@ TEST_F(Run, PrintsPrecisionAndLevelsAsJson) {
   const Outcome outcome =
       run({"--cases", "4", "--seed", "9", "--property", "values-stay-within*", "--json"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  const json row = json::parse(outcome.out).at("laws").at(0);
+  const json row = json::parse(outcome.out).at("properties").at(0);
   for (const char* what : {"samples_decided", "values_decided"}) {
     for (const char* level : {"filter", "interval", "exact"}) {
       EXPECT_TRUE(row.at(what).at(level).is_number_unsigned()) << what << level;
@@ -408,14 +409,14 @@ TEST_F(Run, QuietlyPrintsRowsOnly) {
   const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "1", "--quiet"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'),
-            static_cast<std::ptrdiff_t>(run_json().at("plan").at("laws").size()));
+            static_cast<std::ptrdiff_t>(run_json().at("plan").at("properties").size()));
   EXPECT_THAT(outcome.out, Not(HasSubstr("Seed")));
 }
 
 TEST_F(Run, ChecksThePropertiesThatMatch) {
   const Outcome outcome = run({"--cases", "2", "--property", "*contract*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_EQ(run_json().at("plan").at("laws"), json{kCoverage});
+  EXPECT_EQ(run_json().at("plan").at("properties"), json{kCoverage});
   json expected = json::array();
   const json listed = json::parse(run_program({"list", "properties", "--json"}).out);
   for (const json& row : listed.at("properties")) {
@@ -423,9 +424,9 @@ TEST_F(Run, ChecksThePropertiesThatMatch) {
   }
   ASSERT_GT(expected.size(), 1U);
   run({"--cases", "2", "--property", "co*"});
-  EXPECT_EQ(run_json().at("plan").at("laws"), expected);
+  EXPECT_EQ(run_json().at("plan").at("properties"), expected);
   run({"--cases", "2", "--property", kCoverage});
-  EXPECT_EQ(run_json().at("plan").at("laws"), json{kCoverage});
+  EXPECT_EQ(run_json().at("plan").at("properties"), json{kCoverage});
 }
 
 TEST_F(Run, WritesTheFormatsAskedFor) {
@@ -585,7 +586,7 @@ TEST_F(Run, RefusesASceneBeyondFloat32) {
 }
 
 TEST(WorkerCommand, RefusesWhatIsNoTask) {
-  const std::string plan = R"({"seed": 1, "cases_per_law": 1})";
+  const std::string plan = R"({"seed": 1, "cases_per_property": 1})";
   const Outcome outcome = run_program({"task-worker", "--plan", plan}, "rubbish\n");
   EXPECT_TRUE(is_failure(outcome, 70)) << outcome;
   EXPECT_EQ(run_program({"task-worker", "--plan", plan}).code, 0);

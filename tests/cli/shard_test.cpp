@@ -179,7 +179,7 @@ TEST_F(Shard, KnowsWhatIsKnownOfDrivers) {
 TEST_F(Shard, ChecksSavedCounterexamplesOnce) {
   const std::string name = "/counterexamples/coverage-obeys-the-contract-damaged-missing.json";
   for (const char* folder : {"whole", "shard1", "shard2"}) {
-    folder_.put(folder + name, square_case(R"("found": {"law": "coverage-obeys-the-contract",
+    folder_.put(folder + name, square_case(R"("found": {"property": "coverage-obeys-the-contract",
       "backend": "damaged", "verdict": "missing", "seed": 5, "index": 77}, )"));
   }
   folder_.put("none/note.txt", "");
@@ -240,7 +240,7 @@ TEST_F(Shard, IsMergedFromFilesIntoTheFormatsAskedFor) {
       run_program({"merge", folder_.path("shard1/run.json"), folder_.path("shard2/run.json"),
                    "--output", folder_.path("merged"), "--format", "markdown", "--json"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_EQ(json::parse(outcome.out).at("laws").at(0).at("checked"), 7);
+  EXPECT_EQ(json::parse(outcome.out).at("properties").at(0).at("checked"), 7);
   EXPECT_EQ(folder_.files("merged"), std::vector<std::string>{"summary.md"});
 }
 

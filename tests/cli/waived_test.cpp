@@ -155,7 +155,7 @@ TEST_F(Waived, SkippedPropertiesAreSaidToBe) {
               HasSubstr("Skipped on damaged:driver by " + skips + ": 1 property, " + kCoverage));
   EXPECT_THAT(output_.content("report.html"), HasSubstr("Skipped on damaged:driver"));
   const json records = json::parse(output_.content("run.json")).at("records");
-  for (const json& record : records) EXPECT_EQ(record.at("law"), kDegenerate);
+  for (const json& record : records) EXPECT_EQ(record.at("property"), kDegenerate);
   // A line for another backend skips no law of this one.
   lists_.put("damaged-skips.txt", std::string("cpu/") + kCoverage + "\n");
   EXPECT_EQ(run("damaged:driver", {"--known", skips}).code, 1);

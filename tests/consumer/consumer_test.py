@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Uses an installed RasterCheck as users do: the rasterizer, as docs/using-the-rasterizer.md says
-or as part of another build, and the laws as tests of a rasterizer, as docs/using-in-googletest.md
+or as part of another build, and the properties as tests of a rasterizer, as docs/using-in-googletest.md
 says.
 
 Usage: consumer_test.py SOURCE_DIR BUILD_DIR CONFIG CMAKE COMPILER CMAKE_CXX_FLAGS=FLAGS CLASS
@@ -203,7 +203,7 @@ class Components(unittest.TestCase):
 
 
 class Testing(unittest.TestCase):
-    """The laws as tests of a user's own rasterizer."""
+    """The properties as tests of a user's own rasterizer."""
 
     @classmethod
     def setUpClass(cls):
@@ -215,30 +215,30 @@ class Testing(unittest.TestCase):
         run(CMAKE, "--build", cls.folder / "build")
         cls.program = cls.folder / "build/my_tests"
 
-    def laws(self):
+    def properties(self):
         listed = run(BUILD / "bin/rastercheck", "list", "properties", "--json")
-        return {law["id"] for law in json.loads(listed)["properties"]}
+        return {one["id"] for one in json.loads(listed)["properties"]}
 
     def test_headers_are_in_folders_of_their_own(self):
         self.assertEqual({header.split("/")[0] for header in self.headers}, {"rasterizer", "rastercheck"})
         self.assertIn("rastercheck/backends/backend.h", self.headers)
         self.assertEqual([header for header in self.headers if "internal" in header], [])
 
-    def test_every_law_is_a_test(self):
+    def test_every_property_is_a_test(self):
         listed = run(self.program, "--gtest_list_tests", "--gtest_filter=MyRasterizer.*")
-        self.assertEqual(set(re.findall(r'GetParam\(\) = "(.*)"', listed)), self.laws())
-        self.assertIn("  law/coverage_obeys_the_contract ", listed)
+        self.assertEqual(set(re.findall(r'GetParam\(\) = "(.*)"', listed)), self.properties())
+        self.assertIn("  property/coverage_obeys_the_contract ", listed)
 
     def test_pass_for_what_is_right(self):
         log = run(self.program, "--gtest_filter=MyRasterizer.*", RASTERCHECK_CASES="50")
-        self.assertIn("[       OK ] MyRasterizer.law/coverage_obeys_the_contract ", log)
-        self.assertIn("[  SKIPPED ] MyRasterizer.law/the_traced_value_is_the_drawn_value ", log)
+        self.assertIn("[       OK ] MyRasterizer.property/coverage_obeys_the_contract ", log)
+        self.assertIn("[  SKIPPED ] MyRasterizer.property/the_traced_value_is_the_drawn_value ", log)
         self.assertIn("does not apply to: backends that do not trace", log)
 
     def test_fail_for_what_is_wrong(self):
-        coverage = "CarelessInVulkan.law/coverage_obeys_the_contract"
-        log = run(self.program, f"--gtest_filter={coverage}:MyRasterizer.law/coverage*", expected=1)
-        self.assertIn("[       OK ] MyRasterizer.law/coverage_obeys_the_contract ", log)
+        coverage = "CarelessInVulkan.property/coverage_obeys_the_contract"
+        log = run(self.program, f"--gtest_filter={coverage}:MyRasterizer.property/coverage*", expected=1)
+        self.assertIn("[       OK ] MyRasterizer.property/coverage_obeys_the_contract ", log)
         self.assertIn(f"[  FAILED  ] {coverage}", log)
         message = log.split("CarelessInVulkan violates", 1)[1]
         for words in ["the property “coverage obeys the contract”: ", "  Found in case ", " of the corpus, “",
@@ -254,7 +254,7 @@ class Testing(unittest.TestCase):
         self.assertIn("cpu: held", run(BUILD / "bin/rastercheck", "replay", file, "--backend", "cpu"))
 
     def test_heed_the_environment(self):
-        coverage = "--gtest_filter=CarelessInVulkan.law/coverage_obeys_the_contract"
+        coverage = "--gtest_filter=CarelessInVulkan.property/coverage_obeys_the_contract"
         output = self.folder / "output"
         log = run(self.program, coverage, expected=1, RASTERCHECK_CORPUS="", RASTERCHECK_SEED="5",
                   RASTERCHECK_CASES="1000", RASTERCHECK_OUTPUT=str(output))

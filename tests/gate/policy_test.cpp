@@ -136,7 +136,7 @@ Result<Policy> parse(const std::string& allow) {
 
 TEST(PolicyFile, IsRead) {
   const Result<Policy> policy = parse(
-      R"({"law": "a*", "backend": "cpu", "kind": "smooth", "stratum": "all", "reason": "why",
+      R"({"property": "a*", "backend": "cpu", "kind": "smooth", "stratum": "all", "reason": "why",
           "until": "2028-02-29", "worst": 0.75}, {"reason": "other", "until": "0001-01-01"})");
   ASSERT_TRUE(policy) << to_string(policy.error());
   EXPECT_EQ(policy->file, "p.json");
@@ -163,8 +163,8 @@ TEST(PolicyFile, RefusesWhatItCannotMean) {
               HasSubstr("/allow/0/reason: must not be empty"));
   EXPECT_THAT(refusal(R"({"reason": "why", "until": "2026-01-01", "worst": -1})"),
               HasSubstr("/allow/0/worst"));
-  EXPECT_THAT(refusal(R"({"reason": "why", "until": "2026-01-01", "laws": "*"})"),
-              HasSubstr("laws"));
+  EXPECT_THAT(refusal(R"({"reason": "why", "until": "2026-01-01", "properties": "*"})"),
+              HasSubstr("properties"));
   EXPECT_EQ(
       to_string(parse_policy(R"({"format": "rastercheck-policy", "version": 2})", "p").error()),
       "p: /version: version must be 1");

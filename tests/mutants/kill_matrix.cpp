@@ -2,10 +2,10 @@
 //
 //   rastercheck_kill_matrix LAW CASES MUTANT…
 //
-// prints a line of JSON for each mutant, {"law", "mutant", "kill", "says"}. "kill" is the index of
-// the first case, among the law's first CASES cases of seed 1, on which the law finds violations by
-// the mutant but none by the backend without the defect; null if no case does. "says" is true if
-// the law applies to any of the cases. scripts/kill-matrix runs this program.
+// prints a line of JSON for each mutant, {"property", "mutant", "kill", "says"}. "kill" is the
+// index of the first case, among the law's first CASES cases of seed 1, on which the law finds
+// violations by the mutant but none by the backend without the defect; null if no case does. "says"
+// is true if the law applies to any of the cases. scripts/kill-matrix runs this program.
 //
 // Mutants are judged side by side: each case is generated once, and the backend without a defect is
 // checked on it once. A mutant that gives the same answers to the law's questions, to the bit, is
@@ -129,7 +129,7 @@ void print(const properties::Law& law, const std::vector<std::string>& names,
     for (const Mutant& mutant : group.mutants) judged[mutant.name] = &mutant;
   }
   for (const std::string& name : names) {
-    nlohmann::json line{{"law", law.id}, {"mutant", name}, {"kill", nullptr}, {"says", false}};
+    nlohmann::json line{{"property", law.id}, {"mutant", name}, {"kill", nullptr}, {"says", false}};
     if (const auto found = judged.find(name); found != judged.end()) {
       line["says"] = found->second->is_spoken_of;
       if (found->second->killed_at) line["kill"] = *found->second->killed_at;

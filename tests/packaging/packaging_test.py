@@ -45,7 +45,7 @@ case = rastercheck.Case.load(\\"/usr/share/rastercheck/corpus/behind-the-eye.jso
 print(\\"Python\\", importlib.metadata.version(\\"rastercheck\\"), len(rastercheck.oracle(case)))"'
 apt-get install -y -q --no-install-recommends /packages/rastercheck-dev_*.deb g++ cmake ninja-build
 su - somebody -c 'cmake -G Ninja -S /tests -B tests && cmake --build tests'
-su - somebody -c 'RASTERCHECK_CASES=3 tests/my_tests --gtest_filter=MyRasterizer.law/coverage*'
+su - somebody -c 'RASTERCHECK_CASES=3 tests/my_tests --gtest_filter=MyRasterizer.property/coverage*'
 echo "The tests ended with $?."
 """
 
@@ -212,7 +212,7 @@ class OnCleanDebian(unittest.TestCase):
         # The run checked the whole corpus of the package: no source tree exists there.
         run = json.loads((folder / "run.json").read_text(encoding="utf-8"))
         checked = [record["cases"]["checked"] for record in run["records"]
-                   if record["law"] == "coverage-obeys-the-contract" and record["stratum"] == "corpus"]
+                   if record["property"] == "coverage-obeys-the-contract" and record["stratum"] == "corpus"]
         self.assertGreater(sum(checked), 300)
 
 

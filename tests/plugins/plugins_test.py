@@ -119,7 +119,7 @@ class PluginTest(unittest.TestCase):
         table = {}
         for record in run["records"]:
             if record["attribute_kind"] == "coverage":
-                row = table.setdefault((record["law"], record["backend"]), {})
+                row = table.setdefault((record["property"], record["backend"]), {})
                 for key, count in record["cases"].items():
                     row[key] = row.get(key, 0) + count
         return table
@@ -321,7 +321,7 @@ class Mutants(PluginTest):
                 said = self.rastercheck(1, "run", "--backend", plugin, "--property", law, "--seed", 1,
                                         "--cases", 100, "--output", patch.stem)
                 found = self.counterexamples(patch.stem)
-                self.assertEqual({one["law"] for one in found.values()}, {law})
+                self.assertEqual({one["property"] for one in found.values()}, {law})
                 self.assertIn("; shrunk in ", said)
                 for file in found:
                     c = json.loads(file.read_text(encoding="utf-8"))

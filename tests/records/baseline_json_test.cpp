@@ -54,10 +54,11 @@ TEST(BaselineJson, ReadsBackAsItWas) {
 // The data that people read has lines of its own, before the data that is only compared.
 TEST(BaselineJson, HasAnEntryALine) {
   const std::string text = to_json(sample_baseline());
-  EXPECT_THAT(text, HasSubstr("\n{\"law\":\"values are <within> bounds\",\"kind\":\"coverage\","
-                              "\"cases\":{\"checked\":20,\"not_applicable\":3},"
-                              "\"power\":{\"drawings\":7,\"noticed\":6},"
-                              "\"classes\":{\"correct\":4}},\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\n{\"property\":\"values are <within> bounds\",\"kind\":\"coverage\","
+                        "\"cases\":{\"checked\":20,\"not_applicable\":3},"
+                        "\"power\":{\"drawings\":7,\"noticed\":6},"
+                        "\"classes\":{\"correct\":4}},\n"));
   EXPECT_THAT(text, HasSubstr("\n{\"corpus\":0,\"found\":\"0000000000000009\"},\n{\"random\":12,"));
   EXPECT_LT(text.find("\"entries\": ["), text.find("\"cases\": ["));
   EXPECT_TRUE(text.starts_with("{\n\"format\": \"rastercheck-baseline\",\n\"version\": 2,\n"));
@@ -91,8 +92,9 @@ TEST(BaselineJson, RefusesWhatItCannotMean) {
   EXPECT_THAT(refusal("{\"random\":12,", "{\"corpus\":0,"),
               HasSubstr("a second case with the same number"));
   EXPECT_THAT(refusal("{\"random\":12,", "{\"saved\":12,"), HasSubstr("/cases/"));
-  EXPECT_THAT(refusal("\"cases\": [\n{\"law\": \"values", "\"cases\": [\n{\"law\": \"other values"),
-              HasSubstr("/law: is not in"));
+  EXPECT_THAT(refusal("\"cases\": [\n{\"property\": \"values",
+                      "\"cases\": [\n{\"property\": \"other values"),
+              HasSubstr("/property: is not in"));
   EXPECT_THAT(refusal("\"reason\":\"because \\\"so\\\"\"", "\"reason\":\"\""),
               HasSubstr("/reason: must not be empty"));
   EXPECT_THAT(refusal("\"digest\":\"0123456789abcdef\"", "\"digest\":\"123\""),

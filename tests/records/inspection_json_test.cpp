@@ -79,7 +79,7 @@ TEST(InspectionToJson, WritesTheFormat) {
   EXPECT_EQ(written["case"], json::parse(cases::to_json(small_inspection().source)));
   written.erase("case");
   EXPECT_EQ(written, json::parse(R"({
-    "occasion": "worst", "law": "law", "backend": "cpu", "counterexample": 7, "kind": "smooth",
+    "occasion": "worst", "property": "law", "backend": "cpu", "counterexample": 7, "kind": "smooth",
     "stratum": "sliver", "pattern": [[0.5, 0.25]], "triangle": 1, "x": 3, "y": 2, "sample": 0,
     "attribute": 4, "q_matrix": [["1", "0", "-1/2"], ["0", "1", "0"], ["2", "3", "4"]],
     "outlines": [[[0.5, 1.0], [8.0, -1.0]], []], "left": 2, "top": 1, "width": 2, "height": 3,

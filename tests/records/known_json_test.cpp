@@ -15,7 +15,7 @@ constexpr const char* kList = R"({
   "format": "rastercheck-known", "version": 1,
   "driver": {"name": "llvmpipe", "version": "Mesa 22.3.6"},
   "entries": [{"id": "llvmpipe-1", "reason": "Why.", "rule": "14.6.1", "finding": "llvmpipe-1",
-    "laws": ["a law", "*edge*"], "verdicts": ["beyond bound", "crash"],
+    "properties": ["a law", "*edge*"], "verdicts": ["beyond bound", "crash"],
     "when": {"rules": ["vulkan"], "samples": [2, 4], "attribute_kind": ["depth"],
       "interpolation": ["noperspective"], "location": ["centroid"], "note": "lost",
       "nonpositive_w": true, "depth_clamp": false, "error_at_most": 1e6, "height_at_most": 1},
@@ -93,11 +93,12 @@ TEST(KnownJson, RefusesInvalidDates) {
 // Kills: an expectation that hides more than its law.
 TEST(KnownJson, ExpectationsNameLawsAndNothingElse) {
   json document = json::parse(kWaivers);
-  document["entries"][0] = {{"id", "a"}, {"reason", "b"}, {"laws", {"a"}}, {"expected", "fail"}};
+  document["entries"][0] = {
+      {"id", "a"}, {"reason", "b"}, {"properties", {"a"}}, {"expected", "fail"}};
   EXPECT_TRUE(parse_known(document.dump(), "f"));
-  document["entries"][0].erase("laws");
+  document["entries"][0].erase("properties");
   EXPECT_FALSE(parse_known(document.dump(), "f"));
-  document["entries"][0]["laws"] = {"a"};
+  document["entries"][0]["properties"] = {"a"};
   document["entries"][0]["verdicts"] = {"extra"};
   EXPECT_FALSE(parse_known(document.dump(), "f"));
 }
@@ -136,13 +137,14 @@ TEST(KnownJson, IsRefusedWhereItIsNot) {
 }
 
 TEST(KnownJson, IsRefusedWithAnythingMissingOrUnknown) {
-  for (const char* key : {"id", "reason", "rule", "finding", "laws", "verdicts", "when", "case"}) {
+  for (const char* key :
+       {"id", "reason", "rule", "finding", "properties", "verdicts", "when", "case"}) {
     EXPECT_NE(refusal((std::string("/entries/0/") + key).c_str(), std::nullopt), "was read") << key;
   }
   for (const char* place : {"/more", "/driver/more", "/entries/0/more", "/entries/0/when/more"}) {
     EXPECT_NE(refusal(place, 1), "was read") << place;
   }
-  for (const char* place : {"/entries/0/laws", "/entries/0/verdicts", "/entries/0/when/rules",
+  for (const char* place : {"/entries/0/properties", "/entries/0/verdicts", "/entries/0/when/rules",
                             "/entries/0/when/samples", "/entries/0/when/location"}) {
     EXPECT_NE(refusal(place, json::array()), "was read") << place;
   }

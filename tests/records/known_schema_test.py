@@ -35,7 +35,7 @@ FULL_LIST = {
             "until": "2027-01-31",
             "rule": "14.6.1",
             "finding": "a-driver-1",
-            "laws": ["a law", "*edge*"],
+            "properties": ["a law", "*edge*"],
             "verdicts": ["beyond bound", "crash"],
             "when": {
                 "rules": ["vulkan", "opengl"],
@@ -77,7 +77,7 @@ WAIVERS = {
             "when": {"tie": True},
             "case": "known/mine-1.json",
         },
-        {"id": "a law", "reason": "Why.", "laws": ["a law"], "expected": "fail"},
+        {"id": "a law", "reason": "Why.", "properties": ["a law"], "expected": "fail"},
     ],
 }
 

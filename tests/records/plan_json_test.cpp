@@ -32,7 +32,7 @@ TEST(PlanJson, ComesBackAsItWas) {
 // Kills: writing keys that have their default value.
 TEST(PlanJson, LeavesOutWhatIsAsUsual) {
   EXPECT_EQ(cases::json_of(Plan()),
-            json::parse(R"({"seed": 0, "cases_per_law": 1000, "backends": ["cpu"]})"));
+            json::parse(R"({"seed": 0, "cases_per_property": 1000, "backends": ["cpu"]})"));
   EXPECT_EQ(cases::json_of(sample_plan()).size(), 18U);
 }
 

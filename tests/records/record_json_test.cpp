@@ -73,7 +73,7 @@ RecordSet small_records() {
 // Kills: any change of the format; readers of old files would not notice it.
 TEST(RecordsToJson, WritesTheFormat) {
   const json expected = json::parse(R"([{
-    "law": "law", "backend": "cpu", "attribute_kind": "smooth", "stratum": "grid",
+    "property": "law", "backend": "cpu", "attribute_kind": "smooth", "stratum": "grid",
     "cases": {"checked": 7, "not_applicable": 1, "violations": 2},
     "counts": {"required": 9, "forbidden": 90, "permitted": 1, "undecided": 3},
     "classes": {"correct": 1, "beyond bound": 2, "missing": 3, "extra": 4, "wrong triangle": 5,
@@ -116,9 +116,9 @@ TEST(RecordsToJson, OrdersRecordsByKey) {
   records[{"a", "cpu", AttributeKind::coverage, "y"}];
   std::vector<std::string> order;
   for (const json& record : cases::json_of(records)) {
-    order.push_back(record["law"].get<std::string>() + " " + record["backend"].get<std::string>() +
-                    " " + record["attribute_kind"].get<std::string>() + " " +
-                    record["stratum"].get<std::string>());
+    order.push_back(
+        record["property"].get<std::string>() + " " + record["backend"].get<std::string>() + " " +
+        record["attribute_kind"].get<std::string>() + " " + record["stratum"].get<std::string>());
   }
   EXPECT_EQ(order, (std::vector<std::string>{"a cpu coverage y", "a cpu coverage z", "a cpu flat ",
                                              "a gl depth ", "b cpu depth "}));
@@ -242,8 +242,8 @@ const Fault kFaults[] = {
     {"", "7", "/", "must be an array"},
     {"", "{}", "/", "must be an array"},
     {"/0", "null", "/0", "must be an object"},
-    {"/0/law", "", "/0", "missing key 'law'"},
-    {"/0/law", "3", "/0/law", "must be a string"},
+    {"/0/property", "", "/0", "missing key 'property'"},
+    {"/0/property", "3", "/0/property", "must be a string"},
     {"/0/more", "1", "/0/more", "unknown key 'more'"},
     {"/0/a~1b\n", "1", "/0/a~1b\\n", "unknown key 'a/b\\n'"},
     {"/0/attribute_kind", R"("colour")", "/0/attribute_kind", "must be coverage, depth, smooth"},
@@ -335,7 +335,7 @@ TEST(RecordsFromJson, PlacesAreThoseOfTheWholeFile) {
   const auto records = [](const cases::JsonNode& root) {
     return cases::read_as<RecordSet>(root["records"]);
   };
-  const auto read = cases::read_json(R"({"records": [{"law": 1}]})", "run.json", records);
+  const auto read = cases::read_json(R"({"records": [{"property": 1}]})", "run.json", records);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error().place, "/records/0");
 }

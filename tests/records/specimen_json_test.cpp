@@ -42,7 +42,7 @@ Result<std::vector<Specimen>> read(const json& document) {
 // Kills: any change of the format; readers of old baselines would not notice it.
 TEST(SpecimenToJson, WritesTheFormat) {
   EXPECT_EQ(cases::json_of(small()), json::parse(R"({
-    "law": "law", "backend": "cpu", "origin": "corpus", "index": 7, "name": "a <name>",
+    "property": "law", "backend": "cpu", "origin": "corpus", "index": 7, "name": "a <name>",
     "triangle": 1, "left": 3, "top": 5, "width": 2, "height": 1, "samples": 2, "attributes": 1,
     "rows": ["3f000000:40490fdb 00000000:80000000 - 7fc00001:ff800000"]})"));
   Specimen nameless = small();

@@ -48,7 +48,7 @@ BASELINE = {
             "backend": "cpu", "architecture": "x86_64", "instruction_set": "avx2",
             "compiler": "GNU 12.2.0", "records_version": 3, "rules_version": 1,
             "plan": {
-                "seed": 1, "cases_per_law": 100, "properties": ["*"], "corpus": "c", "known": ["k"],
+                "seed": 1, "cases_per_property": 100, "property_patterns": ["*"], "corpus": "c", "known": ["k"],
                 "ignores_known": True, "power": 5,
             },
             "taken": {
@@ -60,7 +60,7 @@ BASELINE = {
             ],
             "entries": [
                 {
-                    "law": "a law", "kind": "coverage", "stratum": "sliver",
+                    "property": "a law", "kind": "coverage", "stratum": "sliver",
                     "cases": {"checked": 3, "not_applicable": 1, "violations": 1, "known": 1},
                     "power": {"drawings": 7, "noticed": 6},
                     "classes": {name: 1 for name in CLASSES},
@@ -70,11 +70,11 @@ BASELINE = {
                     "stages": {"set-up": SUM},
                 },
             ],
-            "laws": [{"law": "a law", "cases": 3, "digest": DIGEST}],
+            "properties": [{"property": "a law", "cases": 3, "digest": DIGEST}],
             "corpus": [[0, "a name"]],
             "cases": [
                 {
-                    "law": "a law",
+                    "property": "a law",
                     "cases": [
                         {
                             "corpus": 0, "found": DIGEST, "outcome": "violated", "mismatches": 1,
@@ -86,7 +86,7 @@ BASELINE = {
             ],
             "specimens": [
                 {
-                    "law": "a law", "backend": "cpu", "origin": "random", "index": 1,
+                    "property": "a law", "backend": "cpu", "origin": "random", "index": 1,
                     "name": "a name", "triangle": 0, "left": 3, "top": 5, "width": 2, "height": 1,
                     "samples": 1, "attributes": 1, "rows": ["- 3f000000:7fc00000"],
                 },
@@ -112,7 +112,7 @@ POLICY = {
     "version": 1,
     "allow": [
         {
-            "law": "a*", "backend": "cpu", "kind": "*", "stratum": "all", "reason": "why",
+            "property": "a*", "backend": "cpu", "kind": "*", "stratum": "all", "reason": "why",
             "until": "2026-12-31", "worst": 0.75,
         },
         {"reason": "why", "until": "2026-02-28"},
@@ -137,10 +137,10 @@ def sections_repeat(document):
     if repeats(key(section) for section in document["sections"]):
         return True
     for section in document["sections"]:
-        entries = ((e["law"], e["kind"], e.get("stratum")) for e in section["entries"])
-        laws = [law["law"] for law in section["laws"]]
+        entries = ((e["property"], e["kind"], e.get("stratum")) for e in section["entries"])
+        laws = [law["property"] for law in section["properties"]]
         of_cases = [
-            (one["law"], "corpus" in each, each.get("corpus", each.get("random")))
+            (one["property"], "corpus" in each, each.get("corpus", each.get("random")))
             for one in section["cases"]
             for each in one["cases"]
         ]
@@ -153,7 +153,7 @@ def sections_repeat(document):
 
 def law_is_missing(document):
     return any(
-        one["law"] not in [law["law"] for law in section["laws"]]
+        one["property"] not in [law["property"] for law in section["properties"]]
         for section in document["sections"]
         for one in section["cases"]
     )

@@ -115,7 +115,7 @@ def complete(document):
     document["cases_left"] = 3
     document["records"][0]["power"] = {"values NaN": {"drawings": 5, "noticed": 4}}
     document["specimens"] = [
-        {"law": "a", "backend": "cpu", "origin": "random", "index": 3, "name": "b", "triangle": 0,
+        {"property": "a", "backend": "cpu", "origin": "random", "index": 3, "name": "b", "triangle": 0,
          "left": 1, "top": 2, "width": 2, "height": 1, "samples": 1, "attributes": 1,
          "rows": ["3f000000:40490fdb -"]}]
     document["shard"] = {
@@ -125,7 +125,7 @@ def complete(document):
                       "unpromised": ["a"]}]}
     document["held_to"] = {"cpu": "ieee"}
     document["unexpected_passes"] = [
-        {"backend": "cpu", "id": "driver-2", "law": "a", "staleness": "other version"}]
+        {"backend": "cpu", "id": "driver-2", "property": "a", "staleness": "other version"}]
     document["known"] = [{"backend": "cpu", "file": "f", "driver_version": "Mesa 23", "run_out": ["driver-1"], "list": {
         "format": "rastercheck-known", "version": 1,
         "driver": {"name": "driver", "version": "Mesa 22"}, "entries": []}}]

@@ -123,7 +123,7 @@ TEST(SummaryCounts, AddUpAllRows) {
 TEST(SummaryJson, HasTheEndsOfEnclosures) {
   records::LawSummary infinite = row();
   infinite.ideal.p99 = {0x1p40, std::numeric_limits<double>::infinity()};
-  const json law = json::parse(summary_json(sample_run(), {infinite})).at("laws").at(0);
+  const json law = json::parse(summary_json(sample_run(), {infinite})).at("properties").at(0);
   EXPECT_EQ(law.at("ideal_error").at("worst"), (json{0.5, 0.5}));
   EXPECT_EQ(law.at("ideal_error").at("p99"), (json{0x1p40, "inf"}));
   EXPECT_EQ(law.at("beyond_contract").at("worst"), nullptr);
@@ -135,7 +135,7 @@ TEST(SummaryJson, HasPrecisionByKindAndStratum) {
   const records::Run run = sample_run();
   const json document = json::parse(summary_json(run, records::summarize(run)));
   EXPECT_EQ(document.at("seed"), run.plan.seed);
-  const json precision = document.at("laws").at(0).at("precision");
+  const json precision = document.at("properties").at(0).at("precision");
   ASSERT_EQ(precision.size(), 3U);
   EXPECT_EQ(precision.at(0).at("stratum"), nullptr);
   // Certified ends are doubles, rounded outwards.
@@ -161,7 +161,7 @@ TEST(SummaryJson, HasBackendsSideBySide) {
   EXPECT_EQ(pair.at("only_second_right"), 0);
   EXPECT_EQ(pair.at("neither_right"), 1);
   EXPECT_EQ(pair.at("known_second"), 1);
-  EXPECT_EQ(pair.at("laws").at(run.plan.laws[1]).at("only_first_right"), 3);
+  EXPECT_EQ(pair.at("properties").at(run.plan.laws[1]).at("only_first_right"), 3);
   run.outcomes.reset();
   EXPECT_FALSE(document().contains("side_by_side"));
 }

@@ -33,7 +33,7 @@ Result<Findings> read_findings(const JsonNode& root) {
 template <typename Archive, cases::Either<Task> T>
 void members(Archive& archive, T& task) {
   archive.required("backend", task.backend);
-  archive.required("law", task.law);
+  archive.required("property", task.law);
   archive.required("kind", task.kind);
   archive.required("first", task.first);
   archive.required("last", task.last);

@@ -118,13 +118,14 @@ TEST(TaskLine, ComesBackAsItWas) {
 }
 
 TEST(TaskLine, IsNothingWhereItIsNone) {
-  for (const char* line :
-       {"", "rubbish", "[]", "{}",
-        R"({"backend": "cpu", "law": "l", "kind": "corpus", "first": 0})",
-        R"({"backend": "cpu", "law": "l", "kind": "corpus", "first": -1, "last": 1})",
-        R"({"backend": "cpu", "law": "l", "kind": "all", "first": 0, "last": 1})",
-        R"({"backend": "cpu", "law": "l", "kind": "shrink", "first": 0, "last": 1})",
-        R"({"backend": "cpu", "law": "l", "kind": "corpus", "first": 0, "last": 1, "x": 1})"}) {
+  for (
+      const char* line :
+      {"", "rubbish", "[]", "{}",
+       R"({"backend": "cpu", "property": "l", "kind": "corpus", "first": 0})",
+       R"({"backend": "cpu", "property": "l", "kind": "corpus", "first": -1, "last": 1})",
+       R"({"backend": "cpu", "property": "l", "kind": "all", "first": 0, "last": 1})",
+       R"({"backend": "cpu", "property": "l", "kind": "shrink", "first": 0, "last": 1})",
+       R"({"backend": "cpu", "property": "l", "kind": "corpus", "first": 0, "last": 1, "x": 1})"}) {
     EXPECT_EQ(task_from_line(line), std::nullopt) << line;
   }
 }

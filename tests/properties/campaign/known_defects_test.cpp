@@ -61,8 +61,9 @@ TEST(KnownDefects, AreRefusedWhereTheyDoNotFit) {
   };
   put_known(folder, replaced(kKnownList, "\"name\": \"damaged\"", "\"name\": \"other\""));
   EXPECT_EQ(refusal(folder), "/driver/name: is not the name of its folder");
-  put_known(folder, replaced(kKnownList, "\"laws\": [\"cov", "\"laws\": [\"no law\", \"cov"));
-  EXPECT_EQ(refusal(folder), "/entries/0/laws: no property is called 'no law'");
+  put_known(folder,
+            replaced(kKnownList, "\"properties\": [\"cov", "\"properties\": [\"no law\", \"cov"));
+  EXPECT_EQ(refusal(folder), "/entries/0/properties: no property is called 'no law'");
   cases::Case c = scissored_square();
   c.found->law = "values-stay-within-the-bound";
   put_known(folder, kKnownList, c);

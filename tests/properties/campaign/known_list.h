@@ -24,7 +24,7 @@ inline constexpr const char* kKnownList = R"({
   "format": "rastercheck-known", "version": 1,
   "driver": {"name": "damaged", "version": "1"},
   "entries": [{"id": "damaged-1", "reason": "A scissor loses the last fragment.",
-    "rule": "section 1", "finding": "damaged-1", "laws": ["coverage-obeys-the-contract"],
+    "rule": "section 1", "finding": "damaged-1", "properties": ["coverage-obeys-the-contract"],
     "verdicts": ["missing"], "when": {"scissor": true}, "case": "known/damaged-1.json"}]
 })";
 

@@ -96,7 +96,7 @@ TEST_F(RunFolder, GoesOnOnlyAsItWasBegun) {
   EXPECT_THAT(resume_error(other), HasSubstr("/plan/scene: was read from standard input"));
   other = unfinished();
   other.plan.laws.emplace_back("no law");
-  EXPECT_THAT(resume_error(other), HasSubstr("/plan/laws: no property is called 'no law'"));
+  EXPECT_THAT(resume_error(other), HasSubstr("/plan/properties: no property is called 'no law'"));
 }
 
 TEST_F(RunFolder, GoesOnWithTheSameCorpusOnly) {

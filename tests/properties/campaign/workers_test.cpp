@@ -28,7 +28,7 @@ const records::Plan kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-sta
 
 /// The part of kSmall's plan that a worker needs.
 constexpr const char* kPlan =
-    R"({"seed": 7, "cases_per_law": 25, "backends": ["cpu", "damaged"], "laws":
+    R"({"seed": 7, "cases_per_property": 25, "backends": ["cpu", "damaged"], "properties":
     ["coverage-obeys-the-contract", "constants-stay-constant"]})";
 
 /// True if all child processes are gone and none is left as a zombie.

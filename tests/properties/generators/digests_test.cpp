@@ -46,7 +46,7 @@ TEST(Digests, OfTheFirstCasesAreTheApprovedOnes) {
   std::string approved_line;
   for (std::string line; std::getline(now, line);) {
     std::getline(approved, approved_line);
-    ASSERT_EQ(line, approved_line) << "docs/adding-a-law.md says how a new one is approved";
+    ASSERT_EQ(line, approved_line) << "docs/adding-a-property.md says how a new one is approved";
   }
   EXPECT_FALSE(std::getline(approved, approved_line)) << approved_line;
 }

@@ -10,9 +10,9 @@ using records::LawVerdict;
 
 // As URLSearchParams writes and reads it.
 TEST(LawLink, IsFormEncoded) {
-  EXPECT_EQ(law_link("a law, 50% of it"), "law=a+law%2C+50%25+of+it");
-  EXPECT_EQ(law_link("\"<&>+='\xc3\xa9"), "law=%22%3C%26%3E%2B%3D%27%C3%A9");
-  EXPECT_EQ(law_link("a-b_c.d*9"), "law=a-b_c.d*9");
+  EXPECT_EQ(law_link("a law, 50% of it"), "property=a+law%2C+50%25+of+it");
+  EXPECT_EQ(law_link("\"<&>+='\xc3\xa9"), "property=%22%3C%26%3E%2B%3D%27%C3%A9");
+  EXPECT_EQ(law_link("a-b_c.d*9"), "property=a-b_c.d*9");
 }
 
 TEST(NumberCell, SaysWhereThereIsNothing) {

@@ -31,13 +31,13 @@ TEST(Properties, TheMostUrgentComesFirst) {
 TEST(Properties, EachRowOpensWithItsFigures) {
   const std::string page = laws(sample_run());
   const std::string first =
-      "<details class=\"law\" id=\"law=coverage+is+exact\" "
-      "data-law=\"coverage is exact\">\n<summary>coverage is &lt;that&gt; of the "
+      "<details class=\"property\" id=\"property=coverage+is+exact\" "
+      "data-property=\"coverage is exact\">\n<summary>coverage is &lt;that&gt; of the "
       "contract</summary>";
   EXPECT_THAT(page, HasSubstr(first));
-  EXPECT_EQ(page.find("id=\"law=coverage+is+exact\"", page.find(first) + first.size()),
+  EXPECT_EQ(page.find("id=\"property=coverage+is+exact\"", page.find(first) + first.size()),
             std::string::npos);
-  EXPECT_THAT(page, HasSubstr("<details class=\"law\" data-law=\"coverage is exact\">"));
+  EXPECT_THAT(page, HasSubstr("<details class=\"property\" data-property=\"coverage is exact\">"));
 }
 
 // Kills: using the bound of another law's violation.
