@@ -105,7 +105,7 @@ enum {
 };
 
 /* rastercheck_contract.lacks: what the plugin does not draw. Add up the ones that apply. The plugin
- * is never asked for such cases, and no law checks them. */
+ * is never asked for such cases, and no property checks them. */
 enum {
   RASTERCHECK_LACKS_OPENGL = 1 << 0, /* OpenGL's conventions: see rastercheck_draw.rules */
   RASTERCHECK_LACKS_VULKAN = 1 << 1,

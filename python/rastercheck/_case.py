@@ -170,9 +170,9 @@ class PictureLayout(Record):
 
 @dataclass(frozen=True, repr=False)
 class Found(Record):
-    """Where a counterexample comes from; `law` is the id of the violated property."""
+    """Where a counterexample comes from; `property` is the id of the violated property."""
 
-    law: Optional[str] = None
+    property: Optional[str] = None
     backend: Optional[str] = None
     verdict: Optional[str] = None
     seed: Optional[int] = None
@@ -312,7 +312,7 @@ _CASE = _json.Object(
     ),
     found=_json.Object(
         Found,
-        law=_PLAIN,
+        property=_PLAIN,
         backend=_PLAIN,
         verdict=_PLAIN,
         seed=_WHOLE,

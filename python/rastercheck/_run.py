@@ -234,7 +234,7 @@ def _violation(members: dict[str, Any]) -> Violation:
 def _counterexample(members: dict[str, Any]) -> Counterexample:
     case = Case.from_dict(members["case"])
     return Counterexample(
-        property=(case.found and case.found.law) or "",
+        property=(case.found and case.found.property) or "",
         backend=(case.found and case.found.backend) or "",
         case=case,
         violations=tuple(map(_violation, members["violations"])),

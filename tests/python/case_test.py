@@ -93,12 +93,12 @@ def sorted_members(value):
 
 
 def test_the_program_draws_and_judges_the_written_corpus_alike(corpus, tmp_path):
-    """Laws take their choices off a hash of the case, so these records differ if a case does."""
+    """Properties take their choices off a hash of the case, so these records differ if a case does."""
     for file in corpus.glob("*.json"):
         Case.load(file).save(tmp_path / file.name)
-    law = "splitting-a-triangle-changes-nothing-beyond-the-bound"
+    splitting = "splitting-a-triangle-changes-nothing-beyond-the-bound"
     before, after = (
-        run(properties=law, cases=0, seed=1, corpus=folder, power=0).document["records"]
+        run(properties=splitting, cases=0, seed=1, corpus=folder, power=0).document["records"]
         for folder in (corpus, tmp_path)
     )
     assert sum(one["counts"]["required"] for one in before) > 5000
