@@ -30,9 +30,10 @@ TEST_F(Plugin, NewWritesTheExample) {
   const Outcome in_c = run_program({"plugin", "new", c});
   EXPECT_EQ(in_c.code, 0) << in_c;
   EXPECT_EQ(in_c.out, c + "/CMakeLists.txt\n" + c + "/README.md\n" + c + "/plugin.c\n" + c +
-                          "/rastercheck/plugin.h\n");
+                          "/rastercheck/barycentrics.h\n" + c + "/rastercheck/plugin.h\n");
   EXPECT_THAT(folder_.files("in/c"),
-              ElementsAre("CMakeLists.txt", "README.md", "plugin.c", "rastercheck/plugin.h"));
+              ElementsAre("CMakeLists.txt", "README.md", "plugin.c", "rastercheck/barycentrics.h",
+                          "rastercheck/plugin.h"));
   EXPECT_EQ(folder_.content("in/c/plugin.c"), source("docs/examples/plugin/little.c"));
   EXPECT_EQ(folder_.content("in/c/rastercheck/plugin.h"), source("backends/plugin/plugin.h"));
   EXPECT_THAT(folder_.content("in/c/CMakeLists.txt"), HasSubstr("LANGUAGES C)"));
@@ -65,9 +66,27 @@ TEST_F(Plugin, NewLosesNothing) {
   EXPECT_EQ(folder_.content("mine/notes.txt"), "mine");
 }
 
-TEST_F(Plugin, NewKnowsTwoLanguages) {
-  const Outcome rust = run_program({"plugin", "new", folder_.path("rust"), "--language", "rust"});
-  EXPECT_TRUE(is_failure(rust, 2)) << rust;
+// Kills: a program's project that differs from the tested example.
+TEST_F(Plugin, NewWritesTheExamplesOfPrograms) {
+  for (const auto& [language, suffix] :
+       {std::pair("python", ".py"), {"javascript", ".mjs"}, {"rust", ".rs"}}) {
+    const std::string name = language;
+    const Outcome made = run_program({"plugin", "new", folder_.path(name), "--language", name});
+    EXPECT_EQ(made.code, 0) << made;
+    for (const std::string file : {"draws", "little"}) {
+      EXPECT_EQ(folder_.content(name + "/" + file + suffix),
+                source("docs/examples/exec/" + name + "/" + file + suffix));
+    }
+  }
+}
+
+TEST_F(Plugin, NewRefusesOtherLanguages) {
+  const Outcome swift =
+      run_program({"plugin", "new", folder_.path("swift"), "--language", "swift"});
+  EXPECT_TRUE(is_failure(swift, 2)) << swift;
+  const Outcome image =
+      run_program({"plugin", "new", folder_.path("rust"), "--from", "image", "--language", "rust"});
+  EXPECT_TRUE(is_failure(image, 2)) << image;
   EXPECT_THAT(folder_.files(), ElementsAre());
 }
 
