@@ -162,7 +162,7 @@ const Fault kFaults[] = {
     {"/more", "1", "/more", "unknown key 'more'"},
     {"/plan/seed", "-1", "/plan/seed", "must be an integer from 0"},
     {"/plan/seed", "1.0", "/plan/seed", "must be an integer from 0"},
-    {"/plan/cases_per_property", "", "/plan", "missing key 'cases_per_law'"},
+    {"/plan/cases_per_property", "", "/plan", "missing key 'cases_per_property'"},
     {"/plan/backends", R"("cpu")", "/plan/backends", "must be an array"},
     {"/plan/backends/1", "7", "/plan/backends/1", "must be a string"},
     {"/plan/properties/0", "null", "/plan/properties/0", "must be a string"},
