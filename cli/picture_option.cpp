@@ -43,11 +43,13 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
                  "triangle (its index plus 1), coverage, a number, or - (not judged); default: "
                  "the case's, or the attributes in order")
       ->delimiter(',')
+      ->allow_extra_args(false)  // what follows are files
       ->type_name("NAME=WHAT");
   app.add_option("--background", flags.background,
                  "What each of --channels shows where nothing is drawn; default: 1 for depth, "
                  "else 0")
       ->delimiter(',')
+      ->allow_extra_args(false)  // what follows are files
       ->type_name("NUMBER");
   add_names(app, "--storage", flags.storage,
             "How numbers are stored; default: as in the file, without a transfer function",

@@ -57,6 +57,15 @@ class Pictures {
   std::string square_;
 };
 
+// Kills: lists that swallow the files after them.
+TEST(Judge, TakesListsBeforeFiles) {
+  const Pictures pictures;
+  const std::string picture = pictures.draw("a.npy", {"--channels", "R=x,G=one"});
+  const Outcome outcome = run_program(
+      {"judge", "--background", "0,0", "--channels", "R=x,G=one", pictures.square(), picture});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+}
+
 TEST(Judge, CallsPicturesOfEveryFormatRight) {
   const Pictures pictures;
   const std::vector<std::string> scaled{"--channels", "Y=one", "--storage", "unorm8"};
