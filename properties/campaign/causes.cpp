@@ -52,7 +52,9 @@ std::string what_is_wrong(const CauseGroup& group) {
   const auto has = [&verdicts](FragmentClass one) {
     return verdicts.contains(std::string(to_string(one)));
   };
-  if (group.kind.verdict == to_string(FragmentClass::crash)) return "it crashes";
+  if (group.kind.verdict == to_string(FragmentClass::crash)) {
+    return "it crashes or answers with something other than a drawing";
+  }
   if (group.kind.verdict == to_string(FragmentClass::hang)) return "it does not answer in time";
   if (!group.kind.note.empty()) return "it does not draw: " + group.kind.note;
   if (!group.kind.verdict.empty()) return fmt::format("{}", group.kind.verdict);
