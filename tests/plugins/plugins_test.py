@@ -390,7 +390,7 @@ class Starter(PluginTest):
                 said = self.rastercheck(1, "run", "--backend", backend, "--seed", 1, "--cases", 30, "--property", law,
                                         "--shrink-tries", 20, "--output", "broken")
                 self.assertIn(message, said)
-                self.assertEqual({one["law"] for one in self.counterexamples("broken").values()}, {law})
+                self.assertEqual({one["property"] for one in self.counterexamples("broken").values()}, {law})
 
     def test_there_is_no_image_starter_for_every_language(self):
         said = self.rastercheck(2, "plugin", "new", "none", "--from", "image", "--language", "rust")
