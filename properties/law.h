@@ -11,8 +11,8 @@
 //                                        .check = &check,
 //                                        .covers = {cover(5, "clipped")}});
 //
-// docs/adding-a-property.md walks through it. A law needs only a Case, which may come from the law's
-// generator, the corpus, or a saved counterexample.
+// docs/adding-a-property.md walks through it. A law needs only a Case, which may come from the
+// law's generator, the corpus, or a saved counterexample.
 
 #include <cstdint>
 #include <optional>
