@@ -303,9 +303,10 @@ class Values {
 /// drops them there.
 template <typename T>
 std::vector<T> take_numbers(std::string_view& arrays, std::size_t count) {
+  const std::string_view bytes = arrays.substr(0, count * sizeof(T));
+  arrays.remove_prefix(bytes.size());
   std::vector<T> numbers(count);
-  if (count > 0) std::memcpy(numbers.data(), arrays.data(), count * sizeof(T));
-  arrays.remove_prefix(count * sizeof(T));
+  if (count > 0) std::memcpy(numbers.data(), bytes.data(), bytes.size());
   return numbers;
 }
 
