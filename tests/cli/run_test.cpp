@@ -67,7 +67,7 @@ TEST_F(Run, ThatHoldsSaysSoAndWritesItsFolder) {
 }
 
 TEST_F(Run, ThatIsViolatedKeepsCounterexamples) {
-  const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "12", "--seed", "1"});
+  const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "3", "--seed", "1"});
   EXPECT_EQ(outcome.code, 1) << outcome;
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("violated"));
