@@ -140,6 +140,10 @@ std::string lacked_by(const Capabilities& capabilities, const Case& c) {
   }
   const int size = std::max(c.framebuffer.width, c.framebuffer.height);
   if (size > capabilities.max_size) return fmt::format("framebuffers of {} pixels", size);
+  const int multiple = capabilities.size_multiple;
+  if (c.framebuffer.width % multiple != 0 || c.framebuffer.height % multiple != 0) {
+    return fmt::format("framebuffers of {}x{} pixels", c.framebuffer.width, c.framebuffer.height);
+  }
   const float viewport = std::max(std::fabs(c.viewport.width), std::fabs(c.viewport.height));
   if (viewport > static_cast<float>(capabilities.max_viewport)) {
     return fmt::format("viewports of {} pixels", viewport);
@@ -167,6 +171,8 @@ bool has_meaning(const Capabilities& capabilities) {
   return are_some(capabilities.rules, everything.rules) &&
          are_some(capabilities.sample_counts, everything.sample_counts) &&
          is_ordered(capabilities.lacks) && is_size(capabilities.max_size) &&
+         is_size(capabilities.size_multiple) &&
+         capabilities.size_multiple <= capabilities.max_size &&
          is_size(capabilities.max_viewport) && capabilities.max_attributes <= kMaxAttributes &&
          capabilities.max_clip_distances <= kMaxClipDistances && capabilities.numbers.least >= 0 &&
          capabilities.numbers.has(1);

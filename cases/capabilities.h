@@ -56,6 +56,7 @@ struct Capabilities {
   std::vector<int> sample_counts{1, 2, 4, 8, 16};                      ///< in this order
   std::vector<Feature> lacks = {};  ///< in the enumeration's order, each once
   int max_size = kMaxSize;          ///< largest width and height of a framebuffer, pixels
+  int size_multiple = 1;            ///< width and height of a framebuffer are multiples of this
   int max_viewport = kMaxSize;      ///< largest width and height of a viewport, pixels
   std::size_t max_attributes = kMaxAttributes;
   std::size_t max_clip_distances = kMaxClipDistances;

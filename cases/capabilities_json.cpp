@@ -19,6 +19,7 @@ void members(Archive& archive, T& all) {
   archive.optional("sample_counts", all.sample_counts, usual.sample_counts);
   archive.optional("lacks", all.lacks);
   archive.optional("max_size", all.max_size, usual.max_size);
+  archive.optional("size_multiple", all.size_multiple, usual.size_multiple);
   archive.optional("max_viewport", all.max_viewport, usual.max_viewport);
   archive.optional("max_attributes", all.max_attributes, usual.max_attributes);
   archive.optional("max_clip_distances", all.max_clip_distances, usual.max_clip_distances);

@@ -55,7 +55,9 @@ Coverage read_coverage(const JsonNode& node) {
   node.expect_object({"subpixel_bits"}, {"rounding", "position_error"});
   Snapping snapping;
   snapping.subpixel_bits = static_cast<int>(node["subpixel_bits"].integer(0, kMaxSubpixelBits));
-  if (node.has("rounding")) snapping.rounding = node["rounding"].enumerator<Rounding>();
+  if (node.has("rounding")) {
+    snapping.rounding = node["rounding"].enumerator<Rounding>(kRoundingsOfCases);
+  }
   if (node.has("position_error")) {
     snapping.position_error = node["position_error"].float32(0, kMaxPositionError);
   }
@@ -222,8 +224,8 @@ Case read_case(const JsonNode& root) {
   c.viewport = read_viewport(root["viewport"], c.rules);
   if (root.has("coverage")) c.coverage = read_coverage(root["coverage"]);
   c.basis = root.has("basis") ? root["basis"].enumerator<Basis>() : default_basis(c.rules);
-  c.fill_rule =
-      root.has("fill_rule") ? root["fill_rule"].enumerator<TieRule>() : default_fill_rule(c.rules);
+  c.fill_rule = root.has("fill_rule") ? root["fill_rule"].enumerator<TieRule>(kTieRulesOfCases)
+                                      : default_fill_rule(c.rules);
   if (root.has("cull")) c.cull = root["cull"].enumerator<Cull>();
   if (root.has("front_face")) c.front_face = root["front_face"].enumerator<FrontFace>();
   if (root.has("scissor")) c.scissor = read_scissor(root["scissor"]);

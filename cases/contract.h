@@ -26,6 +26,7 @@ enum class Claim { perspective, affine };
 /// (RULES §5):
 ///
 ///   constant + per_horizon · g + per_condition · K + range_share · (max r_i − min r_i)/ulp
+///            + absolute / ulp
 ///
 /// where g and K refer to the exact triangle. g is the greatest 1/w of the drawn part divided by
 /// 1/w at the fragment, and 1 for values linear in window space. Interpolating r/w and 1/w has an
@@ -44,21 +45,23 @@ enum class Claim { perspective, affine };
 /// reaches 2^24, all digits of a value may be lost, and nothing is promised; the value may even be
 /// NaN.
 ///
-/// The last term is for methods that approximate by design: a share of the range of the vertices'
-/// values, in ulp(max |r_i|).
+/// The last two terms are for methods that approximate by design, or that store a value in a few
+/// bits: a share of the range of the vertices' values, and an error in units of the value itself
+/// (1/510 for values in [0, 1] that are stored in 8 bits). ulp is that of max |r_i| there.
 ///
-/// For depth, only the constant counts.
+/// For depth, only `constant` and `absolute` count, and ulp is that of max(|n|, |f|).
 struct ValueBound {
   float constant = 0.5F;
   float per_horizon = 0;
   float per_condition = 0;
   float range_share = 0;
+  float absolute = 0;
   bool operator==(const ValueBound&) const = default;
 
   /// True if the bound is the same everywhere on a triangle.
   bool is_uniform() const { return per_horizon == 0 && per_condition == 0; }
   /// True if the bound is `constant` everywhere.
-  bool is_constant() const { return is_uniform() && range_share == 0; }
+  bool is_constant() const { return is_uniform() && range_share == 0 && absolute == 0; }
 };
 
 /// Bounds by kind of value. Flat attributes are copies: their bound is 0.
@@ -115,6 +118,28 @@ struct TrianglePromise {
   bool operator==(const TrianglePromise&) const = default;
 };
 
+/// A position within a pixel, as fractions x/parts and y/parts of a pixel from its corner of least
+/// window x and y; 0 <= x, y < parts.
+struct PixelFraction {
+  int x = 0;
+  int y = 0;
+  int parts = 1;  ///< 1…kMostPixelParts
+  bool operator==(const PixelFraction&) const = default;
+};
+inline constexpr int kMostPixelParts = 256;
+
+/// The orientation of a triangle as displayed.
+enum class Winding { none, clockwise, counter_clockwise };
+
+/// Which fragments a depth test keeps: those whose depth has this relation to the stored one. With
+/// the last two, depth is reversed: greater is nearer. A pipeline's DepthFunction has all
+/// relations.
+enum class KeptDepth { less, less_or_equal, greater, greater_or_equal };
+
+/// On which sides of its exact range a depth may lie. `nearer` and `farther` follow the depth test:
+/// less is nearer unless depth is reversed.
+enum class DepthError { either_side, never_nearer, never_farther };
+
 /// The largest factor by which 1/w may fall from one pixel to the next while differences still mean
 /// something.
 inline constexpr float kMostQuadHorizon = 0x1p16F;
@@ -127,6 +152,22 @@ struct Contract {
   /// the window origin in x or y, in pixels. Only if `coverage` is snapped. D3D: 2^15. If the
   /// backend clips at the viewport: 0.
   float guard_band = 32768;
+  /// If set, it takes the place of `guard_band`: a vertex may be clipped if its window position is
+  /// farther than this outside the viewport in x or y, in pixels. 0: all triangles are clipped at
+  /// the viewport's sides. Only if `coverage` is snapped.
+  std::optional<float> guard_beyond_viewport = {};
+  /// True if nothing is ever clipped but by user clip distances: a triangle is left out if one of
+  /// its vertices has w <= 0, lies beyond a depth plane, or lies beyond the guard band. Where
+  /// clip_tolerance or the position error leave open whether a vertex does, both are permitted.
+  bool culls_instead_of_clipping = false;
+  /// The triangles that are never drawn, whatever the case culls.
+  Winding culls = Winding::none;
+  /// Triangles whose window area is below this, in square pixels, may be left out, as may those
+  /// that clipping makes smaller.
+  float least_area = 0;
+  /// If set, the place of the only sample of a pixel, whatever the case asks for; values at centres
+  /// and centroids are at this place, too. Only of cases with one sample.
+  std::optional<PixelFraction> sample_position = {};
   /// True if vertices are placed on points of `coverage`'s grid. If false, they may be placed
   /// anywhere between the allowed grid points, as by a backend that rounds nothing to a grid and is
   /// merely slightly off.
@@ -148,6 +189,12 @@ struct Contract {
   /// make depths equal if they are no farther apart than a step. Depths that are equal in float32
   /// may differ in float64.
   DepthFormat depth_format = DepthFormat::float32;
+  /// What takes the place of the depth test `less` in cases that have one. If depth is reversed,
+  /// the depth buffer begins with 0 where the case does not say what it begins with.
+  KeptDepth depth_function = KeptDepth::less;
+  /// The side on which depths are promised to lie. Their bound (ValueBounds::depth) holds on the
+  /// other side.
+  DepthError depth_error = DepthError::either_side;
   Claim claims = Claim::perspective;
   ValueBounds bounds;
   /// True if all triangles whose vertices have the same z/w (a plane of constant depth) get the
@@ -223,8 +270,28 @@ struct Contract {
   /// True if the contract allows more than one answer, so that values are ranges.
   bool is_unspecified() const {
     return basis == Basis::unspecified || has_open_viewport() ||
-           (coverage &&
-            (coverage->rounding == Rounding::unspecified || coverage->position_error > 0));
+           (coverage && (coverage->is_unspecified() || coverage->position_error > 0));
+  }
+  bool is_depth_reversed() const {
+    return depth_function == KeptDepth::greater || depth_function == KeptDepth::greater_or_equal;
+  }
+  /// True if, of fragments of equal depth, the last one drawn stays.
+  bool keeps_last_of_equals() const {
+    return depth_function == KeptDepth::less_or_equal ||
+           depth_function == KeptDepth::greater_or_equal;
+  }
+  /// The depth buffer's initial value, given the one that the case names, if any.
+  float depth_beginning(std::optional<float> named) const {
+    return named.value_or(is_depth_reversed() ? 0.0F : 1.0F);
+  }
+  /// True if no promise of its own leaves out a triangle that the case draws.
+  bool draws_every_triangle() const {
+    return culls == Winding::none && !culls_instead_of_clipping && least_area == 0;
+  }
+  /// True if each sample on an edge that two triangles share belongs to exactly one of them.
+  bool has_one_owner_of_ties() const {
+    return tie_rule != TieRule::unspecified && tie_rule != TieRule::all &&
+           tie_rule != TieRule::none;
   }
   /// True if the contract allows several viewports.
   bool has_open_viewport() const { return coverage && viewport_error > 0; }

@@ -30,7 +30,11 @@ Coverage coverage_of(const CoverageTerm& term, const Contract& own, const Case& 
   if (const auto* named = std::get_if<Coverage>(&*term)) return *named;
   const auto* grid = std::get_if<AskedGrid>(&*term);
   if (grid == nullptr || !c.coverage) return c.coverage;
-  return Snapping{c.coverage->subpixel_bits, grid->rounding, grid->position_error};
+  Snapping snapping = *c.coverage;
+  snapping.rounding = grid->rounding;
+  snapping.rounding_of_y = grid->rounding_of_y;
+  snapping.position_error = grid->position_error;
+  return snapping;
 }
 
 }  // namespace
@@ -42,10 +46,18 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   if (!own.coverage) own.basis = Basis::ideal;  // there are no snapped positions
   keep(terms.tie_rule, c.fill_rule, own.tie_rule);
   keep(terms.guard_band, own.guard_band);
+  if (terms.guard_band) own.guard_beyond_viewport.reset();
+  keep(terms.guard_beyond_viewport, own.guard_beyond_viewport);
+  keep(terms.culls_instead_of_clipping, own.culls_instead_of_clipping);
+  keep(terms.culls, own.culls);
+  keep(terms.least_area, own.least_area);
+  keep(terms.sample_position, own.sample_position);
   keep(terms.clip_tolerance, own.clip_tolerance);
   keep(terms.clip_error, own.clip_error);
   keep(terms.viewport_error, own.viewport_error);
   keep(terms.depth_format, own.depth_format);
+  keep(terms.depth_function, own.depth_function);
+  keep(terms.depth_error, own.depth_error);
   keep(terms.claims, own.claims);
   keep(terms.smooth, own.bounds.smooth);
   keep(terms.noperspective, own.bounds.noperspective);

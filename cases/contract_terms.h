@@ -26,6 +26,7 @@ using Term = std::optional<std::variant<AsAsked, Promise>>;
 struct AskedGrid {
   Rounding rounding = Rounding::nearest_even;
   float position_error = 0;
+  std::optional<Rounding> rounding_of_y = {};
   bool operator==(const AskedGrid&) const = default;
 };
 using CoverageTerm = std::optional<std::variant<AsAsked, AskedGrid, Coverage>>;
@@ -39,10 +40,17 @@ struct ContractTerms {
   Term<Basis> basis;  ///< ideal if coverage is exact
   Term<TieRule> tie_rule;
   std::optional<float> guard_band;
+  std::optional<float> guard_beyond_viewport;
+  std::optional<bool> culls_instead_of_clipping;
+  std::optional<Winding> culls;
+  std::optional<float> least_area;
+  std::optional<PixelFraction> sample_position;
   std::optional<float> clip_tolerance;
   std::optional<float> clip_error;
   std::optional<float> viewport_error;
   std::optional<DepthFormat> depth_format;
+  std::optional<KeptDepth> depth_function;
+  std::optional<DepthError> depth_error;
   std::optional<Claim> claims;
   std::optional<ValueBound> smooth;
   std::optional<ValueBound> noperspective;

@@ -69,6 +69,12 @@ class JsonNode {
   Enum enumerator() const {
     return static_cast<Enum>(index_in(names_of(Enum{})));
   }
+  /// The same, but only one of the first `count` enumerators.
+  template <typename Enum>
+  Enum enumerator(std::size_t count) const {
+    const auto names = names_of(Enum{});
+    return static_cast<Enum>(index_in(std::span(names).first(count)));
+  }
 
   /// An integer from `least` to `most`, both inclusive. Integral floats such as 64.0 count as
   /// integers, up to 2^53 in magnitude, where doubles still hold every integer.

@@ -35,7 +35,8 @@ constexpr auto names_of(DepthFormat /*type*/) {
   return std::to_array<std::string_view>({"float32", "float64", "unorm16", "unorm24", "unorm32"});
 }
 constexpr auto names_of(Rounding /*type*/) {
-  return std::to_array<std::string_view>({"nearest_even", "half_up", "unspecified"});
+  return std::to_array<std::string_view>(
+      {"nearest_even", "half_up", "unspecified", "half_down", "floor", "ceil", "toward_zero"});
 }
 constexpr auto names_of(Basis /*type*/) {
   return std::to_array<std::string_view>({"ideal", "snapped", "unspecified"});
@@ -58,11 +59,14 @@ constexpr auto names_of(Alpha /*type*/) {
 constexpr auto names_of(Blend /*type*/) {
   return std::to_array<std::string_view>({"off", "over", "additive"});
 }
-/// `unspecified` occurs only in contracts and has no name, because a case must say who owns a tie.
-/// It must stay the last enumerator, because names are found by an enumerator's number.
 constexpr auto names_of(TieRule /*type*/) {
-  return std::to_array<std::string_view>({"top_left", "bottom_left"});
+  return std::to_array<std::string_view>({"top_left", "bottom_left", "top_right", "bottom_right",
+                                          "top_then_left", "top_then_right", "bottom_then_left",
+                                          "bottom_then_right", "all", "none", "unspecified"});
 }
+/// The rules that a case may ask for, and the roundings: the first ones of their enumerations.
+inline constexpr std::size_t kTieRulesOfCases = 2;
+inline constexpr std::size_t kRoundingsOfCases = 3;
 
 /// The enumerator's name; "?" if it has none.
 template <typename Enum>

@@ -68,6 +68,15 @@ RingDerivatives affine_derivatives(const ProjectiveMap& map, const std::array<Ri
   return found;
 }
 
+/// Derivatives per pixel, from those per window unit.
+RingDerivatives per_pixels(RingDerivatives found, const Ring& units_per_pixel) {
+  for (RingDerivative& along : found.along) {
+    along.numerator = along.numerator * units_per_pixel;
+    along.scale = along.scale * units_per_pixel;
+  }
+  return found;
+}
+
 /// D3D's centroid: the centre if all samples are covered, else the first covered sample. Empty if
 /// any sample is only permitted, or if none is covered.
 std::optional<Point> centroid(const TriangleSetup& setup, int x, int y) {
@@ -80,7 +89,7 @@ std::optional<Point> centroid(const TriangleSetup& setup, int x, int y) {
     are_all_covered = are_all_covered && verdict == Verdict::required;
     if (!first && verdict == Verdict::required) first = s;
   }
-  if (are_all_covered) return Scene::center_point(x, y);
+  if (are_all_covered) return setup.scene->center_point(x, y);
   if (!first) return std::nullopt;
   return setup.scene->sample_point(x, y, *first);
 }
@@ -106,9 +115,12 @@ std::optional<RingDerivatives> derivatives_at(const TriangleSetup& setup,
   if (!p || !values.is_defined_at(attribute, *p)) return std::nullopt;
   const ProjectiveMap& map = *values.single_map();
   const Quantity quantity = values.quantity(attribute);
-  if (!quantity.is_perspective) return affine_derivatives(map, quantity.numerators);
+  const Ring& per_pixel = setup.scene->units_per_pixel();
+  if (!quantity.is_perspective) {
+    return per_pixels(affine_derivatives(map, quantity.numerators), per_pixel);
+  }
   if (sign_of(map.inverse_w().at(*p)) <= 0) return std::nullopt;
-  return smooth_derivatives(map, quantity.numerators, *p);
+  return per_pixels(smooth_derivatives(map, quantity.numerators, *p), per_pixel);
 }
 
 /// Divides `number` (the numerator or the scale) of both derivatives by the denominator.

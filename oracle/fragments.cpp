@@ -27,36 +27,51 @@ void for_each_alone(const SceneTruth& scene, const Sink& sink) {
 }
 
 /// True if `a` is nearer than `b` for all depths that the rules allow. Of two equally deep
-/// fragments, the first drawn counts as nearer.
-bool surely_nearer(const Fragment& a, const Fragment& b) {
+/// fragments, the one that stays counts as nearer.
+bool surely_nearer(const Fragment& a, const Fragment& b, const cases::Contract& contract) {
   if (!a.depth || !b.depth) return false;
-  const auto order = a.depth->hi <=> b.depth->lo;
-  return order < 0 || (order == 0 && a.place.triangle < b.place.triangle);
+  const auto order =
+      contract.is_depth_reversed() ? b.depth->hi <=> a.depth->lo : a.depth->hi <=> b.depth->lo;
+  const bool is_first = a.place.triangle < b.place.triangle;
+  return order < 0 || (order == 0 && is_first != contract.keeps_last_of_equals());
+}
+
+/// True if a fragment of this depth certainly passes the depth test (`is_sure`), or may pass it,
+/// against the depth buffer's initial value.
+bool passes(const ValueRange& depth, const Rational& clear, const cases::Contract& contract,
+            bool is_sure) {
+  const bool is_reversed = contract.is_depth_reversed();
+  const Rational& far_end = is_reversed ? depth.lo : depth.hi;
+  const Rational& near_end = is_reversed ? depth.hi : depth.lo;
+  const auto order = is_reversed ? clear <=> (is_sure ? far_end : near_end)
+                                 : (is_sure ? far_end : near_end) <=> clear;
+  return order < 0 || (order == 0 && contract.keeps_last_of_equals());
 }
 
 /// Drops the fragments of one sample that cannot be the nearest, and turns `required` into
 /// `permitted` for those that might not be. `clear_depth` is the depth buffer's initial value; if
-/// empty, that value is unknown but at least 1.
+/// empty, that value is unknown, and no nearer than any depth.
 void resolve(const std::vector<Fragment*>& fragments, std::optional<float> clear_depth,
-             std::vector<const Fragment*>& dropped) {
-  const Rational clear(double{clear_depth.value_or(1)});
+             const cases::Contract& contract, std::vector<const Fragment*>& dropped) {
+  const Rational clear(double{contract.depth_beginning(clear_depth)});
   std::vector<Fragment*> undecided;
   for (Fragment* a : fragments) {
-    if (clear_depth && a->depth && a->depth->lo >= clear) {
+    if (clear_depth && a->depth && !passes(*a->depth, clear, contract, false)) {
       dropped.push_back(a);
       continue;
     }
-    const bool beaten = std::any_of(fragments.begin(), fragments.end(), [a](const Fragment* b) {
-      return b != a && b->decision.verdict == records::Verdict::required && surely_nearer(*b, *a);
+    const bool beaten = std::any_of(fragments.begin(), fragments.end(), [&](const Fragment* b) {
+      return b != a && b->decision.verdict == records::Verdict::required &&
+             surely_nearer(*b, *a, contract);
     });
     if (beaten) {
       dropped.push_back(a);
       continue;
     }
-    const bool beats_all = std::all_of(fragments.begin(), fragments.end(), [a](const Fragment* b) {
-      return b == a || surely_nearer(*a, *b);
+    const bool beats_all = std::all_of(fragments.begin(), fragments.end(), [&](const Fragment* b) {
+      return b == a || surely_nearer(*a, *b, contract);
     });
-    const bool is_drawn = a->depth && a->depth->hi < clear;
+    const bool is_drawn = a->depth && passes(*a->depth, clear, contract, true);
     if (!is_drawn || !beats_all) undecided.push_back(a);
   }
   for (Fragment* a : undecided) {
@@ -94,7 +109,7 @@ void for_each_fragment(const SceneTruth& scene,
   for (Fragment& f : all) by_sample[{f.place.y, f.place.x, f.place.sample}].push_back(&f);
   std::vector<const Fragment*> dropped;
   for (auto& [place, fragments] : by_sample)
-    resolve(fragments, scene.source().depth_clear, dropped);
+    resolve(fragments, scene.source().depth_clear, scene.contract(), dropped);
   std::sort(dropped.begin(), dropped.end());
 
   std::optional<TriangleTruth> truth;

@@ -19,6 +19,7 @@ std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& f
   const cases::Contract& contract = scene.contract();
   const bool referee_applies = !contract.coverage &&
                                contract.tie_rule == scene.source().fill_rule &&
+                               contract.draws_every_triangle() && !contract.sample_position &&
                                fragment.decision.verdict == records::Verdict::required;
   if (!referee_applies) return std::nullopt;
 

@@ -55,9 +55,9 @@ std::optional<std::array<RingVector3, 3>> placed(const Corners& corners, const S
   std::array<RingVector3, 3> columns;
   for (std::size_t c = 0; c < 3; ++c) {
     if (sign_of(corners.columns[c][2]) <= 0) return std::nullopt;
-    const SnappedVertex vertex = snap(corners.columns[c], *coverage);
+    const SnappedVertex vertex = snap(corners.columns[c], *coverage, scene.units_per_pixel());
     if (vertex.placements() != 1) return std::nullopt;
-    columns[c] = placed_columns(vertex, coverage->subpixel_bits, true).front();
+    columns[c] = placed_columns(vertex, scene.grid_unit(), true).front();
   }
   return columns;
 }

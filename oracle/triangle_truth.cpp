@@ -46,7 +46,8 @@ std::optional<QMatrix> TriangleTruth::q_matrix() const {
     const auto divided = [&map](const Ring& n) {
       return to_rational(quotient(n, map.determinant()));
     };
-    q[i] = {divided(e.a), divided(e.b), divided(e.c)};
+    const Ring& per_pixel = setup_->scene->units_per_pixel();
+    q[i] = {divided(e.a * per_pixel), divided(e.b * per_pixel), divided(e.c)};
   }
   return q;
 }

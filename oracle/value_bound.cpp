@@ -37,12 +37,13 @@ std::vector<HomogeneousPoint> locations(const TriangleSetup& triangle,
     const ConvexRegion shown = triangle.shown_at(p);
     for (std::size_t i = 0; i < shown.size(); ++i) points.push_back(shown.vertex(i));
   };
-  if (attribute.location == cases::Location::sample) {
+  const cases::Location location = scene.location_of(attribute);
+  if (location == cases::Location::sample) {
     add(scene.sample_point(x, y, sample));
     return points;
   }
-  add(Scene::center_point(x, y));
-  if (attribute.location == cases::Location::center) return points;
+  add(scene.center_point(x, y));
+  if (location == cases::Location::center) return points;
   for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
     if (decide(triangle, x, y, s).verdict == records::Verdict::forbidden) continue;
     add(scene.sample_point(x, y, s));
@@ -71,7 +72,9 @@ std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
   using records::NotJudged;
   if (!triangle.promise.is_made) return NotJudged::not_promised;
   const cases::ValueBound bound = bound_of(triangle, attribute);
-  if (bound.constant >= kAllDigits) return NotJudged::without_bound;
+  const bool is_one_sided =
+      !attribute && triangle.scene->contract().depth_error != cases::DepthError::either_side;
+  if (bound.constant >= kAllDigits && !is_one_sided) return NotJudged::without_bound;
   if (!attribute) return std::nullopt;
   if (bound.per_condition >= kAllDigits) return NotJudged::without_bound;  // because K >= 1
   const Scene& scene = *triangle.scene;
@@ -113,8 +116,9 @@ std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine,
     size[i][2] = magnitude(clip[3]);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const Ring half = magnitude(exact_ring(extent[axis])) * exact_ring(0.5F);
-      size[i][axis] = magnitude(clip[static_cast<Eigen::Index>(axis)]) * half +
-                      size[i][2] * (magnitude(exact_ring(origin[axis])) + half);
+      const Ring in_pixels = magnitude(clip[static_cast<Eigen::Index>(axis)]) * half +
+                             size[i][2] * (magnitude(exact_ring(origin[axis])) + half);
+      size[i][axis] = in_pixels * triangle.scene->units_per_pixel();
     }
   }
   Ring sizes(0);
@@ -133,6 +137,16 @@ std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine,
 
 namespace {
 
+/// A bound in units of the value itself, in ULP of the magnitude that bounds of depth, or of the
+/// attribute's values at the vertices, refer to.
+Field absolute_in_ulps(const TriangleSetup& triangle, std::optional<std::size_t> attribute,
+                       float absolute) {
+  const Scene& scene = *triangle.scene;
+  const Ring greatest = attribute ? TriangleValues(triangle).vertex_magnitude(*attribute)
+                                  : std::max(scene.least_depth(), scene.greatest_depth());
+  return exact_field(absolute) / to_field(ulp(to_rational(Field(greatest))));
+}
+
 /// (max r_i − min r_i) / ulp(max |r_i|).
 Field range_in_ulps(const TriangleSetup& triangle, std::size_t attribute) {
   const TriangleValues values(triangle);
@@ -147,10 +161,14 @@ double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> att
   const cases::ValueBound bound = bound_of(triangle, attribute);
   // K >= 1, because |E_i| <= |E|_i.
   const double per_condition = triangle.ideal.orientation() != 0 ? bound.per_condition : 0;
-  if (!attribute || (per_condition == 0 && bound.range_share == 0)) return bound.constant;
+  const double absolute =
+      bound.absolute > 0 ? enclose(absolute_in_ulps(triangle, attribute, bound.absolute)).lo : 0;
+  if (!attribute && absolute == 0) return bound.constant;
+  if (!attribute) return (bound.constant + absolute) * (1 - 0x1p-48);
+  if (per_condition == 0 && bound.range_share == 0 && absolute == 0) return bound.constant;
   const double range = bound.range_share > 0 ? enclose(range_in_ulps(triangle, *attribute)).lo : 0;
-  // The factor rounds down by more than the four roundings in the sum can have added.
-  return (bound.constant + per_condition + bound.range_share * range) * (1 - 0x1p-48);
+  // The factor rounds down by more than the five roundings in the sum can have added.
+  return (bound.constant + per_condition + bound.range_share * range + absolute) * (1 - 0x1p-48);
 }
 
 std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> attribute, int x,
@@ -159,6 +177,7 @@ std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> at
   const cases::ValueBound bound = bound_of(*setup_, attribute);
   if (bound.constant >= kAllDigits) return std::nullopt;
   Field fixed = exact_field(bound.constant);
+  if (bound.absolute > 0) fixed += absolute_in_ulps(*setup_, attribute, bound.absolute);
   if (!attribute) return to_rational(fixed);
   if (bound.range_share > 0) {
     fixed += exact_field(bound.range_share) * range_in_ulps(*setup_, *attribute);

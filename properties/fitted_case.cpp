@@ -122,8 +122,7 @@ cases::Case fitted_case(const Capabilities& capabilities, const Case& c) {
   }
   if (!is_about(c, "size")) {
     cases::FramebufferSize& size = changed->framebuffer;
-    size.width = std::min(size.width, capabilities.max_size);
-    size.height = std::min(size.height, capabilities.max_size);
+    size = fitted_size(capabilities, size);
   }
   for (const Feature feature : capabilities.lacks) {
     if (!needs(*changed, feature)) continue;

@@ -30,11 +30,6 @@ void drop_fractions(cases::Viewport& viewport) {
   }
 }
 
-void fit_size(const Capabilities& has, cases::Case& c) {
-  c.framebuffer.width = std::min(c.framebuffer.width, has.max_size);
-  c.framebuffer.height = std::min(c.framebuffer.height, has.max_size);
-}
-
 void fit_viewport(const Capabilities& has, cases::Case& c) {
   cases::Viewport& viewport = c.viewport;
   if (!has.has(Feature::viewport_fractions)) drop_fractions(viewport);
@@ -205,6 +200,14 @@ bool leave_out(cases::Case& c, cases::Feature feature, const cases::Capabilities
   return false;
 }
 
+cases::FramebufferSize fitted_size(const Capabilities& has, cases::FramebufferSize size) {
+  for (int* const side : {&size.width, &size.height}) {
+    const int fitted = std::min(*side, has.max_size);
+    *side = std::max(fitted - fitted % has.size_multiple, has.size_multiple);
+  }
+  return size;
+}
+
 cases::Rules fitting_rules(Draw& draw, cases::Rules chosen) {
   return fitting(draw, chosen, draw.capabilities().rules);
 }
@@ -216,7 +219,7 @@ int fitting_samples(Draw& draw, int chosen) {
 void fit_state(Draw& draw, cases::Case& c) {
   const Capabilities& has = draw.capabilities();
   if (has.is_everything()) return;
-  fit_size(has, c);
+  c.framebuffer = fitted_size(has, c.framebuffer);
   fit_attributes(draw, has, c);
   for (const Feature feature : has.lacks) leave_out(c, feature, has);
   fit_viewport(has, c);

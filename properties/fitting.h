@@ -10,6 +10,10 @@
 
 namespace rastercheck::properties {
 
+/// The greatest size within the capabilities that is no larger than the given one; the least that
+/// they allow if there is none.
+cases::FramebufferSize fitted_size(const cases::Capabilities& has, cases::FramebufferSize size);
+
 /// Returns `chosen` if the backend supports it, else a random supported value.
 cases::Rules fitting_rules(Draw& draw, cases::Rules chosen);
 int fitting_samples(Draw& draw, int chosen);

@@ -99,6 +99,13 @@ bool draws_what_is_asked_for(backends::Backend& backend) {
 
 bool draws_invariantly(backends::Backend& backend) { return backend.contract({}).is_invariant; }
 
+bool draws_all_parts_once(backends::Backend& backend) {
+  const cases::Contract contract = backend.contract({});
+  const bool is_owned =
+      contract.has_one_owner_of_ties() || contract.tie_rule == cases::TieRule::unspecified;
+  return is_owned && contract.draws_every_triangle();
+}
+
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
                         std::uint64_t index) {
   if (law.check_given != nullptr) return law.check_given(c, backend, index);

@@ -113,6 +113,10 @@ bool draws_what_is_asked_for(backends::Backend& backend);
 /// (cases::Contract::is_invariant).
 bool draws_invariantly(backends::Backend& backend);
 
+/// True if what a triangle covers is covered by parts of it, once: no contract of edges that all or
+/// none own their samples, or of triangles that are left out. See Law::is_promised.
+bool draws_all_parts_once(backends::Backend& backend);
+
 /// Checks a law on a case, which may have a camera. Fails if the backend cannot draw the case, or
 /// if clip positions are beyond float32 and the law needs them.
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,

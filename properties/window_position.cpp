@@ -133,4 +133,17 @@ std::array<cases::ClipVertex, 2> edge_through(Draw& draw, const cases::Case& c,
 
 float random_depth(Draw& draw, const cases::Case& c) { return draw.uniform(near_depth(c), 1); }
 
+std::vector<WindowPoint> sample_points(const cases::Case& c, const cases::Contract& contract) {
+  if (contract.sample_position && c.framebuffer.samples == 1) {
+    const cases::PixelFraction& at = *contract.sample_position;
+    const double parts = at.parts;
+    return {{at.x / parts, at.y / parts}};
+  }
+  std::vector<WindowPoint> points;
+  for (const cases::SamplePosition& at : cases::standard_pattern(c.framebuffer.samples)) {
+    points.push_back({at.x / 16.0, at.y / 16.0});
+  }
+  return points;
+}
+
 }  // namespace rastercheck::properties

@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "properties/draw.h"
 #include "properties/float_numbers.h"
 
@@ -22,6 +24,11 @@ struct WindowPoint {
 /// viewport's sizes are powers of two and the numbers have few bits; coordinates are clamped to
 /// finite floats.
 cases::ClipVertex at_window(const cases::Case& c, const WindowPoint& p, float depth, float w);
+
+/// The positions of a pixel's samples, in pixels from its corner of least window x and y. Exact
+/// unless the contract names a sample position that is no double; then the nearest doubles, which
+/// lie on the same side of every float32.
+std::vector<WindowPoint> sample_points(const cases::Case& c, const cases::Contract& contract);
 
 /// True if a vertex (w not 0) appears exactly at `p` in the case's viewport; decided without
 /// rounding. The coordinates of `p` must have at most 29 bits, as those of samples do, so that

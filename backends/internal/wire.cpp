@@ -17,7 +17,9 @@ template <typename Enum>
 constexpr std::size_t count_of(Enum value) {
   return names_of(value).size();
 }
-constexpr std::size_t count_of(cases::TieRule /*type*/) { return 3; }
+constexpr std::size_t count_of(cases::Winding /*type*/) { return 3; }
+constexpr std::size_t count_of(cases::DepthError /*type*/) { return 3; }
+constexpr std::size_t count_of(cases::KeptDepth /*type*/) { return 4; }
 constexpr std::size_t count_of(cases::Claim /*type*/) { return 2; }
 constexpr std::size_t count_of(Failure /*type*/) { return 5; }
 constexpr std::size_t count_of(Question /*type*/) { return 2; }
@@ -41,6 +43,8 @@ constexpr bool kIsPlain<cases::Camera> = true;
 template <>
 constexpr bool kIsPlain<cases::MagnitudeRange> = true;
 template <>
+constexpr bool kIsPlain<cases::PixelFraction> = true;
+template <>
 constexpr bool kIsPlain<cases::ValueBounds> = true;
 template <>
 constexpr bool kIsPlain<cases::TextureBounds> = true;
@@ -57,7 +61,7 @@ void members(Archive& archive, T& a) {
 }
 template <typename Archive, cases::Either<cases::Snapping> T>
 void members(Archive& archive, T& s) {
-  archive(s.subpixel_bits, s.rounding, s.position_error);
+  archive(s.subpixel_bits, s.rounding, s.position_error, s.rounding_of_y, s.odd_steps);
 }
 template <typename Archive, cases::Either<cases::Found> T>
 void members(Archive& archive, T& f) {
@@ -76,11 +80,12 @@ void members(Archive& archive, T& p) {
 }
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
-  archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance,
-          c.clip_error, c.viewport_error, c.depth_format, c.claims, c.bounds, c.keeps_equal_depth,
-          c.keeps_constants, c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values,
-          c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds,
-          c.triangles);
+  archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.guard_beyond_viewport,
+          c.culls_instead_of_clipping, c.culls, c.least_area, c.sample_position, c.depth_function,
+          c.depth_error, c.is_on_grid, c.clip_tolerance, c.clip_error, c.viewport_error,
+          c.depth_format, c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants,
+          c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values, c.derivative_bound,
+          c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds, c.triangles);
 }
 template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
@@ -100,8 +105,8 @@ void members(Archive& archive, T& l) {
 }
 template <typename Archive, cases::Either<cases::Capabilities> T>
 void members(Archive& archive, T& c) {
-  archive(c.rules, c.sample_counts, c.lacks, c.max_size, c.max_viewport, c.max_attributes,
-          c.max_clip_distances, c.numbers);
+  archive(c.rules, c.sample_counts, c.lacks, c.max_size, c.size_multiple, c.max_viewport,
+          c.max_attributes, c.max_clip_distances, c.numbers);
 }
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
@@ -260,9 +265,16 @@ std::optional<T> unpacked(std::string_view bytes) {
 
 void add_sizes(const cases::ValueBounds& bounds, std::vector<double>& sizes) {
   for (const cases::ValueBound& bound : {bounds.smooth, bounds.noperspective, bounds.depth}) {
-    sizes.insert(sizes.end(),
-                 {bound.constant, bound.per_horizon, bound.per_condition, bound.range_share});
+    sizes.insert(sizes.end(), {bound.constant, bound.per_horizon, bound.per_condition,
+                               bound.range_share, bound.absolute});
   }
+}
+
+bool has_meaning(const cases::Snapping& grid) {
+  return grid.subpixel_bits >= 0 && grid.subpixel_bits <= cases::kMaxSubpixelBits &&
+         grid.odd_steps >= 1 && grid.odd_steps % 2 == 1 &&
+         grid.odd_steps <= cases::kMaxGridSteps >> grid.subpixel_bits && grid.position_error >= 0 &&
+         grid.position_error <= cases::kMaxPositionError;
 }
 
 /// True if each number of the contract is in the range that contracts allow.
@@ -270,6 +282,8 @@ bool has_meaning(const cases::Contract& c) {
   std::vector<double> sizes{c.numbers.least,
                             c.numbers.greatest,
                             c.guard_band,
+                            c.guard_beyond_viewport.value_or(0),
+                            c.least_area,
                             c.clip_tolerance,
                             c.clip_error,
                             c.viewport_error,
@@ -292,10 +306,13 @@ bool has_meaning(const cases::Contract& c) {
                                bounds.trilinear, bounds.derivative_share});
   }
   if (!std::all_of(sizes.begin(), sizes.end(), [](double size) { return size >= 0; })) return false;
-  return !c.coverage ||
-         (c.coverage->subpixel_bits >= 0 && c.coverage->subpixel_bits <= cases::kMaxSubpixelBits &&
-          c.coverage->position_error >= 0 &&
-          c.coverage->position_error <= cases::kMaxPositionError);
+  if (c.sample_position) {
+    const cases::PixelFraction& at = *c.sample_position;
+    const bool is_inside = at.parts >= 1 && at.parts <= cases::kMostPixelParts && at.x >= 0 &&
+                           at.x < at.parts && at.y >= 0 && at.y < at.parts;
+    if (!is_inside) return false;
+  }
+  return !c.coverage || has_meaning(*c.coverage);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ rastercheck_draw draw_state(const cases::Case& c, const cases::Contract& promise
   draw.front_face = c.front_face == cases::FrontFace::ccw ? RASTERCHECK_FRONT_FACE_CCW
                                                           : RASTERCHECK_FRONT_FACE_CW;
   draw.depth_test = c.depth_test == cases::DepthTest::none ? 0 : 1;
-  draw.depth_clear = c.depth_clear.value_or(1);
+  draw.depth_clear = promised.depth_beginning(c.depth_clear);
   draw.depth_clamp = c.depth_clamp ? 1 : 0;
   draw.coverage = c.coverage ? RASTERCHECK_COVERAGE_SNAPPED : RASTERCHECK_COVERAGE_EXACT;
   if (c.coverage) {

@@ -51,9 +51,51 @@ struct Limited {
   double most = 0;
 };
 
+/// Names two members of a contract that contradict each other; empty if none do.
+std::string contradiction_in(const rastercheck_contract& contract) {
+  const auto contradict = [](std::string_view one, std::string_view other) {
+    return fmt::format("in its contract, {} contradicts {}", one, other);
+  };
+  const bool is_unspecified = contract.rounding == RASTERCHECK_ROUNDING_UNSPECIFIED;
+  if (contract.steps_per_pixel != 0 && contract.subpixel_bits != 0) {
+    return contradict("steps_per_pixel", "subpixel_bits (one of them must be 0)");
+  }
+  if (contract.rounding_of_y != 0 &&
+      is_unspecified != (contract.rounding_of_y == RASTERCHECK_ROUNDING_UNSPECIFIED + 1)) {
+    return contradict("rounding_of_y", "rounding (both must be unspecified, or neither)");
+  }
+  if (contract.coverage == RASTERCHECK_COVERAGE_EXACT &&
+      contract.basis == RASTERCHECK_BASIS_SNAPPED) {
+    return contradict("basis SNAPPED", "coverage EXACT, which has no snapped positions");
+  }
+  if (contract.greatest_number != 0 && contract.least_number > contract.greatest_number) {
+    return contradict("least_number", "greatest_number, which is less");
+  }
+  if (contract.sample_parts != 0) {
+    if (contract.sample_x >= contract.sample_parts || contract.sample_y >= contract.sample_parts) {
+      return contradict("sample_x or sample_y", "sample_parts, which must be greater");
+    }
+    if (contract.sample_counts != 1) {
+      return contradict("sample_parts", "sample_counts, which must be 1 with it");
+    }
+  }
+  if ((contract.lacks & RASTERCHECK_LACKS_DEPTH) != 0) {
+    if ((contract.keeps & RASTERCHECK_KEEPS_EQUAL_DEPTH) != 0) {
+      return contradict("keeps EQUAL_DEPTH", "lacks DEPTH");
+    }
+    if (contract.depth_error != RASTERCHECK_DEPTH_ON_EITHER_SIDE) {
+      return contradict("depth_error", "lacks DEPTH");
+    }
+  }
+  if (contract.max_size != 0 && contract.size_multiple > contract.max_size) {
+    return contradict("size_multiple", "max_size, which is less");
+  }
+  return "";
+}
+
 /// Describes an impossible value in a contract; empty if all values are possible.
 std::string fault_of(const rastercheck_contract& contract) {
-  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_SIDE_CLIPPING - 1;
+  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_DEPTH - 1;
   constexpr double kAllKeeps = 2 * RASTERCHECK_KEEPS_SIGN_OF_ZERO - 1;
   constexpr double kAllSamples = 31;
   constexpr double kAnyNumber = 3.5e38;
@@ -61,11 +103,28 @@ std::string fault_of(const rastercheck_contract& contract) {
   std::vector<Limited> members{
       {"coverage", number(contract.coverage), RASTERCHECK_COVERAGE_SNAPPED},
       {"subpixel_bits", number(contract.subpixel_bits), cases::kMaxSubpixelBits},
-      {"rounding", number(contract.rounding), RASTERCHECK_ROUNDING_UNSPECIFIED},
+      {"rounding", number(contract.rounding), RASTERCHECK_ROUNDING_TOWARD_ZERO},
+      {"rounding_of_y", number(contract.rounding_of_y), RASTERCHECK_ROUNDING_TOWARD_ZERO + 1},
+      {"steps_per_pixel", number(contract.steps_per_pixel), cases::kMaxGridSteps},
+      {"clips", number(contract.clips), RASTERCHECK_CLIPS_BEYOND_VIEWPORT},
+      {"beyond", number(contract.beyond), RASTERCHECK_BEYOND_LEFT_OUT},
+      {"clip_error", number(contract.clip_error), kAnyNumber},
+      {"least_number", number(contract.least_number), kAnyNumber},
+      {"greatest_number", number(contract.greatest_number), kAnyNumber},
+      {"culls", number(contract.culls), RASTERCHECK_CULLS_COUNTER_CLOCKWISE},
+      {"least_area", number(contract.least_area), kAnyNumber},
+      {"sample_parts", number(contract.sample_parts), cases::kMostPixelParts},
+      {"smooth_absolute", number(contract.smooth_absolute), kAnyNumber},
+      {"noperspective_absolute", number(contract.noperspective_absolute), kAnyNumber},
+      {"depth_absolute", number(contract.depth_absolute), kAnyNumber},
+      {"depth_function", number(contract.depth_function),
+       RASTERCHECK_DEPTH_FUNCTION_GREATER_OR_EQUAL},
+      {"depth_error", number(contract.depth_error), RASTERCHECK_DEPTH_NEVER_FARTHER},
+      {"size_multiple", number(contract.size_multiple), cases::kMaxSize},
       {"position_error", number(contract.position_error), number(cases::kMaxPositionError)},
       {"clip_tolerance", number(contract.clip_tolerance), kAnyNumber},
       {"guard_band", number(contract.guard_band), kAnyNumber},
-      {"tie_rule", number(contract.tie_rule), RASTERCHECK_TIE_RULE_UNSPECIFIED},
+      {"tie_rule", number(contract.tie_rule), RASTERCHECK_TIE_RULE_NONE},
       {"basis", number(contract.basis), RASTERCHECK_BASIS_UNSPECIFIED},
       {"claims", number(contract.claims), RASTERCHECK_CLAIM_AFFINE},
       {"depth_format", number(contract.depth_format), RASTERCHECK_DEPTH_UNORM32},
@@ -91,7 +150,7 @@ std::string fault_of(const rastercheck_contract& contract) {
       RASTERCHECK_LACKS_OPENGL | RASTERCHECK_LACKS_VULKAN | RASTERCHECK_LACKS_D3D;
   if ((contract.lacks & kAllRules) == kAllRules)
     return "its contract excludes the rules of every API";
-  return "";
+  return contradiction_in(contract);
 }
 
 /// The sizes of the structs in the first version of ABI 1; smaller structs are refused.
@@ -150,9 +209,55 @@ cases::ValueBound bound_of(const rastercheck_bound& bound) {
 }
 
 cases::Rounding rounding_of(std::uint32_t rounding) {
-  if (rounding == RASTERCHECK_ROUNDING_HALF_UP) return cases::Rounding::half_up;
-  return rounding == RASTERCHECK_ROUNDING_NEAREST_EVEN ? cases::Rounding::nearest_even
-                                                       : cases::Rounding::unspecified;
+  constexpr std::array kRoundings{cases::Rounding::nearest_even, cases::Rounding::half_up,
+                                  cases::Rounding::unspecified,  cases::Rounding::half_down,
+                                  cases::Rounding::floor,        cases::Rounding::ceil,
+                                  cases::Rounding::toward_zero};
+  return kRoundings[rounding];
+}
+
+cases::Snapping snapping_of(const rastercheck_contract& contract) {
+  cases::Snapping snapping{static_cast<int>(contract.subpixel_bits), rounding_of(contract.rounding),
+                           contract.position_error};
+  if (contract.steps_per_pixel != 0) {
+    snapping = with_steps(snapping, static_cast<int>(contract.steps_per_pixel));
+  }
+  if (contract.rounding_of_y != 0 && contract.rounding_of_y != contract.rounding + 1) {
+    snapping.rounding_of_y = rounding_of(contract.rounding_of_y - 1);
+  }
+  return snapping;
+}
+
+void add_limits_of_area(const rastercheck_contract& contract, cases::Contract& promised) {
+  if (contract.clips == RASTERCHECK_CLIPS_BEYOND_VIEWPORT) {
+    promised.guard_beyond_viewport = contract.guard_band;
+  } else if (contract.guard_band > 0) {
+    promised.guard_band = contract.guard_band;
+  }
+  promised.clip_tolerance = double{contract.clip_tolerance};
+  promised.clip_error = double{contract.clip_error};
+  promised.culls_instead_of_clipping = contract.beyond == RASTERCHECK_BEYOND_LEFT_OUT;
+  constexpr std::array kWindings{cases::Winding::none, cases::Winding::clockwise,
+                                 cases::Winding::counter_clockwise};
+  promised.culls = kWindings[contract.culls];
+  promised.least_area = contract.least_area;
+}
+
+void add_bounds(const rastercheck_contract& contract, cases::Contract& promised) {
+  promised.bounds = {bound_of(contract.smooth), bound_of(contract.noperspective),
+                     bound_of(contract.depth)};
+  promised.bounds.smooth.absolute = contract.smooth_absolute;
+  promised.bounds.noperspective.absolute = contract.noperspective_absolute;
+  promised.bounds.depth.absolute = contract.depth_absolute;
+  // A bound of so many ULP leaves no digit.
+  constexpr float kNoDepth = 0x1p24F;
+  if ((contract.lacks & RASTERCHECK_LACKS_DEPTH) != 0) promised.bounds.depth = {kNoDepth};
+  constexpr std::array kSides{cases::DepthError::either_side, cases::DepthError::never_nearer,
+                              cases::DepthError::never_farther};
+  promised.depth_error = kSides[contract.depth_error];
+  constexpr std::array kFunctions{cases::KeptDepth::less, cases::KeptDepth::less_or_equal,
+                                  cases::KeptDepth::greater, cases::KeptDepth::greater_or_equal};
+  promised.depth_function = kFunctions[contract.depth_function];
 }
 
 }  // namespace
@@ -193,13 +298,27 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
   cases::Contract promised = cases::contract_of(c);
   if (contract.coverage == RASTERCHECK_COVERAGE_EXACT) promised.coverage = std::nullopt;
   if (contract.coverage == RASTERCHECK_COVERAGE_SNAPPED) {
-    promised.coverage = cases::Snapping{static_cast<int>(contract.subpixel_bits),
-                                        rounding_of(contract.rounding), contract.position_error};
+    promised.coverage = snapping_of(contract);
   }
-  promised.clip_tolerance = double{contract.clip_tolerance};
-  if (contract.guard_band > 0) promised.guard_band = contract.guard_band;
-  constexpr std::array kTieRules{cases::TieRule::top_left, cases::TieRule::bottom_left,
-                                 cases::TieRule::unspecified};
+  add_limits_of_area(contract, promised);
+  promised.numbers.least = contract.least_number;
+  if (contract.greatest_number > 0) promised.numbers.greatest = contract.greatest_number;
+  if (contract.sample_parts != 0) {
+    promised.sample_position = cases::PixelFraction{static_cast<int>(contract.sample_x),
+                                                    static_cast<int>(contract.sample_y),
+                                                    static_cast<int>(contract.sample_parts)};
+  }
+  constexpr std::array kTieRules{cases::TieRule::top_left,
+                                 cases::TieRule::bottom_left,
+                                 cases::TieRule::unspecified,
+                                 cases::TieRule::top_right,
+                                 cases::TieRule::bottom_right,
+                                 cases::TieRule::top_then_left,
+                                 cases::TieRule::top_then_right,
+                                 cases::TieRule::bottom_then_left,
+                                 cases::TieRule::bottom_then_right,
+                                 cases::TieRule::all,
+                                 cases::TieRule::none};
   if (contract.tie_rule != RASTERCHECK_TIE_RULE_AS_ASKED) {
     promised.tie_rule = kTieRules[contract.tie_rule - RASTERCHECK_TIE_RULE_TOP_LEFT];
   }
@@ -211,8 +330,7 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
   if (!promised.coverage) promised.basis = cases::Basis::ideal;
   promised.claims = contract.claims == RASTERCHECK_CLAIM_AFFINE ? cases::Claim::affine
                                                                 : cases::Claim::perspective;
-  promised.bounds = {bound_of(contract.smooth), bound_of(contract.noperspective),
-                     bound_of(contract.depth)};
+  add_bounds(contract, promised);
   promised.keeps_constants = (contract.keeps & RASTERCHECK_KEEPS_CONSTANTS) != 0;
   promised.keeps_vertex_values = (contract.keeps & RASTERCHECK_KEEPS_VERTEX_VALUES) != 0;
   promised.keeps_equal_depth = (contract.keeps & RASTERCHECK_KEEPS_EQUAL_DEPTH) != 0;
@@ -241,6 +359,7 @@ constexpr std::array kFeatures{
     LackedFeature{RASTERCHECK_LACKS_DEPTH_TEST, cases::Feature::depth_test},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_CLEAR, cases::Feature::depth_clear},
     LackedFeature{RASTERCHECK_LACKS_VIEWPORT, cases::Feature::viewport},
+    LackedFeature{RASTERCHECK_LACKS_VIEWPORT_FRACTIONS, cases::Feature::viewport_fractions},
     LackedFeature{RASTERCHECK_LACKS_SCISSOR, cases::Feature::scissor},
     LackedFeature{RASTERCHECK_LACKS_CULLING, cases::Feature::culling},
     LackedFeature{RASTERCHECK_LACKS_SMOOTH, cases::Feature::smooth},
@@ -271,6 +390,7 @@ cases::Capabilities capabilities_of(const rastercheck_contract& contract) {
   if (contract.max_size != 0) {
     has.max_size = static_cast<int>(std::min(contract.max_size, kMaxSize));
   }
+  if (contract.size_multiple > 1) has.size_multiple = static_cast<int>(contract.size_multiple);
   if (contract.max_attributes != 0) {
     has.max_attributes = std::min(std::size_t{contract.max_attributes}, has.max_attributes);
   }
@@ -285,7 +405,9 @@ std::string describe(const Plugin& plugin) {
   const rastercheck_contract& contract = plugin.contract;
   std::string text = fmt::format("{} {}: ", plugin.name, plugin.version);
   if (contract.coverage == RASTERCHECK_COVERAGE_SNAPPED) {
-    text += fmt::format("coverage snapped to {} subpixel bits", contract.subpixel_bits);
+    text += contract.steps_per_pixel == 0
+                ? fmt::format("coverage snapped to {} subpixel bits", contract.subpixel_bits)
+                : fmt::format("coverage snapped to 1/{} pixel", contract.steps_per_pixel);
   } else {
     text += contract.coverage == RASTERCHECK_COVERAGE_EXACT ? "exact coverage"
                                                             : "coverage as each case asks";
@@ -301,6 +423,7 @@ std::string describe(const Plugin& plugin) {
     if (!has_rules(contract, rules)) add(cases::words_for(rules));
   }
   for (const cases::Feature feature : capabilities_of(contract).lacks) add(to_string(feature));
+  if ((contract.lacks & RASTERCHECK_LACKS_DEPTH) != 0) add("depth values");
   return missing.empty() ? text : text + "; not supported: " + missing;
 }
 

@@ -51,16 +51,31 @@ enum {
 /* How a window position is rounded to the grid. */
 enum {
   RASTERCHECK_ROUNDING_NEAREST_EVEN = 0,
-  RASTERCHECK_ROUNDING_HALF_UP = 1,    /* to the nearest; halves towards greater x and y */
-  RASTERCHECK_ROUNDING_UNSPECIFIED = 2 /* to either neighbour */
+  RASTERCHECK_ROUNDING_HALF_UP = 1,     /* to the nearest; halves towards greater x and y */
+  RASTERCHECK_ROUNDING_UNSPECIFIED = 2, /* to either neighbour */
+  RASTERCHECK_ROUNDING_HALF_DOWN = 3,   /* to the nearest; halves towards lesser x and y */
+  RASTERCHECK_ROUNDING_FLOOR = 4,       /* to the next point towards lesser x and y */
+  RASTERCHECK_ROUNDING_CEIL = 5,        /* to the next point towards greater x and y */
+  RASTERCHECK_ROUNDING_TOWARD_ZERO = 6  /* to the next point towards the window's origin */
 };
 
-/* Which triangle owns a sample that lies exactly on an edge. Top and left are as displayed. */
+/* Which triangle owns a sample that lies exactly on an edge. Top and left are as displayed.
+ * TOP_LEFT: the one whose left edge it is or, if the edge is horizontal, whose top edge it is.
+ * TOP_THEN_LEFT: the one whose top edge it is or, if the edge is vertical, whose left edge it is;
+ * and so on. */
 enum {
   RASTERCHECK_TIE_RULE_AS_ASKED = 0, /* rastercheck_draw.tie_rule */
   RASTERCHECK_TIE_RULE_TOP_LEFT = 1,
   RASTERCHECK_TIE_RULE_BOTTOM_LEFT = 2,
-  RASTERCHECK_TIE_RULE_UNSPECIFIED = 3
+  RASTERCHECK_TIE_RULE_UNSPECIFIED = 3,
+  RASTERCHECK_TIE_RULE_TOP_RIGHT = 4,
+  RASTERCHECK_TIE_RULE_BOTTOM_RIGHT = 5,
+  RASTERCHECK_TIE_RULE_TOP_THEN_LEFT = 6,
+  RASTERCHECK_TIE_RULE_TOP_THEN_RIGHT = 7,
+  RASTERCHECK_TIE_RULE_BOTTOM_THEN_LEFT = 8,
+  RASTERCHECK_TIE_RULE_BOTTOM_THEN_RIGHT = 9,
+  RASTERCHECK_TIE_RULE_ALL = 10, /* every edge owns its samples: both triangles draw them */
+  RASTERCHECK_TIE_RULE_NONE = 11 /* no edge does: neither triangle draws them */
 };
 
 /* Which positions attributes and facing are computed from if coverage is snapped. */
@@ -127,7 +142,47 @@ enum {
   /* Depth buffers that start at any value but 1: see rastercheck_draw.depth_clear. */
   RASTERCHECK_LACKS_DEPTH_CLEAR = 1 << 17,
   /* Vertices beyond the viewport's sides: the plugin draws only triangles that lie within it. */
-  RASTERCHECK_LACKS_SIDE_CLIPPING = 1 << 18
+  RASTERCHECK_LACKS_SIDE_CLIPPING = 1 << 18,
+  RASTERCHECK_LACKS_VIEWPORT_FRACTIONS = 1 << 19, /* viewports whose sides lie between pixels */
+  /* Depth: the plugin writes no output.depth. It may still draw cases with a depth test. */
+  RASTERCHECK_LACKS_DEPTH = 1 << 20
+};
+
+/* rastercheck_contract.clips: the vertices whose triangles may be clipped at the sides. */
+enum {
+  RASTERCHECK_CLIPS_FAR_FROM_ORIGIN = 0, /* by their distance from the window's origin */
+  RASTERCHECK_CLIPS_BEYOND_VIEWPORT = 1  /* by their distance from the viewport */
+};
+
+/* rastercheck_contract.beyond: what becomes of a triangle with such a vertex, with a vertex beyond
+ * the near or far plane, or with w <= 0. */
+enum {
+  RASTERCHECK_BEYOND_CLIPPED = 0, /* the part within is drawn */
+  RASTERCHECK_BEYOND_LEFT_OUT = 1 /* nothing of it is drawn */
+};
+
+/* rastercheck_contract.culls: triangles never drawn, by their orientation as displayed. */
+enum {
+  RASTERCHECK_CULLS_NOTHING = 0,
+  RASTERCHECK_CULLS_CLOCKWISE = 1,
+  RASTERCHECK_CULLS_COUNTER_CLOCKWISE = 2
+};
+
+/* rastercheck_contract.depth_function: which fragments a depth test keeps, those whose depth has
+ * this relation to the stored one. With the last two, greater is nearer. */
+enum {
+  RASTERCHECK_DEPTH_FUNCTION_LESS = 0,
+  RASTERCHECK_DEPTH_FUNCTION_LESS_OR_EQUAL = 1,
+  RASTERCHECK_DEPTH_FUNCTION_GREATER = 2,
+  RASTERCHECK_DEPTH_FUNCTION_GREATER_OR_EQUAL = 3
+};
+
+/* rastercheck_contract.depth_error: the side of the exact depth on which depths lie. The bound of
+ * depth holds on the other side; with a constant of 2^24 or more, that side is unbounded. */
+enum {
+  RASTERCHECK_DEPTH_ON_EITHER_SIDE = 0,
+  RASTERCHECK_DEPTH_NEVER_NEARER = 1, /* less is nearer, unless depth_function says otherwise */
+  RASTERCHECK_DEPTH_NEVER_FARTHER = 2
 };
 
 /* How far a value v may be off, in units of the float32 spacing at max(|v|, |values of the
@@ -174,6 +229,43 @@ typedef struct rastercheck_contract {
   uint32_t max_size;       /* greatest width and height of a framebuffer, pixels; 0: no limit */
   uint32_t max_attributes; /* per vertex; 0: no limit */
   uint32_t depth_format;   /* RASTERCHECK_DEPTH_… */
+
+  /* With SNAPPED: if not 0, the grid spacing is 1/steps_per_pixel pixels, and subpixel_bits must be
+   * 0. Need not be a power of two; 1…65536. */
+  uint32_t steps_per_pixel;
+  /* With SNAPPED: how window y is rounded, if otherwise than window x: RASTERCHECK_ROUNDING_… + 1.
+   * 0: like x. */
+  uint32_t rounding_of_y;
+  /* How guard_band is meant: RASTERCHECK_CLIPS_…. With BEYOND_VIEWPORT, vertices farther than
+   * guard_band pixels outside the viewport may be clipped, and 0 stands for 0. */
+  uint32_t clips;
+  uint32_t beyond; /* RASTERCHECK_BEYOND_… */
+  /* With SNAPPED and AS_ASKED: how far a point's distance from a plane that cuts the triangle may
+   * be off, in addition to clip_tolerance, as a share of max|z| + max|w| of the vertices (of the
+   * greatest clip distance for those). */
+  float clip_error;
+  /* The magnitudes of clip positions, clip distances and attribute values about which the plugin
+   * promises something; 0 always belongs to them. A greatest magnitude of 0 stands for no limit. */
+  float least_number;
+  float greatest_number;
+  uint32_t culls;   /* RASTERCHECK_CULLS_… */
+  float least_area; /* triangles with less area in the window, in square pixels, may be left out */
+  /* If sample_parts is not 0: the plugin samples each pixel at (sample_x/sample_parts,
+   * sample_y/sample_parts) of a pixel from the corner of least window x and y, whatever
+   * rastercheck_draw.sample_positions says. At most 256 parts, x and y below that. Then
+   * sample_counts must be 1. */
+  uint32_t sample_x;
+  uint32_t sample_y;
+  uint32_t sample_parts;
+  /* How far values may be off in addition to their bounds, in units of the value itself: 1/510 for
+   * values from 0 to 1 that are stored in 8 bits. */
+  float smooth_absolute;
+  float noperspective_absolute;
+  float depth_absolute;
+  uint32_t depth_function; /* RASTERCHECK_DEPTH_FUNCTION_… */
+  uint32_t depth_error;    /* RASTERCHECK_DEPTH_ON_EITHER_SIDE, … */
+  /* Width and height of framebuffers must be multiples of this; 0: any size. */
+  uint32_t size_multiple;
 } rastercheck_contract;
 
 /* ------------------------------------------------------------------------------------------------
@@ -245,8 +337,9 @@ typedef struct rastercheck_draw {
 
   uint32_t cull;       /* RASTERCHECK_CULL_… */
   uint32_t front_face; /* RASTERCHECK_FRONT_FACE_… */
-  uint32_t
-      depth_test; /* 1: at each sample keep the fragment of least depth, the first one of equals */
+  /* 1: at each sample keep the fragment of least depth, the first one of equals, or what
+   * contract.depth_function says instead. */
+  uint32_t depth_test;
   uint32_t depth_clamp; /* 1: do not clip at the near and far planes; clamp depth to the range */
 
   /* What the case asks for. Only a rasterizer that promises AS_ASKED needs these. */
@@ -266,8 +359,8 @@ typedef struct rastercheck_draw {
   uint32_t triangle_count;
   const uint32_t* indices; /* [triangle_count][3]: indices of vertices */
   /* With a depth test, the initial value of the depth buffer: fragments that are not nearer are not
-   * drawn. If the case does not specify one, it is 1, and fragments of depth 1 may then be drawn.
-   */
+   * drawn. If the case does not specify one, it is 1, and fragments of depth 1 may then be drawn;
+   * with contract.depth_function GREATER or GREATER_OR_EQUAL, it is 0. */
   float depth_clear;
 } rastercheck_draw;
 
@@ -283,7 +376,9 @@ typedef struct rastercheck_output {
   /* Same shape: index of the draw's triangle that is visible there. Initially 0, so only a draw of
    * several triangles needs to write it. */
   uint32_t* triangle;
-  /* Same shape: depth in the depth range. Initially NaN. Exception, also for `triangle` and
+  /* Same shape: depth in the depth range. A rasterizer that stores depth in fewer bits hands over
+   * what it stores, as a float, and says how coarse it is: contract.depth_absolute and
+   * contract.depth_format. Initially NaN. Exception, also for `triangle` and
    * `attributes`: after an earlier draw of the case whose rectangle (min_x to max_y) exceeded 65536
    * samples, values that the plugin wrote at uncovered samples may still be there. */
   float* depth;

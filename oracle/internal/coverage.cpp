@@ -59,6 +59,12 @@ Membership inside_edges(const ProjectiveMap& map, const Point& p, const Scene& s
   return all;
 }
 
+/// Turns what is required into what is permitted if the contract lets the triangle be missing.
+SampleVerdict if_drawn(const TriangleSetup& triangle, const SampleVerdict& decision) {
+  if (!triangle.may_be_left_out || decision.verdict != Verdict::required) return decision;
+  return {Verdict::permitted, Reason::not_promised};
+}
+
 SampleVerdict decide_exact(const TriangleSetup& triangle, const Point& p) {
   const Scene& scene = *triangle.scene;
   if (triangle.ideal.orientation() == 0) return {Verdict::forbidden, Reason::degenerate};
@@ -92,7 +98,7 @@ Membership kept_by_culling(const TriangleSetup& triangle, int orientation_when_p
     case cases::Basis::unspecified:
       break;
   }
-  if (scene.source().cull == cases::Cull::none) return {};
+  if (!scene.culls_anything()) return {};
   const Membership by_ideal = kept(triangle.ideal.orientation());
   const Membership by_snapped = kept(orientation_when_placed);
   return {.possible = by_ideal.possible || by_snapped.possible,
@@ -355,7 +361,8 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 }  // namespace
 
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle) {
-  if (!triangle.promise.is_made) return std::nullopt;
+  if (triangle.is_left_out) return CoverageBoundary{&triangle.ideal, false, false};
+  if (!triangle.promise.is_made || triangle.may_be_left_out) return std::nullopt;
   const int orientation = triangle.ideal.orientation();
   if (triangle.shape == Shape::exact) {
     const bool is_drawn = orientation != 0 && !triangle.scene->is_culled(orientation);
@@ -380,23 +387,24 @@ std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle)
 CutFacing facing_of_cut(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   // If the moved corners may turn the polygon round, the facing computed from them is open.
-  const bool is_open = scene.source().cull != cases::Cull::none && triangle.may_turn &&
-                       scene.contract().basis != cases::Basis::ideal;
+  const bool is_open =
+      scene.culls_anything() && triangle.may_turn && scene.contract().basis != cases::Basis::ideal;
   if (is_open) return CutFacing::open;
   return scene.is_culled(triangle.ideal.orientation()) ? CutFacing::culled : CutFacing::drawn;
 }
 
 SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
   if (!triangle.promise.is_made) return {Verdict::permitted, Reason::not_promised};
+  if (triangle.is_left_out) return {Verdict::forbidden, Reason::clipped};
   switch (triangle.shape) {
     case Shape::exact:
-      return decide_exact(triangle, p);
+      return if_drawn(triangle, decide_exact(triangle, p));
     case Shape::placed:
-      return decide_placed(triangle, p);
+      return if_drawn(triangle, decide_placed(triangle, p));
     case Shape::cut:
       break;
   }
-  return decide_cut(triangle, p);
+  return if_drawn(triangle, decide_cut(triangle, p));
 }
 
 namespace {
@@ -469,7 +477,8 @@ std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangl
     const Field square = signed_square_distance(boundary, value);
     if (!least || square < *least) least = square;
   }
-  const records::Enclosure distance = enclose_sqrt(magnitude(*least));
+  const Field units(triangle.scene->units_per_pixel());
+  const records::Enclosure distance = enclose_sqrt(magnitude(*least) / (units * units));
   if (sign_of(*least) < 0) return records::Enclosure{-distance.hi, -distance.lo};
   return distance;
 }

@@ -29,8 +29,8 @@ struct CoverageBoundary {
 };
 
 /// Empty if no single map's edges decide most samples: if the triangle's shape is cut, if its exact
-/// positions are degenerate and it has several placements, if its facing is open, or if nothing is
-/// promised about it. Samples near the viewport's sides may still be open
+/// positions are degenerate and it has several placements, if its facing is open, if it may be left
+/// out, or if nothing is promised about it. Samples near the viewport's sides may still be open
 /// (TriangleSetup::has_open_sides).
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle);
 

@@ -27,9 +27,10 @@ double near_depth_slack(const TriangleSetup& triangle) {
   const cases::Viewport& viewport = triangle.scene->source().viewport;
   const float largest = std::max(viewport.min_depth, viewport.max_depth);
   // Exact, because it is a float32 times a power of 2.
-  const double bound =
-      std::ldexp(double{triangle.promise.bounds.depth.constant}, ulp_exponent(largest));
-  const double step = cases::depth_step(triangle.scene->contract().depth_format);
+  const cases::ValueBound& promised = triangle.promise.bounds.depth;
+  const double bound = std::ldexp(double{promised.constant}, ulp_exponent(largest));
+  const double step =
+      cases::depth_step(triangle.scene->contract().depth_format) + double{promised.absolute};
   return step == 0 ? bound : (bound + step) * (1 + 0x1p-50);
 }
 
@@ -38,15 +39,36 @@ Field depth_slack(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
   const Rational unit = ulp(to_rational(largest));
-  return exact_field(triangle.promise.bounds.depth.constant) * to_field(unit) +
+  const cases::ValueBound& bound = triangle.promise.bounds.depth;
+  return exact_field(bound.constant) * to_field(unit) + exact_field(bound.absolute) +
          Field(cases::depth_step(scene.contract().depth_format));
 }
 
+// If the contract reverses depth, all depths here are negated, so that less is nearer.
+
+double directed(const SceneTruth& scene, double depth) {
+  return scene.contract().is_depth_reversed() ? -depth : depth;
+}
+
+Enclosure directed(const SceneTruth& scene, const Enclosure& depth) {
+  return scene.contract().is_depth_reversed() ? Enclosure{-depth.hi, -depth.lo} : depth;
+}
+
+FieldRange directed(const SceneTruth& scene, const FieldRange& depth) {
+  return scene.contract().is_depth_reversed() ? FieldRange{-depth.hi, -depth.lo} : depth;
+}
+
+/// The depth buffer's initial value.
+double clear_depth(const SceneTruth& scene) {
+  return directed(scene, double{scene.contract().depth_beginning(scene.source().depth_clear)});
+}
+
 /// The least initial value of the depth buffer. The buffer's format may round the case's value by
-/// up to a step, except 1, which every format represents exactly.
+/// up to a step, except 0 and 1, which every format represents exactly.
 double nearest_clear_depth(const SceneTruth& scene) {
-  const double clear{scene.source().depth_clear.value_or(1)};
-  return clear == 1 ? clear : clear - cases::depth_step(scene.contract().depth_format);
+  const double clear = clear_depth(scene);
+  const bool is_exact = clear == 0 || std::abs(clear) == 1;
+  return is_exact ? clear : clear - cases::depth_step(scene.contract().depth_format);
 }
 
 bool is_required(const records::SampleVerdict& decision) {
@@ -106,9 +128,11 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
       triangles_(&triangles),
       comparison_(comparison) {
   // If the case does not name the buffer's initial value, it may lie beyond all depths.
-  const double horizon = scene.source().depth_clear
-                             ? std::nextafter(double{*scene.source().depth_clear}, -kFarthest)
-                             : kFarthest;
+  double horizon = kFarthest;
+  if (scene.source().depth_clear) {
+    horizon = clear_depth(scene);
+    if (!scene.contract().keeps_last_of_equals()) horizon = std::nextafter(horizon, -kFarthest);
+  }
   const cases::FramebufferSize& size = scene.source().framebuffer;
   samples_.resize(static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(size.width) *
                       static_cast<std::size_t>(size.samples),
@@ -125,7 +149,7 @@ Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
     if (!exact) return {kNoDepth, kNoDepth};
     depth = {exact->lo.enclosure().lo, exact->hi.enclosure().hi};
   }
-  return {next_below(depth->lo - slack), next_above(depth->hi + slack)};
+  return directed(*scene_, Enclosure{next_below(depth->lo - slack), next_above(depth->hi + slack)});
 }
 
 void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
@@ -174,12 +198,13 @@ struct NearestBand::Rival {
   bool is_surely_nearer_than(const Rival& other) const {
     return depth && other.depth && depth->hi < other.depth->lo;
   }
-  /// True if the other, drawn later, fails the depth test because it has the same depth.
-  bool is_equal_and_first(const Rival& other) const {
-    return covering->triangle < other.covering->triangle && plane && plane == other.plane;
+  /// True if the other fails the depth test, or is drawn over, because it has the same depth.
+  bool is_equal_and_stays(const Rival& other, bool keeps_last) const {
+    const bool is_first = covering->triangle < other.covering->triangle;
+    return is_first != keeps_last && plane && plane == other.plane;
   }
-  bool surely_hides(const Rival& other) const {
-    return is_surely_nearer_than(other) || is_equal_and_first(other);
+  bool surely_hides(const Rival& other, bool keeps_last) const {
+    return is_surely_nearer_than(other) || is_equal_and_stays(other, keeps_last);
   }
 };
 
@@ -209,20 +234,25 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
     if (truth->is_value_free(std::nullopt)) continue;
     const auto depth = truth->depth(x, y, s);
     const Field slack = depth_slack(truth->setup());
-    if (depth) rivals.back().depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
+    if (!depth) continue;
+    rivals.back().depth =
+        directed(*scene_, FieldRange{to_field(depth->lo) - slack, to_field(depth->hi) + slack});
   }
+  const bool keeps_last = scene_->contract().keeps_last_of_equals();
   for (const Rival& a : rivals) {
     const bool is_drawn = a.is_surely_nearer_than(clear_depth_);
-    const bool is_beyond = scene_->source().depth_clear && a.depth &&
-                           a.depth->lo >= exact_field(*scene_->source().depth_clear);
-    if (is_beyond) continue;
+    if (scene_->source().depth_clear && a.depth) {
+      const Field clear(clear_depth(*scene_));
+      const bool is_beyond = keeps_last ? a.depth->lo > clear : a.depth->lo >= clear;
+      if (is_beyond) continue;
+    }
     is_any_required = is_any_required || (is_drawn && is_required(a.covering->decision));
-    const bool is_beaten = std::any_of(rivals.begin(), rivals.end(), [&a](const Rival& b) {
-      return is_required(b.covering->decision) && b.surely_hides(a);
+    const bool is_beaten = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& b) {
+      return &b != &a && is_required(b.covering->decision) && b.surely_hides(a, keeps_last);
     });
     if (is_beaten) continue;
-    const bool beats_all = std::all_of(rivals.begin(), rivals.end(), [&a](const Rival& b) {
-      return &b == &a || a.surely_hides(b);
+    const bool beats_all = std::all_of(rivals.begin(), rivals.end(), [&](const Rival& b) {
+      return &b == &a || a.surely_hides(b, keeps_last);
     });
     candidates.push_back({a.covering->triangle, a.covering->decision});
     if (!(is_drawn && beats_all) && is_required(a.covering->decision)) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// Finds the fragments that a depth test `less` may leave at each sample (oracle/judge.h).
+// Finds the fragments that a depth test `less`, or the contract's own, may leave at each sample
+// (oracle/judge.h).
 
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
@@ -90,7 +91,8 @@ class NearestBand {
   struct Covering {
     std::uint32_t triangle = 0;
     records::SampleVerdict decision;
-    /// Encloses the depths that a backend may compute; NaN if any depth is right.
+    /// Encloses the depths that a backend may compute, negated if the contract reverses depth; NaN
+    /// if any depth is right.
     records::Enclosure depth;
   };
   struct Sample {

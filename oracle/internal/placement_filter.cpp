@@ -27,7 +27,7 @@ using Vectors = std::array<std::array<double, 2>, 3>;  ///< [vertex][axis]
 /// The moves of vertices to their first and to their last candidate along each axis, times w; empty
 /// if doubles cannot hold them.
 std::optional<std::array<Vectors, 2>> moves_of(const TriangleSetup& triangle) {
-  const int bits = triangle.scene->contract().coverage->subpixel_bits;
+  const double unit = triangle.scene->grid_unit();
   std::array<Vectors, 2> moves{};
   for (std::size_t i = 0; i < 3; ++i) {
     const SnappedVertex& vertex = *triangle.snapped[i];
@@ -36,7 +36,7 @@ std::optional<std::array<Vectors, 2>> moves_of(const TriangleSetup& triangle) {
       const Ring& position = triangle.columns[i][static_cast<Eigen::Index>(axis)];
       for (const bool is_last : {false, true}) {
         const long coordinate = is_last ? candidates.last : candidates.first;
-        const Ring move = pixels_of(coordinate, bits) * vertex.w - position;
+        const Ring move = window_of(coordinate, unit) * vertex.w - position;
         const double near = near_double(move);
         if (!has_normal_products(near, move)) return std::nullopt;
         moves[is_last ? 1 : 0][i][axis] = near;

@@ -78,7 +78,8 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
   if (is_open_ && has_ideal) map_ = &triangle_->ideal;
   // The following assumes that w is a float32, which is not so with a camera.
   const bool is_filtered = map_ != nullptr && map_->orientation() != 0 &&
-                           !scene_->source().camera && first_level_ != Level::exact;
+                           !scene_->source().camera && first_level_ != Level::exact &&
+                           scene_->scene().is_in_pixels();
   if (!is_filtered) map_ = nullptr;
   if (map_ != nullptr) set_edges();
   exact_bits_ = map_ != nullptr && first_level_ == Level::filter ? exact_bits_of_edges() : 0;
@@ -171,7 +172,10 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   value.bound = least_bound(*triangle_, attribute);
 
   cases::Attribute declared;  // the depth keeps the default: at the sample
-  if (attribute) declared = source.attributes[*attribute];
+  if (attribute) {
+    declared = source.attributes[*attribute];
+    declared.location = scene_->scene().location_of(declared);
+  }
   const bool is_flat = declared.interpolation == cases::Interpolation::flat;
   const bool is_centroid = declared.location == cases::Location::centroid && !is_flat;
   const bool is_claimed_otherwise =

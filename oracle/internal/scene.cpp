@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rastercheck::oracle {
 namespace {
@@ -41,6 +42,19 @@ std::pair<int, int> held_pixels(const Ring& lo, const Ring& hi) {
   const Ring most(cases::kMaxSize);
   return {static_cast<int>(ceil_to_long(Field(std::clamp(lo, Ring(0), most)))),
           static_cast<int>(floor_to_long(Field(std::clamp(hi, Ring(0), most))))};
+}
+
+/// Top and left are as displayed. A left edge's inward normal has A > 0; a top edge's has B > 0
+/// where window y points down.
+TieOrder tie_order(cases::TieRule rule, bool window_y_up) {
+  using cases::TieRule;
+  const bool is_top = rule == TieRule::top_left || rule == TieRule::top_right ||
+                      rule == TieRule::top_then_left || rule == TieRule::top_then_right;
+  const bool is_left = rule == TieRule::top_left || rule == TieRule::bottom_left ||
+                       rule == TieRule::top_then_left || rule == TieRule::bottom_then_left;
+  const bool asks_a_first = rule == TieRule::top_left || rule == TieRule::bottom_left ||
+                            rule == TieRule::top_right || rule == TieRule::bottom_right;
+  return {asks_a_first, is_left ? 1 : -1, is_top == !window_y_up ? 1 : -1};
 }
 
 RingVector4 exact_position(const cases::ClipVertex& p) {
@@ -105,7 +119,8 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
     : case_(&c),
       contract_(&contract),
       conventions_(conventions_of(c.rules)),
-      pattern_(cases::standard_pattern(c.framebuffer.samples)) {
+      ties_(tie_order(contract.tie_rule, conventions_.window_y_up)) {
+  set_units();
   const cases::Viewport& v = c.viewport;
   const Ring x0 = exact_ring(v.x);
   const Ring y0 = exact_ring(v.y);
@@ -127,11 +142,12 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   if (c.camera) transformed_ = clip_positions(c);
   half_size_ = {half(exact_ring(v.width)), half(exact_ring(v.height))};
   middle_ = {x0 + half_size_[0], y0 + half_size_[1]};
+  for (Ring* in_pixels : {&viewport_lo_.u, &viewport_lo_.v, &viewport_hi_.u, &viewport_hi_.v,
+                          &half_size_[0], &half_size_[1], &middle_[0], &middle_[1]}) {
+    if (!is_in_pixels_) *in_pixels = *in_pixels * units_per_pixel_;
+  }
   if (!conventions_.ndc_y_follows_window_y) half_size_[1] = -half_size_[1];
 
-  const bool left_wins_downwards =
-      (contract.tie_rule == cases::TieRule::top_left) == !conventions_.window_y_up;
-  tie_sign_ = left_wins_downwards ? 1 : -1;
   set_guard_band();
   min_depth_ = exact_ring(v.min_depth);
   depth_range_ = exact_ring(v.max_depth) - min_depth_;
@@ -139,10 +155,45 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   greatest_depth_ = std::max(exact_ring(v.min_depth), exact_ring(v.max_depth));
 }
 
+/// Chooses the least number of units in which the contract's grid is dyadic and its sample position
+/// is a multiple of 1/16, as all sample positions are.
+void Scene::set_units() {
+  const int odd_steps = contract_->coverage ? contract_->coverage->odd_steps : 1;
+  int units = odd_steps;
+  if (has_own_sample()) {
+    constexpr int kSixteenths = 16;
+    const cases::PixelFraction& at = *contract_->sample_position;
+    const int common = std::gcd(at.parts, std::gcd(at.x, at.y));
+    const int parts = at.parts / common;
+    units = std::lcm(units, parts / std::gcd(parts, kSixteenths));
+    // Exact: each coordinate is a multiple of 1/parts, and parts divides 16 · units.
+    const auto sixteenths = [&](int part) {
+      return static_cast<int>(std::int64_t{part} * kSixteenths * units / at.parts);
+    };
+    pattern_ = {{sixteenths(at.x), sixteenths(at.y)}};
+  } else {
+    for (const cases::SamplePosition& at : cases::standard_pattern(case_->framebuffer.samples)) {
+      pattern_.push_back({at.x * units, at.y * units});
+    }
+  }
+  is_in_pixels_ = units == 1;
+  units_per_pixel_ = Ring(units);
+  if (contract_->coverage) {
+    grid_unit_ =
+        std::ldexp(static_cast<double>(units / odd_steps), -contract_->coverage->subpixel_bits);
+  }
+}
+
 void Scene::set_guard_band() {
-  const Ring band = exact_ring(contract_->guard_band);
   guard_band_lo_ = viewport_lo_;
   guard_band_hi_ = viewport_hi_;
+  if (contract_->guard_beyond_viewport) {
+    const Ring beyond = exact_ring(*contract_->guard_beyond_viewport) * units_per_pixel_;
+    guard_band_lo_ = {viewport_lo_.u - beyond, viewport_lo_.v - beyond};
+    guard_band_hi_ = {viewport_hi_.u + beyond, viewport_hi_.v + beyond};
+    return;
+  }
+  const Ring band = exact_ring(contract_->guard_band) * units_per_pixel_;
   // If viewport and guard band do not overlap along an axis, a vertex between them lies in neither,
   // so along this axis the box stays that of the viewport.
   if (viewport_lo_.u <= band && viewport_hi_.u >= -band) {
@@ -166,10 +217,17 @@ RingVector3 Scene::window_column(std::size_t vertex) const {
 
 Point Scene::sample_point(int x, int y, int sample) const {
   const cases::SamplePosition& s = pattern_[static_cast<std::size_t>(sample)];
-  return {Ring(x + s.x / 16.0), Ring(y + s.y / 16.0)};
+  if (is_in_pixels_) return {Ring(x + s.x / 16.0), Ring(y + s.y / 16.0)};
+  return {Ring(x) * units_per_pixel_ + Ring(s.x / 16.0),
+          Ring(y) * units_per_pixel_ + Ring(s.y / 16.0)};
 }
 
-Point Scene::center_point(int x, int y) { return {Ring(x + 0.5), Ring(y + 0.5)}; }
+Point Scene::center_point(int x, int y) const {
+  if (has_own_sample()) return sample_point(x, y, 0);
+  const Point center{Ring(x + 0.5), Ring(y + 0.5)};
+  if (is_in_pixels_) return center;
+  return {center.u * units_per_pixel_, center.v * units_per_pixel_};
+}
 
 ViewportSide Scene::viewport_side(const Point& p) const {
   if (p.u < viewport_lo_.u || p.v < viewport_lo_.v || p.u > viewport_hi_.u ||
@@ -196,6 +254,7 @@ bool Scene::is_within(const Ring& distance, const Point& p) const {
 }
 
 bool Scene::has_samples_within(double distance) const {
+  if (!is_in_pixels_) return true;
   const cases::Viewport& v = case_->viewport;
   const auto is_near = [distance](double side, int sixteenths) {
     const double from = side - sixteenths / 16.0;
@@ -213,8 +272,12 @@ bool Scene::has_samples_within(double distance) const {
 }
 
 bool Scene::is_culled(int orientation) const {
-  if (case_->cull == cases::Cull::none) return false;
+  if (!culls_anything()) return false;
   const bool counter_clockwise = (orientation > 0) == conventions_.window_y_up;
+  const cases::Winding winding =
+      counter_clockwise ? cases::Winding::counter_clockwise : cases::Winding::clockwise;
+  if (contract_->culls == winding) return true;
+  if (case_->cull == cases::Cull::none) return false;
   const bool front = counter_clockwise == (case_->front_face == cases::FrontFace::ccw);
   return front == (case_->cull == cases::Cull::front);
 }

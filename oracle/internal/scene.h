@@ -38,11 +38,24 @@ struct Conventions {
 /// themselves without a camera.
 std::vector<RingVector4> clip_positions(const cases::Case& c);
 
+/// Which edges own a sample on them (cases::TieRule), by the signs of the inward normal (A, B).
+struct TieOrder {
+  bool asks_a_first = true;
+  int sign_a = 1;  ///< an edge owns its samples if A has this sign
+  int sign_b = 1;
+};
+
 /// Everything that all triangles of a case share.
+///
+/// All window positions inside the oracle are in window units, of which a pixel has
+/// units_per_pixel(). That is 1 unless a contract names a grid or a sample position whose fractions
+/// of a pixel are not dyadic: the units are then so small that all positions are.
 class Scene {
  public:
   /// The case and the contract must outlive the scene.
   Scene(const cases::Case& c, const cases::Contract& contract);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
 
   const cases::Case& source() const { return *case_; }
   const cases::Contract& contract() const { return *contract_; }
@@ -52,10 +65,27 @@ class Scene {
   RingVector3 window_column(std::size_t vertex) const;
   RingVector4 clip_position(std::size_t vertex) const;
 
+  const Ring& units_per_pixel() const { return units_per_pixel_; }
+  /// False if a pixel has several units. Positions in doubles, which are in pixels, may then not be
+  /// mixed with window positions.
+  bool is_in_pixels() const { return is_in_pixels_; }
+  /// The spacing of the contract's subpixel grid, in window units; exact.
+  double grid_unit() const { return grid_unit_; }
+
+  /// The positions of the samples, in 1/16 window unit.
   std::span<const cases::SamplePosition> pattern() const { return pattern_; }
-  /// The exact position of a sample, and of a pixel's centre.
+  /// The exact position of a sample, and of a pixel's centre or, if the contract has a sample
+  /// position of its own, of the sample instead.
   Point sample_point(int x, int y, int sample) const;
-  static Point center_point(int x, int y);
+  Point center_point(int x, int y) const;
+  /// True if pixels have one sample at a position of the contract's own.
+  bool has_own_sample() const {
+    return contract_->sample_position.has_value() && case_->framebuffer.samples == 1;
+  }
+  /// Where an attribute is evaluated: at the sample, if the contract has a position of its own.
+  cases::Location location_of(const cases::Attribute& attribute) const {
+    return has_own_sample() ? cases::Location::sample : attribute.location;
+  }
 
   ViewportSide viewport_side(const Point& p) const;
   /// True if a point, inside or outside the viewport, is within `distance` pixels of one of its
@@ -69,7 +99,7 @@ class Scene {
   const PixelBox& pixels() const { return pixels_; }
   /// The part of pixels() whose samples all lie in the viewport.
   const PixelBox& inner_pixels() const { return inner_pixels_; }
-  /// The viewport rectangle, sorted; in pixels.
+  /// The viewport rectangle, sorted.
   const Point& viewport_lo() const { return viewport_lo_; }
   const Point& viewport_hi() const { return viewport_hi_; }
   /// The corners of the closed box in which the contract leaves vertices unclipped. Along each
@@ -79,13 +109,22 @@ class Scene {
   const Point& guard_band_hi() const { return guard_band_hi_; }
 
   /// True if a point exactly on a boundary is inside. The signs of the boundary's inward normal (A,
-  /// B) decide: inside iff A > 0, or A = 0 and ±B > 0 (RULES §2). Meaningless under an unspecified
-  /// tie rule.
+  /// B) decide; for the top-left rule, inside iff A > 0, or A = 0 and ±B > 0 (RULES §2, §13).
+  /// Meaningless under an unspecified tie rule.
   bool owns_tie(int sign_a, int sign_b) const {
-    return sign_a > 0 || (sign_a == 0 && tie_sign_ * sign_b > 0);
+    if (contract_->tie_rule == cases::TieRule::all) return true;
+    if (contract_->tie_rule == cases::TieRule::none) return false;
+    const int by_a = ties_.sign_a * sign_a;
+    const int by_b = ties_.sign_b * sign_b;
+    const int first = ties_.asks_a_first ? by_a : by_b;
+    const int second = ties_.asks_a_first ? by_b : by_a;
+    return first > 0 || (first == 0 && second > 0);
   }
-  /// True if a triangle of orientation ±1 is culled.
+  /// True if a triangle of orientation ±1 is culled, by the case or by the contract.
   bool is_culled(int orientation) const;
+  bool culls_anything() const {
+    return case_->cull != cases::Cull::none || contract_->culls != cases::Winding::none;
+  }
 
   /// A vertex's share in the depth: Σ E_i numerator_i / |det M| is the depth at a point, and
   /// numerator / w is the depth at the vertex itself.
@@ -101,6 +140,7 @@ class Scene {
   bool is_affine(std::size_t attribute) const;
 
  private:
+  void set_units();
   void set_guard_band();
 
   const cases::Case* case_;
@@ -110,7 +150,10 @@ class Scene {
   /// Half of the viewport's signed size; y in the direction of window y.
   std::array<Ring, 2> half_size_;
   std::array<Ring, 2> middle_;  ///< the viewport's middle
-  std::span<const cases::SamplePosition> pattern_;
+  Ring units_per_pixel_{1};
+  bool is_in_pixels_ = true;
+  double grid_unit_ = 1;
+  std::vector<cases::SamplePosition> pattern_;
   Point viewport_lo_;
   Point viewport_hi_;
   Point guard_band_lo_;
@@ -118,7 +161,7 @@ class Scene {
   PixelBox target_pixels_;
   PixelBox pixels_;
   PixelBox inner_pixels_;
-  int tie_sign_;  ///< ±1: the factor of B if A = 0
+  TieOrder ties_;
   Ring min_depth_;
   Ring depth_range_;  ///< max_depth − min_depth
   Ring least_depth_;

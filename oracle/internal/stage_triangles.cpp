@@ -73,7 +73,7 @@ std::optional<Point> StageSplit::Triangles::centroid(int x, int y,
   const Scene& scene = open.scene.scene();
   const TriangleValues::CentroidSamples samples = open.values.centroid_samples(x, y);
   std::vector<Point> places;
-  if (samples.has_center) places.push_back(Scene::center_point(x, y));
+  if (samples.has_center) places.push_back(scene.center_point(x, y));
   for (const int s : samples.firsts) places.push_back(scene.sample_point(x, y, s));
   if (taken) {
     const bool is_right = scene.conventions().centroid_is_a_sample

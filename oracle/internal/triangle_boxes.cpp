@@ -20,8 +20,8 @@ double spread_of(const SceneTruth& scene, const cases::TrianglePromise& promise)
   const cases::Contract& contract = scene.contract();
   double spread = 1;  // a margin of one pixel
   if (!contract.coverage) return spread;
-  spread += std::ldexp(1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance,
-                       -contract.coverage->subpixel_bits);
+  spread += (1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance) /
+            contract.coverage->steps();
   if (contract.has_open_viewport()) {
     // The moves of vertices grow with the viewport (TriangleSetup::open_viewport).
     spread = spread * cases::most_growth(scene.source().viewport, contract.viewport_error) +
@@ -88,11 +88,11 @@ bool is_surely_whole(const SceneTruth& scene, const cases::Triangle& vertices) {
 bool is_surely_culled(const SceneTruth& scene, std::size_t triangle,
                       const cases::TrianglePromise& promise, const NearVertices& near) {
   const cases::Case& source = scene.source();
-  if (source.cull == cases::Cull::none) return false;
+  if (!scene.scene().culls_anything()) return false;
   double move = 2 * near.error;
   if (const cases::Coverage& coverage = scene.contract().coverage) {
     if (!is_surely_whole(scene, source.triangles[triangle])) return false;
-    move += std::ldexp(1 + double{promise.position_error}, -coverage->subpixel_bits);
+    move += (1 + double{promise.position_error}) / coverage->steps();
   }
   std::array<std::array<double, 2>, 3> side{};
   double lengths = 0;

@@ -61,11 +61,16 @@ IntervalLine interval_line(const Line& line, const PixelBox& box) {
 }
 
 TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& box, Level first)
-    : triangle_(&triangle), box_(box), first_level_(first), boundary_(coverage_boundary(triangle)) {
+    : triangle_(&triangle),
+      box_(box),
+      first_level_(triangle.scene->is_in_pixels() ? first : Level::exact),
+      boundary_(coverage_boundary(triangle)) {
   is_empty_ = box.x1 <= box.x0 || box.y1 <= box.y0 || (boundary_ && !boundary_->is_drawn) ||
               is_cut_and_culled();
   set_inner_pixels();
-  if (is_empty_ || first != Level::filter || !triangle.promise.is_made) return;
+  const bool has_lines =
+      first_level_ == Level::filter && triangle.promise.is_made && !triangle.may_be_left_out;
+  if (is_empty_ || !has_lines) return;
   if (triangle.shape != Shape::exact && triangle.ideal.orientation() == 0) add_line_of_degenerate();
   if (triangle.shape == Shape::cut) add_cut_lines();
   if (!boundary_) return;
@@ -93,7 +98,8 @@ void TriangleFilter::set_inner_pixels() {
   inner_ = triangle_->scene->inner_pixels();
   if (!triangle_->has_open_sides) return;
   // Leaves out ⌊reach⌋ + 1 pixels on each side, because a sample exactly at the reach is open, too.
-  const double reach = std::min(triangle_->side_reach.to_interval().second, 0x1p20);
+  const double units = near_double(triangle_->scene->units_per_pixel());
+  const double reach = std::min(triangle_->side_reach.to_interval().second / units, 0x1p20);
   const int pixels = static_cast<int>(std::floor(reach)) + 1;
   inner_ = {inner_.x0 + pixels, inner_.y0 + pixels, inner_.x1 - pixels, inner_.y1 - pixels};
 }

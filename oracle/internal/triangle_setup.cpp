@@ -31,10 +31,82 @@ TriangleSetup::TriangleSetup(const Scene& owner, std::size_t triangle)
   }
   if (!promise.is_made) return;
   set_up_clipping();
-  if (!scene->contract().coverage) return;
-  cases::Snapping snapping = *scene->contract().coverage;
-  snapping.position_error = promise.position_error;
-  set_up_snapping(snapping);
+  if (scene->contract().culls_instead_of_clipping) set_up_leaving_out();
+  if (!promise.is_made || is_left_out) return;
+  if (scene->contract().coverage) {
+    cases::Snapping snapping = *scene->contract().coverage;
+    snapping.position_error = promise.position_error;
+    set_up_snapping(snapping);
+  }
+  const float least_area = scene->contract().least_area;
+  may_be_left_out = least_area > 0 && has_less_area_than(double{least_area});
+}
+
+namespace {
+
+/// The sign of a number, or 0 if its magnitude is at most `slack`: the sign of all numbers that are
+/// at most `slack` away.
+int certain_sign(const Ring& value, const Ring& slack) {
+  return magnitude(value) <= slack ? 0 : sign_of(value);
+}
+
+}  // namespace
+
+/// Finds out whether a vertex lies beyond the guard volume: behind the eye, beyond a depth plane or
+/// beyond the guard band. Nothing is promised if an error that the contract allows decides.
+void TriangleSetup::set_up_leaving_out() {
+  const cases::Coverage& coverage = scene->contract().coverage;
+  const Ring unit(scene->grid_unit());
+  const Ring moved =
+      coverage ? (Ring(promise.clip_tolerance) + exact_ring(promise.position_error)) * unit
+               : Ring(0);
+  bool is_open = false;
+  const auto ask = [&](const Ring& inside, const Ring& slack) {
+    // A vertex exactly on a side is inside.
+    if (sign_of(inside) == 0 && sign_of(slack) == 0) return;
+    const int sign = certain_sign(inside, slack);
+    is_left_out = is_left_out || sign < 0;
+    is_open = is_open || sign == 0;
+  };
+  const Ring share(coverage ? promise.clip_error : 0.0);
+  for_each_clip_plane([&](const std::array<Ring, 3>& values, bool, bool is_user_distance) {
+    if (is_user_distance) return;
+    const Ring slack = sign_of(share) == 0 ? share : share * clip_size(values, false);
+    for (const Ring& value : values) ask(value, slack);
+  });
+  for (const RingVector3& column : columns) {
+    const Ring& w = column[2];
+    is_left_out = is_left_out || sign_of(w) <= 0;
+    if (is_left_out) return;
+    const Ring slack = moved * w;
+    ask(column[0] - scene->guard_band_lo().u * w, slack);
+    ask(scene->guard_band_hi().u * w - column[0], slack);
+    ask(column[1] - scene->guard_band_lo().v * w, slack);
+    ask(scene->guard_band_hi().v * w - column[1], slack);
+  }
+  if (is_open && !is_left_out) promise.is_made = false;
+}
+
+/// True if what the contract draws of the triangle may have less area than this, in square pixels.
+/// Moving every vertex by at most r along both axes changes twice the area by at most
+/// r Σ (|Δu| + |Δv|) over the three sides, plus 8 r² for moves that meet in one product.
+bool TriangleSetup::has_less_area_than(double area) const {
+  const bool may_be_cut = has_nonpositive_w || has_clipped_vertex || !is_whole;
+  if (may_be_cut) return true;
+  const auto& [w, u, v] = near_positions();
+  const double moved = reach.to_interval().second;
+  double lengths = 0;
+  double sizes = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    lengths += std::abs(u[(i + 1) % 3] - u[i]) + std::abs(v[(i + 1) % 3] - v[i]);
+    sizes += std::abs(u[i]) + std::abs(v[i]);
+  }
+  const double twice = std::abs((u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]));
+  // Positions are off by 2^-48 relative, and roundings add less than as much again.
+  const double change = moved * (lengths + 8 * moved) + lengths * sizes * 0x1p-46;
+  const double units = near_double(scene->units_per_pixel());
+  // Written so that NaN counts as less.
+  return !(twice - change >= 2 * area * units * units * (1 + 0x1p-48));
 }
 
 template <typename Take>
@@ -155,10 +227,10 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
     if (is_clipped[i]) {
       shape = Shape::cut;
     } else {
-      snapped[i] = snap(columns[i], snapping);
+      snapped[i] = snap(columns[i], snapping, scene->units_per_pixel());
     }
   }
-  const Ring unit(std::ldexp(1.0, -snapping.subpixel_bits));
+  const Ring unit(scene->grid_unit());
   side_reach = Ring(promise.side_tolerance) * unit;
   reach = candidate_radius(snapping) * unit;
   if (shape == Shape::cut) {
@@ -186,16 +258,16 @@ void TriangleSetup::open_viewport() {
   const double error = scene->contract().viewport_error;
   const Ring grown(cases::most_growth(scene->source().viewport, error));
   moved_alone = grown * moved_alone;
-  tolerance = moved_alone + Ring(error);
+  const Ring moved_together = Ring(error) * scene->units_per_pixel();
+  tolerance = moved_alone + moved_together;
   reach = tolerance;
-  side_reach = grown * side_reach + Ring(error);
+  side_reach = grown * side_reach + moved_together;
 }
 
 const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
   if (corners_.empty()) {
     for (std::size_t i = 0; i < 3; ++i) {
-      extreme_columns_[i] =
-          placed_columns(*snapped[i], scene->contract().coverage->subpixel_bits, true);
+      extreme_columns_[i] = placed_columns(*snapped[i], scene->grid_unit(), true);
     }
     corners_.resize(corner_count_);
   }
@@ -264,7 +336,7 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
   std::optional<std::vector<SnappedEdge>>& all = snapped_edges_[edge];
   if (all) return *all;
   all.emplace();
-  const int bits = scene->contract().coverage->subpixel_bits;
+  const double unit = scene->grid_unit();
   const SnappedVertex& from = *snapped[(edge + 1) % 3];
   const SnappedVertex& to = *snapped[(edge + 2) % 3];
   // In double, because the product of four counts may exceed a long.
@@ -272,8 +344,8 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
       static_cast<double>(from.placements()) * static_cast<double>(to.placements()) >
       kMostPlacements;
   const std::vector<HomogeneousPoint> others = corners_beside(edge);
-  for (const RingVector3& a : placed_columns(from, bits, corners_only)) {
-    for (const RingVector3& b : placed_columns(to, bits, corners_only)) {
+  for (const RingVector3& a : placed_columns(from, unit, corners_only)) {
+    for (const RingVector3& b : placed_columns(to, unit, corners_only)) {
       RingVector3 row = a.cross(b);
       if (ideal.orientation() < 0) row = -row;
       const Line line{row[0], row[1], row[2]};
@@ -318,8 +390,7 @@ const Placements& TriangleSetup::placements() const {
   placements_->are_all =
       count <= kMostPlacements && (scene->contract().is_on_grid || corner_count() == 1);
   for (std::size_t i = 0; i < 3; ++i) {
-    placements_->points[i] = placed_points(*snapped[i], scene->contract().coverage->subpixel_bits,
-                                           !placements_->are_all);
+    placements_->points[i] = placed_points(*snapped[i], scene->grid_unit(), !placements_->are_all);
   }
   const auto& [first, second, third] = placements_->points;
   for (const auto& a : first) {
@@ -344,15 +415,18 @@ namespace {
 
 /// Returns the range of pixels along an axis (the first, and one past the last) that lie within
 /// `spread` of some point between two of the positions `at`, with pixel numbers clamped to
-/// −1…`most`. Each position is known to within 2^-48 relative.
-std::pair<int, int> touched(std::span<const double> at, double spread, int most) {
+/// −1…`most`. Each position is known to within 2^-48 relative. Positions and spread are in units of
+/// which a pixel has `units`.
+std::pair<int, int> touched(std::span<const double> at, double spread, double units, int most) {
   const auto [least, greatest] = std::ranges::minmax(at);
   // The positions may be off by 2^-48, and the spread and these sums by as much again in any
   // rounding mode.
   const double slack = (std::max(std::abs(least), std::abs(greatest)) + spread) * 0x1p-47;
   if (!(slack < kInfinity)) return {0, most};
-  const auto pixel_of = [most](double position) {
-    return static_cast<int>(std::clamp(std::floor(position), -1.0, static_cast<double>(most)));
+  // The slack is far more than the rounding of this quotient.
+  const auto pixel_of = [most, units](double position) {
+    const double pixel = std::floor(position / units);
+    return static_cast<int>(std::clamp(pixel, -1.0, static_cast<double>(most)));
   };
   return {pixel_of(least - spread - slack), pixel_of(greatest + spread + slack) + 1};
 }
@@ -365,8 +439,9 @@ PixelBox TriangleSetup::pixels() const {
   if (has_nonpositive_w) return pixels_of_clipped(all);
   const double spread = near_double(reach);
   const NearPositions& near = near_positions();
-  const auto [x0, x1] = touched(near.u, spread, all.x1);
-  const auto [y0, y1] = touched(near.v, spread, all.y1);
+  const double units = near_double(scene->units_per_pixel());
+  const auto [x0, x1] = touched(near.u, spread, units, all.x1);
+  const auto [y0, y1] = touched(near.v, spread, units, all.y1);
   return intersection(all, {x0, y0, x1, y1});
 }
 
@@ -375,9 +450,10 @@ PixelBox TriangleSetup::pixels() const {
 PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all) const {
   if (ideal.orientation() == 0) return all;
   const Ring moved = shape == Shape::exact ? Ring(0) : reach;
-  const ConvexRegion region =
-      clipped_to_triangle({Point{Ring(all.x0) - moved, Ring(all.y0) - moved},
-                           Point{Ring(all.x1) + moved, Ring(all.y1) + moved}});
+  const Ring& per_pixel = scene->units_per_pixel();
+  const ConvexRegion region = clipped_to_triangle(
+      {Point{Ring(all.x0) * per_pixel - moved, Ring(all.y0) * per_pixel - moved},
+       Point{Ring(all.x1) * per_pixel + moved, Ring(all.y1) * per_pixel + moved}});
   if (region.is_empty()) return {all.x0, all.y0, all.x0, all.y0};
   std::vector<double> u;
   std::vector<double> v;
@@ -388,13 +464,15 @@ PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all) const {
     v.push_back(near.v);
   }
   const double spread = near_double(moved);
-  const auto [x0, x1] = touched(u, spread, all.x1);
-  const auto [y0, y1] = touched(v, spread, all.y1);
+  const double units = near_double(per_pixel);
+  const auto [x0, x1] = touched(u, spread, units, all.x1);
+  const auto [y0, y1] = touched(v, spread, units, all.y1);
   return intersection(all, {x0, y0, x1, y1});
 }
 
 ConvexRegion TriangleSetup::shown_at(const Point& p) const {
-  ConvexRegion places = box_around(p, Ring(scene->contract().viewport_error));
+  ConvexRegion places =
+      box_around(p, Ring(scene->contract().viewport_error) * scene->units_per_pixel());
   for (std::size_t i = 0; i < 3; ++i) {
     places.clip_above(ideal.edge(i), -band_of(ideal.edge(i), moved_alone));
   }

@@ -60,6 +60,11 @@ struct TriangleSetup {
   std::size_t index;  ///< into the case's triangles
   /// If no promise is made, shape is `exact` and only `ideal` is set up.
   cases::TrianglePromise promise;
+  /// True if the contract lets the triangle be missing (Contract::least_area). What is required
+  /// otherwise is permitted then.
+  bool may_be_left_out = false;
+  /// True if the contract has the triangle left out instead of clipped.
+  bool is_left_out = false;
   cases::Triangle indices;
   std::array<RingVector3, 3> columns;  ///< (X, Y, w) of each vertex
   ProjectiveMap ideal;                 ///< the map of the exact positions
@@ -92,9 +97,9 @@ struct TriangleSetup {
   /// Shape placed: found when first asked for.
   const Placements& placements() const;
 
-  /// Shape cut: the largest error of a cut boundary, per axis, in pixels.
+  /// Shape cut: the largest error of a cut boundary, per axis, in window units.
   Ring tolerance;
-  /// Shapes placed and cut: the largest move of any vertex, per axis, in pixels.
+  /// Shapes placed and cut: the largest move of any vertex, per axis, in window units.
   Ring reach;
   /// Shape cut: the part of `reach` by which each vertex may move on its own. The rest comes from
   /// the viewport and is the same for all vertices.
@@ -108,7 +113,7 @@ struct TriangleSetup {
   /// drawn, and some sample may be that close to a side.
   bool has_open_sides = false;
   /// How near to a side of the viewport inner samples may be missing, and how far beyond it outer
-  /// samples may be drawn, in pixels.
+  /// samples may be drawn, in window units.
   Ring side_reach;
   bool has_nonpositive_w = false;
   /// Shape cut: no point of the polygon is farther than `reach` from all its sides, so moving its
@@ -130,8 +135,8 @@ struct TriangleSetup {
   /// the same orientation.
   bool has_certain_orientation() const;
 
-  /// The range of the exact vertex positions along an axis (0: u, 1: v), in pixels, widened by
-  /// `reach`. Only if all w > 0.
+  /// The range of the exact vertex positions along an axis (0: u, 1: v), in window units, widened
+  /// by `reach`. Only if all w > 0.
   FieldRange extent(Eigen::Index axis) const;
 
   /// The vertices' w and window positions in doubles, each within 2^-48 relative; only if all w >
@@ -165,6 +170,8 @@ struct TriangleSetup {
   Line widened(const Line& line, const Ring& more) const;
   PixelBox pixels_of_clipped(const PixelBox& all) const;
   void set_up_clipping();
+  void set_up_leaving_out();
+  bool has_less_area_than(double area) const;
   void set_up_snapping(const cases::Snapping& snapping);
   void open_viewport();
   bool has_points_deeper_than(const Ring& distance) const;

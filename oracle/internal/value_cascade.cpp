@@ -137,6 +137,21 @@ void ValueCascade::filter_column(const PreparedValue& prepared, int count,
   if (prepared.is_open) find_between(prepared, count);
 }
 
+/// The sign that the contract forbids errors of the column's values to have; 0 if either is
+/// permitted.
+int ValueCascade::forbidden_sign(const PreparedValue& prepared) const {
+  const cases::Contract& contract = scene_->contract();
+  if (prepared.attribute || contract.depth_error == cases::DepthError::either_side) return 0;
+  const bool is_never_nearer = contract.depth_error == cases::DepthError::never_nearer;
+  return is_never_nearer == contract.is_depth_reversed() ? 1 : -1;
+}
+
+/// True if an error certainly does not have the sign that the contract forbids.
+bool ValueCascade::is_on_side(const PreparedValue& prepared, const Enclosure& error) const {
+  const int forbidden = forbidden_sign(prepared);
+  return forbidden == 0 || (forbidden < 0 ? error.lo >= 0 : error.hi <= 0);
+}
+
 /// Returns the limits within which an error is certainly no extreme. Enclosures of the first level
 /// end strictly beyond their errors, unless an error is 0 or the filter knows it exactly. An
 /// exactly known error may be just as large as the extreme so far. It is then a new extreme if it
@@ -146,16 +161,24 @@ ErrorLimits ValueCascade::limits_of(const PreparedValue& prepared) const {
     const bool may_equal = prepared.filter.exact_bits > 0 && limit.lets(limit.size, first_place_);
     return may_equal ? std::nextafter(limit.size, 0.0) : limit.size;
   };
+  // Errors on the side that the contract excludes are left to exact numbers.
+  const auto on_one_side = [forbidden = forbidden_sign(prepared)](ErrorLimits limits) {
+    if (forbidden < 0) limits.least = std::max(limits.least, 0.0);
+    if (forbidden > 0) limits.most = std::min(limits.most, 0.0);
+    return limits;
+  };
   if (prepared.is_single || prepared.is_open) {
     // If is_open, the counted values lie in the range; their excess is 0 and within every bound.
-    return {prepared.is_open ? kMostSummed : prepared.bound, -kept(prepared.errors->least_limit()),
-            kept(prepared.errors->most_limit())};
+    return on_one_side({prepared.is_open ? kMostSummed : prepared.bound,
+                        -kept(prepared.errors->least_limit()),
+                        kept(prepared.errors->most_limit())});
   }
   const records::Extremes& ideal = *prepared.ideal_extremes;
   const records::Extremes& excess = *prepared.excess_extremes;
-  return {prepared.bound,
-          -std::min(kept(limit_of(ideal.most_negative)), kept(limit_of(excess.most_negative))),
-          std::min(kept(limit_of(ideal.most_positive)), kept(limit_of(excess.most_positive)))};
+  return on_one_side(
+      {prepared.bound,
+       -std::min(kept(limit_of(ideal.most_negative)), kept(limit_of(excess.most_negative))),
+       std::min(kept(limit_of(ideal.most_positive)), kept(limit_of(excess.most_positive)))});
 }
 
 /// True if the questions besides the error's size have certain answers.
@@ -216,7 +239,7 @@ bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclo
   const ErrorLimits limits = limits_of(prepared);
   const double most = std::max(std::abs(error.lo), std::abs(error.hi));
   // Written so that NaN fails.
-  const bool is_within = most <= limits.bound &&
+  const bool is_within = most <= limits.bound && is_on_side(prepared, error) &&
                          records::Histogram::share_bucket(least_magnitude(error), most) &&
                          is_certain(prepared, actual, error);
   if (!is_within) return false;
@@ -283,7 +306,8 @@ bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Colum
     return most <= most_allowed && records::Histogram::share_bucket(least_magnitude(error), most) &&
            is_certain(prepared, actual, error);
   };
-  if (!is_known(*excess, std::min(prepared.bound, kMostSummed)) || !is_known(ideal, kMostSummed)) {
+  if (!is_known(*excess, std::min(prepared.bound, kMostSummed)) || !is_known(ideal, kMostSummed) ||
+      !is_on_side(prepared, *excess)) {
     return false;
   }
   const auto count = [&](EnclosedErrors& errors, const Enclosure& error) {

@@ -84,6 +84,8 @@ class ValueCascade {
   }
   void take_centroids(const PreparedValue& prepared, std::span<const std::size_t> fragments,
                       JudgedBatch::Column& column);
+  int forbidden_sign(const PreparedValue& prepared) const;
+  bool is_on_side(const PreparedValue& prepared, const records::Enclosure& error) const;
   ErrorLimits limits_of(const PreparedValue& prepared) const;
   bool is_certain(const PreparedValue& prepared, float actual,
                   const records::Enclosure& error) const;

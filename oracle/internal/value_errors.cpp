@@ -235,7 +235,10 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
   const Scene& scene = *triangle_->scene;
   const Subject& subject = subjects_[attribute ? 1 + *attribute : 0];
   cases::Attribute declared;  // the depth keeps the default: at the sample
-  if (attribute) declared = scene.source().attributes[*attribute];
+  if (attribute) {
+    declared = scene.source().attributes[*attribute];
+    declared.location = scene.location_of(declared);
+  }
   if (declared.interpolation == cases::Interpolation::flat) {
     const Ring value = values_->vertex_values(*attribute)[scene.conventions().provoking_vertex];
     const UlpError error(computed, Fraction{value}, subject.scale);
@@ -247,7 +250,7 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
   const bool at_center =
       declared.location == cases::Location::center &&
       (scene.source().framebuffer.samples > 1 || values_->single_map() != nullptr);
-  const Point p = at_center ? Scene::center_point(x, y) : scene.sample_point(x, y, sample);
+  const Point p = at_center ? scene.center_point(x, y) : scene.sample_point(x, y, sample);
   const Place place = at_center ? Place::center : Place::sample;
   const bool is_centroid = declared.location == cases::Location::centroid;
   const bool has_one_map = values_->single_map() != nullptr;

@@ -21,15 +21,34 @@ std::array<int, 3> sample_of(const ComputedValue& value) {
           static_cast<int>(value.place.sample)};
 }
 
+/// True if the contract promises on which side depths lie, and the value is a depth.
+bool is_depth_of_one_side(const TriangleTruth& truth, const ComputedValue& value) {
+  return !value.attribute &&
+         truth.setup().scene->contract().depth_error != cases::DepthError::either_side;
+}
+
+/// True if a depth that is off by `excess`, which is not 0, lies on the side that the contract
+/// excludes.
+bool is_on_wrong_side(const UlpError& excess, const TriangleTruth& truth) {
+  const cases::Contract& contract = truth.setup().scene->contract();
+  const bool is_less = sign_of(excess.value()) < 0;
+  const bool is_nearer = is_less != contract.is_depth_reversed();
+  return is_nearer == (contract.depth_error == cases::DepthError::never_nearer);
+}
+
 /// Decides exactly whether |excess| is within the contract's bound; empty if the contract promises
 /// nothing there.
 std::optional<bool> is_within(const UlpError& excess, const TriangleTruth& truth,
                               const ComputedValue& value) {
   if (excess.is_zero()) return true;
+  const bool is_one_sided = is_depth_of_one_side(truth, value);
+  if (is_one_sided && is_on_wrong_side(excess, truth)) return false;
   const cases::ValueBound bound = bound_of(truth.setup(), value.attribute);
   if (records::magnitude_bound(excess.enclosure()) <= double{bound.constant}) return true;
   const auto [x, y, sample] = sample_of(value);
   const std::optional<Rational> most = truth.value_bound(value.attribute, x, y, sample);
+  // Nothing is promised on the other side then.
+  if (!most && is_one_sided) return true;
   if (!most) return std::nullopt;
   return magnitude(excess.value()) <= to_field(*most);
 }
@@ -153,7 +172,7 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
   if (std::isnan(value.actual)) {
     const auto [x, y, sample] = sample_of(value);
     if (!range_of(truth, value)) return not_judged(records::NotJudged::undefined);
-    if (!truth.value_bound(value.attribute, x, y, sample)) {
+    if (!truth.value_bound(value.attribute, x, y, sample) && !is_depth_of_one_side(truth, value)) {
       return not_judged(records::NotJudged::without_bound);
     }
     judged.fragment_class = FragmentClass::not_a_number;

@@ -68,6 +68,7 @@ ValueRanges::Bound ValueRanges::make_bound(std::optional<std::size_t> attribute)
   bound.scale_ulp = scale_ulp_of(bound.magnitude);
   if (bound.terms.constant >= kNoDigit) return bound;
   double fixed{bound.terms.constant};
+  fixed += bound.terms.absolute / bound.scale_ulp;
   if (attribute) fixed += bound.terms.range_share * (greatest - least) / bound.scale_ulp;
   bound.fixed = fixed * kRoundedUp;
   bound.varies = attribute && !bound.terms.is_uniform() && setup.ideal.orientation() != 0;

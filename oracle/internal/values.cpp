@@ -108,16 +108,17 @@ const ProjectiveMap* TriangleValues::single_map() const { return triangle_->valu
 
 bool TriangleValues::is_defined_at(std::size_t attribute, const Point& p) const {
   const ProjectiveMap* map = single_map();
+  const Scene& scene = *triangle_->scene;
   const bool at_center =
-      triangle_->scene->source().attributes[attribute].location == cases::Location::center;
+      scene.location_of(scene.source().attributes[attribute]) == cases::Location::center;
   return map != nullptr && map->orientation() != 0 &&
          (!at_center || has_positive_inverse_w(*map, p));
 }
 
 Point TriangleValues::location(std::size_t attribute, int x, int y, int sample) const {
   const Scene& scene = *triangle_->scene;
-  return scene.source().attributes[attribute].location == cases::Location::center
-             ? Scene::center_point(x, y)
+  return scene.location_of(scene.source().attributes[attribute]) == cases::Location::center
+             ? scene.center_point(x, y)
              : scene.sample_point(x, y, sample);
 }
 
@@ -246,7 +247,8 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
 
   const Quantity q = quantity(index);
   const FractionRange ends = this->ends(index);
-  if (declared.location == cases::Location::centroid) {
+  const cases::Location where = scene.location_of(declared);
+  if (where == cases::Location::centroid) {
     if (scene.conventions().centroid_is_a_sample) {
       std::optional<OpenValue> value = centroid_sample(q, ends, x, y);
       if (value) value->is_open = value->is_open || always_open;
@@ -256,7 +258,7 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
     if (!range) return std::nullopt;
     return OpenValue{*range, true};
   }
-  const Place place = declared.location == cases::Location::center ? Place::center : Place::sample;
+  const Place place = where == cases::Location::center ? Place::center : Place::sample;
   const std::optional<FractionRange> range =
       value_at(q, ends, location(index, x, y, sample), place);
   if (!range) return std::nullopt;
@@ -296,7 +298,7 @@ std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantit
     // If all samples of a standard pattern are covered, so is their hull, which contains the
     // centre.
     const Place place = single_map() == nullptr ? Place::sample : Place::center;
-    const auto value = value_at(quantity, ends, Scene::center_point(x, y), place);
+    const auto value = value_at(quantity, ends, scene.center_point(x, y), place);
     if (!value) return std::nullopt;
     range = hull(range, value);
   }
@@ -313,8 +315,9 @@ const TriangleValues::Region& TriangleValues::centroid_region(int x, int y) cons
   const Scene& scene = *triangle_->scene;
   const ProjectiveMap* map = single_map();
   const Ring spread = map == nullptr ? triangle_->reach : Ring(0);
-  ConvexRegion points(Point{Ring(x) - spread, Ring(y) - spread},
-                      Point{Ring(x + 1) + spread, Ring(y + 1) + spread});
+  const Ring& units = scene.units_per_pixel();
+  ConvexRegion points(Point{Ring(x) * units - spread, Ring(y) * units - spread},
+                      Point{Ring(x + 1) * units + spread, Ring(y + 1) * units + spread});
   if (map == nullptr || map == &triangle_->ideal) {
     points = triangle_->clipped_to_triangle(std::move(points));
   } else {

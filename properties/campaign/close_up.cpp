@@ -73,8 +73,11 @@ std::string_view triangle_of(cases::Basis basis) {
 /// snapped triangle".
 std::string precision_text(const cases::Contract& contract) {
   if (!contract.coverage) return "exact coverage";
-  return fmt::format("{} subpixel bits, rounding {}, values of {}",
-                     contract.coverage->subpixel_bits, cases::name_of(contract.coverage->rounding),
+  const cases::Snapping& grid = *contract.coverage;
+  const std::string spacing = grid.odd_steps == 1
+                                  ? fmt::format("{} subpixel bits", grid.subpixel_bits)
+                                  : fmt::format("{} grid points per pixel", grid.steps());
+  return fmt::format("{}, rounding {}, values of {}", spacing, cases::name_of(grid.rounding),
                      triangle_of(contract.basis));
 }
 

@@ -108,14 +108,13 @@ Result<Subject> tried(const cases::Case& source, const std::string& name,
 }
 
 /// Returns how far a sample on a drawn edge may be from the exact edge, in pixels. Vertices move
-/// along both axes by up to a grid step (half a step if rounding is specified), plus the error of
-/// positions.
+/// along both axes by as far as rounding takes them, plus the error of positions.
 double reach_of(const cases::Contract& contract) {
   if (!contract.coverage) return 0;
   const cases::Snapping& snapping = *contract.coverage;
-  const bool is_nearest = snapping.rounding != cases::Rounding::unspecified;
-  const double steps = (is_nearest ? 0.5 : 1.0) + double{snapping.position_error};
-  return std::nextafter(std::sqrt(2.0), 2.0) * std::ldexp(steps, -snapping.subpixel_bits);
+  const double reach = snapping.rounding_reach() + double{snapping.position_error};
+  // The factor rounds upwards by more than the quotient and the product can round down.
+  return std::sqrt(2.0) * reach / snapping.steps() * (1 + 0x1p-50);
 }
 
 /// Adds what the judge finds wrong in the plain drawing of a case, in the parts to correct. A law

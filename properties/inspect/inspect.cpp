@@ -206,8 +206,14 @@ Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
   const cases::Case& c = scene.source();
   Inspection inspection;
   inspection.source = c;
-  for (const cases::SamplePosition& p : cases::standard_pattern(c.framebuffer.samples)) {
-    inspection.pattern.push_back({p.x / 16.0, p.y / 16.0});
+  const auto& own = scene.contract().sample_position;
+  if (own && c.framebuffer.samples == 1) {
+    const double parts = own->parts;
+    inspection.pattern.push_back({own->x / parts, own->y / parts});
+  } else {
+    for (const cases::SamplePosition& p : cases::standard_pattern(c.framebuffer.samples)) {
+      inspection.pattern.push_back({p.x / 16.0, p.y / 16.0});
+    }
   }
   inspection.place.triangle = focus.at.triangle;
   inspection.place.x = focus.at.x;

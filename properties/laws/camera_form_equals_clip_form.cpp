@@ -41,7 +41,6 @@
 #include <string>
 #include <vector>
 
-#include "cases/sample_pattern.h"
 #include "oracle/judged_transform.h"
 #include "oracle/transform.h"
 #include "properties/camera_matrices.h"
@@ -274,10 +273,9 @@ class RayCheck {
     if (!seen) return;
     const cases::Case& c = forms_->clip;
     const cases::Viewport& view = c.viewport;
-    const auto pattern = cases::standard_pattern(c.framebuffer.samples);
-    const cases::SamplePosition& at = pattern[place.sample];
-    const double u = place.x + at.x / 16.0;
-    const double v = place.y + at.y / 16.0;
+    const WindowPoint at = sample_points(c, contract_)[place.sample];
+    const double u = place.x + at.u;
+    const double v = place.y + at.v;
     const double half_width = double{view.width} / 2;
     const double half_height = double{view.height} / 2;
     const double turn = c.rules == cases::Rules::d3d ? -1 : 1;

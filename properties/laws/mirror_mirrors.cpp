@@ -140,11 +140,13 @@ void turn_faces_back(const Mirror& mirror, cases::Case& changed) {
   }
 }
 
-/// Top-left upside down is bottom-left; no other mirror image of a rule is a rule.
+/// Top-left upside down is bottom-left. Of a mirror image in x, nothing is claimed about edges.
 cases::TieRule mirrored(cases::TieRule rule, const Mirror& mirror) {
   using cases::TieRule;
-  if (mirror.is_in_x || rule == TieRule::unspecified) return TieRule::unspecified;
-  return rule == TieRule::top_left ? TieRule::bottom_left : TieRule::top_left;
+  if (rule == TieRule::all || rule == TieRule::none) return rule;
+  if (!mirror.is_in_x && rule == TieRule::top_left) return TieRule::bottom_left;
+  if (!mirror.is_in_x && rule == TieRule::bottom_left) return TieRule::top_left;
+  return TieRule::unspecified;
 }
 
 PixelSpan mirrored(const PixelSpan& span, int pixels) {
@@ -188,13 +190,14 @@ cases::Fragments mirrored_back(const cases::Case& c, const cases::Fragments& dra
 /// if the contract's rounding is not mirrored.
 std::optional<cases::Contract> mirrored_back(const cases::Case& c, const cases::Contract& contract,
                                              const Mirror& mirror) {
+  if (contract.sample_position || contract.culls != cases::Winding::none) return std::nullopt;
   cases::Contract result = contract;
   result.tie_rule = mirrored(contract.tie_rule, mirror);
   if (!contract.coverage) return result;
   const cases::Snapping& grid = *contract.coverage;
   const int width = mirror.is_in_x ? c.framebuffer.width : 0;
   const int height = mirror.is_in_y ? c.framebuffer.height : 0;
-  if (grid.rounding == cases::Rounding::half_up) return std::nullopt;
+  if (!is_symmetric(grid)) return std::nullopt;
   if (!keeps_even_points(grid, width) || !keeps_even_points(grid, height)) return std::nullopt;
   return with_origin_away(result, std::max(width, height));
 }

@@ -48,8 +48,8 @@ struct Candidates {
 
 class NearestCheck {
  public:
-  NearestCheck(const cases::Case& c, const cases::Fragments& all, cases::DepthFormat compared)
-      : case_(&c), all_(&all), order_(compared), tally_(c) {
+  NearestCheck(const cases::Case& c, const cases::Fragments& all, const cases::Contract& contract)
+      : case_(&c), all_(&all), contract_(&contract), order_(contract.depth_format), tally_(c) {
     for (std::size_t i = 0; i < all.size(); ++i) add(i);
   }
 
@@ -81,30 +81,40 @@ class NearestCheck {
 
  private:
   void add(std::size_t i) {
-    const float depth = all_->depth[i];
+    const float depth = depth_of(i);
     const auto [entry, is_first] =
         candidates_.try_emplace(sample_of(all_->place_of(i)), Candidates{{}, i});
     Candidates& there = entry->second;
     there.all.push_back(i);
     there.has_nan = there.has_nan || std::isnan(depth);
     if (is_first) return;
-    const float least = all_->depth[there.nearest];
+    const float least = depth_of(there.nearest);
     if (depth < least) there.nearest = i;
     if (depth <= least) there.is_tied = depth == least;
   }
 
   bool has_to_be_drawn(const Candidates& there) const {
-    const float beginning = case_->depth_clear.value_or(1);
-    return order_.is_surely_less(all_->depth[there.nearest], beginning);
+    return order_.is_surely_less(depth_of(there.nearest),
+                                 directed(contract_->depth_beginning(case_->depth_clear)));
   }
 
   /// True if the depth test may leave this fragment at its sample.
   bool may_be_left(const Candidates& there, std::size_t left) const {
-    const float depth = all_->depth[left];
+    const float depth = depth_of(left);
     return std::all_of(there.all.begin(), there.all.end(), [&](std::size_t other) {
-      if (other < left) return order_.may_be_less(depth, all_->depth[other]);
-      return other == left || !order_.is_surely_less(all_->depth[other], depth);
+      // Of equals, the first stays or, if the contract says so, the last.
+      const bool has_to_be_nearer = contract_->keeps_last_of_equals() ? other > left : other < left;
+      if (has_to_be_nearer) return order_.may_be_less(depth, depth_of(other));
+      return other == left || !order_.is_surely_less(depth_of(other), depth);
     });
+  }
+
+  /// Depths as compared here: negated if the contract reverses depth, so that less is nearer.
+  float directed(float depth) const { return contract_->is_depth_reversed() ? -depth : depth; }
+  float depth_of(std::size_t i) const { return directed(all_->depth[i]); }
+  bool passes(float depth, float beginning) const {
+    return contract_->keeps_last_of_equals() ? !order_.is_surely_less(beginning, depth)
+                                             : order_.may_be_less(depth, beginning);
   }
 
   void compare(const Candidates& there, const cases::Fragments& tested, std::size_t i) {
@@ -114,14 +124,19 @@ class NearestCheck {
       return all_->place_of(one).triangle == place.triangle;
     });
     if (left == there.all.end() || !may_be_left(there, *left)) {
-      const std::string why = there.is_tied ? " is as near and was drawn first" : " is nearer";
+      const std::string_view tied = contract_->keeps_last_of_equals()
+                                        ? " is as near and was drawn last"
+                                        : " is as near and was drawn first";
+      const std::string why(there.is_tied ? tied : " is nearer");
       return tally_.report(violation_at(
           place, FragmentClass::wrong_triangle,
           "forbidden: triangle " + std::to_string(nearest.triangle) + why,
           "at depth " + value_text(tested.depth[i]) + ", the nearest of " +
               std::to_string(there.all.size()) + " at " + value_text(all_->depth[there.nearest])));
     }
-    if (case_->depth_clear && !order_.may_be_less(all_->depth[*left], *case_->depth_clear)) {
+    const bool is_beyond =
+        case_->depth_clear && !passes(depth_of(*left), directed(*case_->depth_clear));
+    if (is_beyond) {
       return tally_.report(violation_at(
           place, FragmentClass::extra,
           "forbidden: it is not nearer than the value that the depth buffer is cleared to",
@@ -147,6 +162,7 @@ class NearestCheck {
 
   const cases::Case* case_;
   const cases::Fragments* all_;
+  const cases::Contract* contract_;
   DepthOrder order_;
   std::map<cases::SamplePlace, Candidates> candidates_;
   Tally tally_;
@@ -160,7 +176,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   clip.depth_test = cases::DepthTest::less;
   const Result<backends::Drawn> tested = draw_promised(clip, backend);
   if (!tested) return tl::unexpected(tested.error());
-  return NearestCheck(clip, all->fragments, tested->contract.depth_format).run(tested->fragments);
+  return NearestCheck(clip, all->fragments, tested->contract).run(tested->fragments);
 }
 
 // --- the law's own cases: triangles repeated, unchanged or moved in depth -----------------------

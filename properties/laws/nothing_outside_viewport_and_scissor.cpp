@@ -26,7 +26,6 @@
 #include <vector>
 
 #include "cases/names.h"
-#include "cases/sample_pattern.h"
 #include "properties/choices.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
@@ -63,19 +62,20 @@ Where where(float from, float size, double error, double at) {
 /// Tells which samples of a framebuffer may be drawn.
 class Window {
  public:
-  /// `error`: how far the viewport's sides may be off, in pixels.
-  Window(const cases::Case& c, double error)
+  Window(const cases::Case& c, const cases::Contract& contract)
       : scissor_(c.scissor), far_is_outside_(c.rules == cases::Rules::d3d) {
-    const auto pattern = cases::standard_pattern(c.framebuffer.samples);
+    // How far the viewport's sides may be off, in pixels.
+    const double error = contract.has_open_viewport() ? contract.viewport_error : 0;
+    const std::vector<WindowPoint> pattern = sample_points(c, contract);
     samples_ = pattern.size();
     for (int x = 0; x < c.framebuffer.width; ++x) {
-      for (const cases::SamplePosition& position : pattern) {
-        columns_.push_back(where(c.viewport.x, c.viewport.width, error, x + position.x / 16.0));
+      for (const WindowPoint& position : pattern) {
+        columns_.push_back(where(c.viewport.x, c.viewport.width, error, x + position.u));
       }
     }
     for (int y = 0; y < c.framebuffer.height; ++y) {
-      for (const cases::SamplePosition& position : pattern) {
-        rows_.push_back(where(c.viewport.y, c.viewport.height, error, y + position.y / 16.0));
+      for (const WindowPoint& position : pattern) {
+        rows_.push_back(where(c.viewport.y, c.viewport.height, error, y + position.v));
       }
     }
   }
@@ -110,7 +110,8 @@ class Window {
 
 class OutsideCheck {
  public:
-  OutsideCheck(const cases::Case& c, double error) : case_(&c), window_(c, error), tally_(c) {}
+  OutsideCheck(const cases::Case& c, const cases::Contract& contract)
+      : case_(&c), window_(c, contract), tally_(c) {}
 
   void see(const cases::Fragments& drawn) {
     bool is_any_inside = false;
@@ -200,8 +201,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  const cases::Contract& contract = drawn->contract;
-  OutsideCheck all(clip, contract.has_open_viewport() ? contract.viewport_error : 0);
+  OutsideCheck all(clip, drawn->contract);
   all.see(drawn->fragments);
   if (backend.picture_drawer() != nullptr) {
     const cases::Pipeline pipeline = pipeline_without_test(clip);

@@ -35,8 +35,13 @@ using records::FragmentClass;
 class OrderCheck {
  public:
   OrderCheck(const cases::Case& c, const cases::Fragments& forward,
-             const cases::Fragments& backward, cases::DepthFormat compared)
-      : case_(&c), forward_(&forward), backward_(&backward), order_(compared), tally_(c) {}
+             const cases::Fragments& backward, const cases::Contract& contract)
+      : case_(&c),
+        forward_(&forward),
+        backward_(&backward),
+        is_reversed_(contract.is_depth_reversed()),
+        order_(contract.depth_format),
+        tally_(c) {}
 
   /// `all` has the candidate fragments.
   Check run(const cases::Fragments& all) {
@@ -96,9 +101,9 @@ class OrderCheck {
   }
 
   /// Reports the farther of the two fragments as the wrong one.
-  static records::Violation wrong_triangle(const cases::SamplePlace& place, float depth,
-                                           const cases::SamplePlace& other, float other_depth) {
-    const bool is_first_wrong = other_depth < depth;
+  records::Violation wrong_triangle(const cases::SamplePlace& place, float depth,
+                                    const cases::SamplePlace& other, float other_depth) const {
+    const bool is_first_wrong = (other_depth < depth) != is_reversed_;
     const cases::SamplePlace& nearer = is_first_wrong ? other : place;
     records::Violation violation = violation_at(
         is_first_wrong ? place : other, FragmentClass::wrong_triangle,
@@ -113,6 +118,7 @@ class OrderCheck {
   const cases::Case* case_;
   const cases::Fragments* forward_;
   const cases::Fragments* backward_;
+  bool is_reversed_;
   DepthOrder order_;
   Tally tally_;
 };
@@ -134,7 +140,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   for (std::uint32_t& triangle : backward->fragments.triangle) {
     if (triangle < count) triangle = count - 1 - triangle;
   }
-  return OrderCheck(clip, forward->fragments, backward->fragments, forward->contract.depth_format)
+  return OrderCheck(clip, forward->fragments, backward->fragments, forward->contract)
       .run(all->fragments);
 }
 

@@ -402,6 +402,8 @@ const LawRegistration kRegistration(
          "pairs that form no convex quadrilateral however they are placed, and clipped ones",
      .generate = &generate,
      .check = &check,
+     .is_promised = &draws_all_parts_once,
+     .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
      .covers = {cover(40, "different w"), cover(16, "several samples"), cover_decided(16, "tie")}});
 
 }  // namespace

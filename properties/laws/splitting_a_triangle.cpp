@@ -101,6 +101,8 @@ const LawRegistration kRegistration(
                    "and flat attributes, which are made smooth",
      .generate = &generate_any,
      .check = &check,
+     .is_promised = &draws_all_parts_once,
+     .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
      .covers = {cover(10, "clipped"), cover(15, "several samples"), cover_decided(15, "snapped"),
                 cover(7, "w <= 0")}});
 

@@ -43,7 +43,6 @@
 #include <utility>
 #include <vector>
 
-#include "cases/sample_pattern.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -118,9 +117,9 @@ class Screen {
  public:
   /// `error`: how far the viewport's sides may be off, in pixels.
   static std::optional<Screen> of(const cases::Case& c, std::vector<HalfPlane> planes,
-                                  double error) {
-    Screen screen(c, std::move(planes));
-    screen.error_ = error;
+                                  const cases::Contract& contract) {
+    Screen screen(c, std::move(planes), contract);
+    screen.error_ = contract.has_open_viewport() ? contract.viewport_error : 0;
     const cases::Viewport& v = c.viewport;
     const std::array begins{double{v.x}, double{v.y}};
     const std::array sizes{double{v.width}, double{v.height}};
@@ -139,8 +138,8 @@ class Screen {
   }
 
   Times times(int x, int y, int sample) const {
-    const cases::SamplePosition& at = pattern_[static_cast<std::size_t>(sample)];
-    const std::array position{x + at.x / 16.0, y + at.y / 16.0};
+    const WindowPoint& at = pattern_[static_cast<std::size_t>(sample)];
+    const std::array position{x + at.u, y + at.v};
     if (!is_in_scissor(x, y)) return Times::none;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double past_low = position[axis] - low_[axis];
@@ -162,10 +161,8 @@ class Screen {
   }
 
  private:
-  Screen(const cases::Case& c, std::vector<HalfPlane> planes)
-      : planes_(std::move(planes)),
-        pattern_(cases::standard_pattern(c.framebuffer.samples)),
-        scissor_(c.scissor) {}
+  Screen(const cases::Case& c, std::vector<HalfPlane> planes, const cases::Contract& contract)
+      : planes_(std::move(planes)), pattern_(sample_points(c, contract)), scissor_(c.scissor) {}
 
   bool is_in_scissor(int x, int y) const {
     if (!scissor_) return true;
@@ -181,7 +178,7 @@ class Screen {
   bool is_open(double distance) const { return error_ > 0 && std::fabs(distance) <= kUp * error_; }
 
   std::vector<HalfPlane> planes_;
-  std::span<const cases::SamplePosition> pattern_;
+  std::vector<WindowPoint> pattern_;
   std::optional<cases::Scissor> scissor_;
   double error_ = 0;
   std::array<double, 2> low_{};
@@ -336,8 +333,7 @@ class CoveredOnce {
 
   /// True if the contract lets three triangles decide independently of each other.
   bool is_open(const cases::SamplePlace& place, Times wanted) {
-    const bool is_strict =
-        contract_.tie_rule != cases::TieRule::unspecified && contract_.is_on_grid;
+    const bool is_strict = contract_.has_one_owner_of_ties() && contract_.is_on_grid;
     if (is_strict) return false;
     if (wanted == Times::at_most_once) return true;
     int possible = 0;
@@ -378,8 +374,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const cases::Contract contract = backend.contract(clip);
   Verdicts verdicts(clip, contract);
   const auto planes = half_planes_of(clip);
-  const double error = contract.has_open_viewport() ? contract.viewport_error : 0;
-  const auto screen = planes ? Screen::of(clip, *planes, error) : std::nullopt;
+  const auto screen = planes ? Screen::of(clip, *planes, contract) : std::nullopt;
   if (!screen || !is_triangulation(clip, contract, verdicts)) {
     return not_applicable(
         "the case is not a triangulation of the screen that cannot be clipped or turned over");
@@ -402,6 +397,8 @@ const LawRegistration kRegistration(
                    "named, samples that more than two may cover; the far border of the viewport",
      .generate = &triangulated_screen,
      .check = &check,
+     .is_promised = &draws_all_parts_once,
+     .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
      .covers = {cover(8, "clip distances"), cover_decided(6, "half of the screen"),
                 cover(15, "several samples"), cover_decided(11, "snapped")}});
 

@@ -117,7 +117,8 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std
   const std::optional<Moved> moved = moved_by(clip, move);
   if (!moved) return not_applicable("the case cannot be moved by whole pixels");
   const cases::Contract contract = backend.contract(moved->after);
-  if (contract.coverage && !(keeps_even_points(*contract.coverage, move.du) &&
+  if (contract.coverage && !(is_the_same_everywhere(*contract.coverage) &&
+                             keeps_even_points(*contract.coverage, move.du) &&
                              keeps_even_points(*contract.coverage, move.dv))) {
     return not_applicable("the contract rounds moved positions differently");
   }

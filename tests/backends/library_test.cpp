@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "cases/case.h"
 
@@ -35,6 +38,90 @@ TEST(PluginContract, OfZerosIsWhatACaseAsksForCorrectlyRounded) {
   asked_for.clip_tolerance = 0;
   asked_for.keeps_sign_of_zero = false;
   EXPECT_EQ(contract_of(zeros, c), asked_for);
+}
+
+TEST(PluginContract, SaysWhatOtherRasterizersDo) {
+  rastercheck_contract contract{};
+  contract.coverage = RASTERCHECK_COVERAGE_SNAPPED;
+  contract.steps_per_pixel = 12;
+  contract.rounding = RASTERCHECK_ROUNDING_FLOOR;
+  contract.rounding_of_y = RASTERCHECK_ROUNDING_TOWARD_ZERO + 1;
+  contract.clips = RASTERCHECK_CLIPS_BEYOND_VIEWPORT;
+  contract.beyond = RASTERCHECK_BEYOND_LEFT_OUT;
+  contract.clip_error = 0.25F;
+  contract.least_number = 0x1p-60F;
+  contract.greatest_number = 0x1p60F;
+  contract.culls = RASTERCHECK_CULLS_COUNTER_CLOCKWISE;
+  contract.least_area = 2;
+  contract.sample_x = 7;
+  contract.sample_y = 5;
+  contract.sample_parts = 12;
+  contract.smooth_absolute = 1;
+  contract.noperspective_absolute = 2;
+  contract.depth_absolute = 3;
+  contract.depth_function = RASTERCHECK_DEPTH_FUNCTION_GREATER;
+  contract.depth_error = RASTERCHECK_DEPTH_NEVER_FARTHER;
+  const cases::Contract promised = contract_of(contract, plain_case());
+  cases::Snapping grid = cases::with_steps({8, cases::Rounding::floor, 0}, 12);
+  grid.rounding_of_y = cases::Rounding::toward_zero;
+  EXPECT_EQ(promised.coverage, cases::Coverage(grid));
+  EXPECT_EQ(promised.guard_beyond_viewport, 0.0F);
+  EXPECT_TRUE(promised.culls_instead_of_clipping);
+  EXPECT_EQ(promised.clip_error, 0.25);
+  EXPECT_EQ(promised.numbers, (cases::MagnitudeRange{0x1p-60F, 0x1p60F}));
+  EXPECT_EQ(promised.culls, cases::Winding::counter_clockwise);
+  EXPECT_EQ(promised.least_area, 2.0F);
+  EXPECT_EQ(promised.sample_position, (cases::PixelFraction{7, 5, 12}));
+  EXPECT_EQ(promised.bounds.smooth, (cases::ValueBound{0.5F, 0, 0, 0, 1}));
+  EXPECT_EQ(promised.bounds.noperspective.absolute, 2.0F);
+  EXPECT_EQ(promised.bounds.depth.absolute, 3.0F);
+  EXPECT_EQ(promised.depth_function, cases::KeptDepth::greater);
+  EXPECT_EQ(promised.depth_error, cases::DepthError::never_farther);
+  contract.guard_band = 64;
+  EXPECT_EQ(contract_of(contract, plain_case()).guard_beyond_viewport, 64.0F);
+}
+
+// Kills: a table of enumerators in another order than the header's.
+TEST(PluginContract, NamesEveryRoundingAndTieRule) {
+  using cases::Rounding;
+  using cases::TieRule;
+  const auto promised = [](std::uint32_t rounding, std::uint32_t tie_rule) {
+    rastercheck_contract contract{};
+    contract.coverage = RASTERCHECK_COVERAGE_SNAPPED;
+    contract.rounding = rounding;
+    contract.tie_rule = tie_rule;
+    return contract_of(contract, plain_case());
+  };
+  const std::array<std::pair<std::uint32_t, Rounding>, 7> roundings{
+      {{RASTERCHECK_ROUNDING_NEAREST_EVEN, Rounding::nearest_even},
+       {RASTERCHECK_ROUNDING_HALF_UP, Rounding::half_up},
+       {RASTERCHECK_ROUNDING_UNSPECIFIED, Rounding::unspecified},
+       {RASTERCHECK_ROUNDING_HALF_DOWN, Rounding::half_down},
+       {RASTERCHECK_ROUNDING_FLOOR, Rounding::floor},
+       {RASTERCHECK_ROUNDING_CEIL, Rounding::ceil},
+       {RASTERCHECK_ROUNDING_TOWARD_ZERO, Rounding::toward_zero}}};
+  for (const auto& [number, rounding] : roundings) {
+    EXPECT_EQ(promised(number, 0).coverage->rounding, rounding);
+  }
+  const std::array<std::pair<std::uint32_t, TieRule>, 11> rules{
+      {{RASTERCHECK_TIE_RULE_TOP_LEFT, TieRule::top_left},
+       {RASTERCHECK_TIE_RULE_BOTTOM_LEFT, TieRule::bottom_left},
+       {RASTERCHECK_TIE_RULE_UNSPECIFIED, TieRule::unspecified},
+       {RASTERCHECK_TIE_RULE_TOP_RIGHT, TieRule::top_right},
+       {RASTERCHECK_TIE_RULE_BOTTOM_RIGHT, TieRule::bottom_right},
+       {RASTERCHECK_TIE_RULE_TOP_THEN_LEFT, TieRule::top_then_left},
+       {RASTERCHECK_TIE_RULE_TOP_THEN_RIGHT, TieRule::top_then_right},
+       {RASTERCHECK_TIE_RULE_BOTTOM_THEN_LEFT, TieRule::bottom_then_left},
+       {RASTERCHECK_TIE_RULE_BOTTOM_THEN_RIGHT, TieRule::bottom_then_right},
+       {RASTERCHECK_TIE_RULE_ALL, TieRule::all},
+       {RASTERCHECK_TIE_RULE_NONE, TieRule::none}}};
+  for (const auto& [number, rule] : rules) EXPECT_EQ(promised(0, number).tie_rule, rule);
+}
+
+TEST(PluginContract, NeedNotPromiseDepth) {
+  rastercheck_contract contract{};
+  contract.lacks = RASTERCHECK_LACKS_DEPTH;
+  EXPECT_GE(contract_of(contract, plain_case()).bounds.depth.constant, 0x1p24F);
 }
 
 TEST(PluginContract, SaysWhatItSays) {
@@ -248,6 +335,56 @@ TEST(Plugin, MayHaveMoreMembersButNotFewer) {
       "plugin:x.so: the first member of its contract, `size`, is not sizeof(rastercheck_contract)");
 }
 
+// Each message names the two members.
+TEST(Plugin, IsRefusedIfItsContractContradictsItself) {
+  const auto problem_of = [](auto change) {
+    Structs structs;
+    change(structs.contract);
+    const std::string problem = structs.problem();
+    const std::string head = "plugin:x.so: in its contract, ";
+    EXPECT_EQ(problem.substr(0, head.size()), head);
+    return problem.substr(std::min(head.size(), problem.size()));
+  };
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) { c.subpixel_bits = c.steps_per_pixel = 4; }),
+            "steps_per_pixel contradicts subpixel_bits (one of them must be 0)");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.rounding_of_y = RASTERCHECK_ROUNDING_UNSPECIFIED + 1;
+            }),
+            "rounding_of_y contradicts rounding (both must be unspecified, or neither)");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.coverage = RASTERCHECK_COVERAGE_EXACT;
+              c.basis = RASTERCHECK_BASIS_SNAPPED;
+            }),
+            "basis SNAPPED contradicts coverage EXACT, which has no snapped positions");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.least_number = 2;
+              c.greatest_number = 1;
+            }),
+            "least_number contradicts greatest_number, which is less");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.sample_x = c.sample_parts = 3;
+              c.sample_counts = 1;
+            }),
+            "sample_x or sample_y contradicts sample_parts, which must be greater");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) { c.sample_parts = 2; }),
+            "sample_parts contradicts sample_counts, which must be 1 with it");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.lacks = RASTERCHECK_LACKS_DEPTH;
+              c.keeps = RASTERCHECK_KEEPS_EQUAL_DEPTH;
+            }),
+            "keeps EQUAL_DEPTH contradicts lacks DEPTH");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.lacks = RASTERCHECK_LACKS_DEPTH;
+              c.depth_error = RASTERCHECK_DEPTH_NEVER_NEARER;
+            }),
+            "depth_error contradicts lacks DEPTH");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.max_size = 4;
+              c.size_multiple = 8;
+            }),
+            "size_multiple contradicts max_size, which is less");
+}
+
 TEST(Plugin, SaysWhatCanBeSaid) {
   const auto problem_of = [](auto change) {
     Structs structs;
@@ -265,10 +402,10 @@ TEST(Plugin, SaysWhatCanBeSaid) {
   const std::string contract = "plugin:x.so: its contract's ";
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.subpixel_bits = 17; }),
             contract + "subpixel_bits is 17, but must be from 0 to 16");
-  EXPECT_EQ(problem_of([](Structs& s) { s.contract.tie_rule = 4; }),
-            contract + "tie_rule is 4, but must be from 0 to 3");
-  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 19U; }),
-            contract + "lacks is 524288, but must be from 0 to 524287");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.tie_rule = 12; }),
+            contract + "tie_rule is 12, but must be from 0 to 11");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 21U; }),
+            contract + "lacks is 2097152, but must be from 0 to 2097151");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.depth_format = 5; }),
             contract + "depth_format is 5, but must be from 0 to 4");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.position_error = -1; }),

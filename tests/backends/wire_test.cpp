@@ -41,17 +41,24 @@ cases::Case full_case() {
 
 cases::Contract full_contract() {
   cases::Contract contract;
-  contract.coverage = cases::Snapping{4, cases::Rounding::unspecified, 0.5F};
+  contract.coverage = cases::Snapping{4, cases::Rounding::floor, 0.5F, cases::Rounding::ceil, 3};
   contract.basis = cases::Basis::unspecified;
   contract.tie_rule = cases::TieRule::unspecified;
   contract.guard_band = 100;
+  contract.guard_beyond_viewport = 7.0F;
+  contract.culls_instead_of_clipping = true;
+  contract.culls = cases::Winding::counter_clockwise;
+  contract.least_area = 2;
+  contract.sample_position = cases::PixelFraction{7, 3, 12};
   contract.is_on_grid = false;
   contract.clip_tolerance = 3;
   contract.clip_error = 0.5;
   contract.viewport_error = 0.25;
   contract.depth_format = cases::DepthFormat::unorm16;
+  contract.depth_function = cases::KeptDepth::greater;
+  contract.depth_error = cases::DepthError::never_farther;
   contract.claims = cases::Claim::affine;
-  contract.bounds = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
+  contract.bounds = {{1, 2, 3, 4, 13}, {5, 6, 7, 8, 14}, {9, 10, 11, 12, 15}};
   contract.keeps_equal_depth = true;
   contract.keeps_constants = true;
   contract.keeps_vertex_values = true;
@@ -139,12 +146,15 @@ TEST(Wire, RefusesEveryPart) {
   }
 }
 
-// Sets each byte to 255 in turn. 17 of the refused bytes are flags and enumerators: whether there
-// is a coverage, its rounding, basis, tie rule, grid, claim, depth format, five promises, and
-// whether each of five optional bounds exists. Four are the bytes of subpixel_bits. 28 are the last
-// bytes of numbers, which become negative: position error, guard band, clip tolerance, clip error,
-// viewport error, 12 numbers of bounds, four optional bounds, five numbers for textures, and two
-// magnitudes. Eight are the bytes of the number of per-triangle promises.
+// Sets each byte to 255 in turn. 25 of the refused bytes are flags and enumerators: whether there
+// is a coverage, its roundings and whether there are two, basis, tie rule, grid, claim, what is
+// culled and whether instead of clipping, depth format, depth function, side of depths, five
+// promises, and whether each of five optional bounds, a guard band about the viewport and a sample
+// position exist. Four are the bytes of subpixel_bits, three of odd_steps (255 is possible), 11 of
+// the sample position (in 255 parts, it is possible). 33 are the last bytes of numbers, which become
+// negative: position error, two guard bands, least area, clip tolerance, clip error, viewport
+// error, 15 numbers of bounds, four optional bounds, five numbers for textures, and two magnitudes.
+// Eight are the bytes of the number of per-triangle promises.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -153,7 +163,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 17 + 4 + 28 + 8);
+  EXPECT_EQ(refused, 25 + 4 + 3 + 11 + 33 + 8);
 }
 
 // Kills: a comparison that is true for NaN.

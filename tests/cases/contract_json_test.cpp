@@ -27,18 +27,24 @@ std::string refusal(const std::string& members) {
 ContractTerms all_terms() {
   ContractTerms terms;
   terms.name = "measured \"so\"";
-  terms.coverage = Coverage(Snapping{4, Rounding::unspecified, 0.1F});
+  terms.coverage.emplace(Coverage(Snapping{4, Rounding::unspecified, 0.1F}));
   terms.is_on_grid = false;
-  terms.basis = Basis::unspecified;
-  terms.tie_rule = TieRule::unspecified;
+  terms.basis.emplace(Basis::unspecified);
+  terms.tie_rule.emplace(TieRule::unspecified);
   terms.guard_band = 16384.5F;
+  terms.culls_instead_of_clipping = true;
+  terms.culls = Winding::counter_clockwise;
+  terms.least_area = 0.375F;
+  terms.sample_position = PixelFraction{7, 3, 12};
   terms.clip_tolerance = 2.25F;
   terms.clip_error = 0.0625F;
   terms.viewport_error = 0.5F;
   terms.depth_format = DepthFormat::unorm24;
+  terms.depth_function = KeptDepth::greater_or_equal;
+  terms.depth_error = DepthError::never_farther;
   terms.claims = Claim::affine;
   terms.smooth = ValueBound{6.84F, 0.25F, 0x1p-24F, 1e-7F};
-  terms.noperspective = ValueBound{1, 2, 3, 4};
+  terms.noperspective = ValueBound{1, 2, 3, 4, 0x1p-9F};
   terms.depth = ValueBound{0.51F};
   terms.keeps_equal_depth = true;
   terms.keeps_constants = true;
@@ -58,6 +64,79 @@ TEST(ContractJson, ComesBackAsItWasWritten) {
   EXPECT_EQ(*again, terms);
 }
 
+TEST(ContractJson, HasGridsAndRoundingsOfOtherKinds) {
+  ContractTerms terms;
+  terms.coverage.emplace(Coverage(with_steps({8, Rounding::floor, 0.5F}, 12)));
+  const Result<ContractTerms> parsed =
+      parse(R"("coverage": {"steps_per_pixel": 12, "rounding": "floor", "position_error": 0.5})");
+  ASSERT_TRUE(parsed.has_value()) << to_string(parsed.error());
+  EXPECT_EQ(*parsed, terms);
+  EXPECT_EQ(parse_contract(to_json(terms), "c.json").value_or(ContractTerms()), terms);
+  const Snapping twelfths = *std::get<Coverage>(*parsed->coverage);
+  EXPECT_EQ(twelfths.odd_steps, 3);
+  EXPECT_EQ(twelfths.subpixel_bits, 2);
+  // A power of two is the same grid however it is named.
+  EXPECT_EQ(parse(R"("coverage": {"steps_per_pixel": 16})").value_or(ContractTerms()),
+            parse(R"("coverage": {"subpixel_bits": 4})").value_or(terms));
+
+  Snapping by_axis{8, Rounding::ceil, 0};
+  by_axis.rounding_of_y = Rounding::half_down;
+  terms.coverage.emplace(Coverage(by_axis));
+  EXPECT_EQ(
+      parse(R"("coverage": {"subpixel_bits": 8, "rounding": {"x": "ceil", "y": "half_down"}})")
+          .value_or(ContractTerms()),
+      terms);
+  EXPECT_EQ(parse_contract(to_json(terms), "c.json").value_or(ContractTerms()), terms);
+  terms.coverage.emplace(AskedGrid{Rounding::ceil, 0, Rounding::floor});
+  EXPECT_EQ(parse_contract(to_json(terms), "c.json").value_or(ContractTerms()), terms);
+}
+
+TEST(ContractJson, HasSamplePositionsAsFractions) {
+  const auto read = [](const std::string& text) {
+    return parse("\"sample_position\": " + text).value_or(ContractTerms()).sample_position;
+  };
+  EXPECT_EQ(read(R"(["7/12", "7/12"])"), (PixelFraction{7, 7, 12}));
+  EXPECT_EQ(read(R"([0, "1/3"])"), (PixelFraction{0, 1, 3}));
+  EXPECT_EQ(read(R"(["1/4", "1/6"])"), (PixelFraction{3, 2, 12}));
+  for (const char* wrong :
+       {R"(["1/1", 0])", R"(["-1/2", 0])", R"(["1/2"])", R"([0.5, 0])", R"(["1/257", 0])",
+        R"(["1/255", "1/254"])", R"(["/2", 0])", R"(["1/2/3", 0])", R"("1/2")", R"(["1/0", 0])"}) {
+    EXPECT_THAT(refusal(std::string("\"sample_position\": ") + wrong),
+                HasSubstr("/sample_position"))
+        << wrong;
+  }
+}
+
+TEST(ContractJson, HasDistancesBeyondTheViewport) {
+  ContractTerms terms;
+  terms.guard_beyond_viewport = 0.0F;
+  EXPECT_EQ(parse_contract(to_json(terms), "c.json").value_or(ContractTerms()), terms);
+  Contract own;
+  own.guard_beyond_viewport = 4.0F;
+  ContractTerms of_origin;
+  of_origin.guard_band = 99.0F;
+  EXPECT_EQ(with_terms(own, of_origin, Case()).guard_beyond_viewport, std::nullopt);
+  EXPECT_EQ(with_terms(own, terms, Case()).guard_beyond_viewport, 0.0F);
+}
+
+// Each message names both members.
+TEST(ContractJson, RefusesWhatContradictsItself) {
+  EXPECT_EQ(refusal(R"("guard_band": 1, "guard_beyond_viewport": 1)"),
+            "c.json: /guard_beyond_viewport: contradicts guard_band: only one of them can hold");
+  EXPECT_EQ(refusal(R"("coverage": "exact", "basis": "snapped")"),
+            "c.json: /basis: snapped contradicts coverage: exact, which has no snapped positions");
+  EXPECT_THAT(refusal(R"("coverage": "exact", "guard_beyond_viewport": 1)"),
+              HasSubstr("contradicts coverage: exact"));
+  EXPECT_THAT(refusal(R"("coverage": {"subpixel_bits": 8, "steps_per_pixel": 12})"),
+              HasSubstr("must have either subpixel_bits or steps_per_pixel"));
+  EXPECT_THAT(refusal(R"("coverage": {"rounding": "floor"})"),
+              HasSubstr("must have either subpixel_bits or steps_per_pixel"));
+  EXPECT_THAT(
+      refusal(
+          R"("coverage": {"subpixel_bits": 8, "rounding": {"x": "unspecified", "y": "floor"}})"),
+      HasSubstr("x and y must both be unspecified, or neither"));
+}
+
 // Kills: a digest of the file's text, or of only some terms.
 TEST(ContractDigest, IsOfTheTermsAlone) {
   const ContractTerms terms = all_terms();
@@ -74,9 +153,9 @@ TEST(ContractDigest, IsOfTheTermsAlone) {
 
 TEST(ContractJson, DistinguishesAsAskedFromAbsentTerms) {
   ContractTerms terms;
-  terms.coverage = AsAsked{};
-  terms.basis = AsAsked{};
-  terms.tie_rule = AsAsked{};
+  terms.coverage.emplace(AsAsked{});
+  terms.basis.emplace(AsAsked{});
+  terms.tie_rule.emplace(AsAsked{});
   terms.derivative_bound = std::optional<float>();
   terms.quad_share = std::optional<float>();
   const Result<ContractTerms> again = parse_contract(to_json(terms), "c.json");
@@ -95,7 +174,7 @@ TEST(ContractJson, ExactIsNoGrid) {
 // Kills: a grid that the case asks for, rounded as the case says instead of as the file says.
 TEST(ContractJson, HasGridsOfTheCaseRoundedInOneWay) {
   ContractTerms terms;
-  terms.coverage = AskedGrid{Rounding::unspecified, 0.25F};
+  terms.coverage.emplace(AskedGrid{Rounding::unspecified, 0.25F});
   EXPECT_EQ(parse_contract(to_json(terms), "c.json").value_or(ContractTerms()), terms);
   Case c;
   c.coverage = Snapping{5, Rounding::half_up, 0};
@@ -110,11 +189,13 @@ TEST(ContractJson, RefusesWhatNoContractHas) {
   EXPECT_THAT(refusal(R"("coverage": "snapped")"), HasSubstr("c.json: /coverage: must be"));
   EXPECT_THAT(refusal(R"("coverage": {"subpixel_bits": 17})"),
               HasSubstr("/coverage/subpixel_bits"));
-  EXPECT_THAT(refusal(R"("tie_rule": "top_right")"), HasSubstr("/tie_rule: must be top_left"));
+  EXPECT_THAT(refusal(R"("tie_rule": "left_top")"), HasSubstr("/tie_rule: must be top_left"));
+  EXPECT_THAT(refusal(R"("coverage": {"steps_per_pixel": 0})"),
+              HasSubstr("/coverage/steps_per_pixel"));
   EXPECT_THAT(refusal(R"("guard_band": -1)"), HasSubstr("/guard_band"));
   EXPECT_THAT(refusal(R"("bounds": {"smooth": {}})"), HasSubstr("/bounds/smooth"));
   EXPECT_THAT(refusal(R"("bounds": {"depth": {"constant": 1, "per_horizon": 1}})"),
-              HasSubstr("/bounds/depth: must have a constant only"));
+              HasSubstr("/bounds/depth: must have only constant and absolute"));
   EXPECT_THAT(refusal(R"("numbers": {"least": 2, "greatest": 1})"), HasSubstr("/numbers: least"));
   EXPECT_THAT(refusal(R"("derivative_bound": "nothing")"), HasSubstr("/derivative_bound"));
   const Result<ContractTerms> later =
@@ -131,13 +212,19 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   expected.basis = Basis::unspecified;
   expected.tie_rule = TieRule::unspecified;
   expected.guard_band = 16384.5F;
+  expected.culls_instead_of_clipping = true;
+  expected.culls = Winding::counter_clockwise;
+  expected.least_area = 0.375F;
+  expected.sample_position = PixelFraction{7, 3, 12};
+  expected.depth_function = KeptDepth::greater_or_equal;
+  expected.depth_error = DepthError::never_farther;
   expected.is_on_grid = false;
   expected.clip_tolerance = 2.25;
   expected.clip_error = 0.0625;
   expected.viewport_error = 0.5;
   expected.depth_format = DepthFormat::unorm24;
   expected.claims = Claim::affine;
-  expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4}, {0.51F}};
+  expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4, 0x1p-9F}, {0.51F}};
   expected.keeps_equal_depth = true;
   expected.keeps_constants = true;
   expected.keeps_vertex_values = true;
@@ -156,9 +243,9 @@ TEST(ContractTerms, EmptyTermsKeepThePromise) {
 
 TEST(ContractTerms, AsAskedTakesTheTermsOfTheCase) {
   ContractTerms terms;
-  terms.coverage = AsAsked{};
-  terms.basis = AsAsked{};
-  terms.tie_rule = AsAsked{};
+  terms.coverage.emplace(AsAsked{});
+  terms.basis.emplace(AsAsked{});
+  terms.tie_rule.emplace(AsAsked{});
   Case c;
   c.coverage = Snapping{5, Rounding::half_up, 0};
   c.basis = Basis::snapped;

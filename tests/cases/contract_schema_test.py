@@ -30,18 +30,24 @@ FULL_CONTRACT = {
     "format": "rastercheck-contract",
     "version": 1,
     "name": "every key",
-    "coverage": {"subpixel_bits": 8, "rounding": "half_up", "position_error": 0.125},
+    "coverage": {"subpixel_bits": 8, "rounding": {"x": "half_up", "y": "floor"}, "position_error": 0.125},
     "is_on_grid": False,
     "basis": "snapped",
     "tie_rule": "bottom_left",
     "guard_band": 16384,
+    "culls_instead_of_clipping": True,
+    "culls": "clockwise",
+    "least_area": 0.5,
+    "sample_position": ["7/12", 0],
     "clip_tolerance": "0x1p-1",
     "clip_error": 0.25,
     "viewport_error": 0.5,
     "depth_format": "unorm24",
+    "depth_function": "less_or_equal",
+    "depth_error": "never_nearer",
     "claims": "affine",
     "bounds": {
-        "smooth": {"constant": 2, "per_horizon": 1, "per_condition": 0.5, "range_share": 0.25},
+        "smooth": {"constant": 2, "per_horizon": 1, "per_condition": 0.5, "range_share": 0.25, "absolute": 0.5},
         "noperspective": {"constant": "0x1p+0"},
         "depth": {"constant": 1, "per_horizon": 0},
     },
@@ -57,7 +63,8 @@ FULL_CONTRACT = {
 WORDS_CONTRACT = {
     "format": "rastercheck-contract",
     "version": 1,
-    "coverage": {"subpixel_bits": "as_asked"},
+    "coverage": {"steps_per_pixel": 12, "rounding": "unspecified"},
+    "guard_beyond_viewport": 2,
     "basis": "as_asked",
     "tie_rule": "unspecified",
     "derivative_bound": 1,
@@ -110,12 +117,36 @@ def reader_only(contract):
     if number(numbers.get("least", 0)) > number(numbers.get("greatest", 3.4e38)):
         return "least is above greatest"
     depth = contract.get("bounds", {}).get("depth", {})
-    if any(number(value) != 0 for key, value in depth.items() if key != "constant"):
+    if any(number(value) != 0 for key, value in depth.items() if key not in ("constant", "absolute")):
         return "a bound of depth varies"
+    return contradiction(contract)
+
+
+def contradiction(contract):
+    """Two members that contradict each other; None if no two do."""
+    if "guard_band" in contract and "guard_beyond_viewport" in contract:
+        return "two guard bands"
+    is_exact = contract.get("coverage") == "exact"
+    if is_exact and contract.get("basis") == "snapped":
+        return "a basis without a grid"
+    if is_exact and "guard_beyond_viewport" in contract:
+        return "a guard band without a grid"
+    coverage = contract.get("coverage")
+    rounding = coverage.get("rounding") if isinstance(coverage, dict) else None
+    if isinstance(rounding, dict) and (rounding["x"] == "unspecified") != (rounding["y"] == "unspecified"):
+        return "one rounding is unspecified"
+    for text in contract.get("sample_position", []):
+        if text != 0 and not is_fraction(text):
+            return "no fraction below 1"
     return None
 
 
-READER_ONLY_RULES = 2  # the reasons above
+def is_fraction(text):
+    part, parts = text.split("/")
+    return int(part) < int(parts) <= 256
+
+
+READER_ONLY_RULES = 7  # the reasons above
 
 
 def mutations(base):
@@ -124,6 +155,11 @@ def mutations(base):
     changed = copy.deepcopy(base)
     changed.setdefault("bounds", {})["depth"] = {"constant": 1, "per_horizon": 1}
     yield "a bound of depth that varies", changed
+    for keys in ({"guard_band": 1, "guard_beyond_viewport": 1}, {"coverage": "exact", "basis": "snapped"},
+                 {"coverage": "exact", "basis": "ideal", "guard_beyond_viewport": 1},
+                 {"coverage": {"subpixel_bits": 1, "rounding": {"x": "floor", "y": "unspecified"}}},
+                 {"sample_position": ["3/3", 0]}):
+        yield f"{keys}", {**copy.deepcopy(base), **keys}
 
 
 def main(arguments):

@@ -18,10 +18,11 @@ using records::Verdict;
 /// The candidates for a coordinate. snap() must give the same ones for a vertex at this place,
 /// whatever its w.
 std::pair<long, long> range(double coordinate, const Snapping& snapping) {
+  const Ring one_unit(1);
   const GridRange r = candidates(Field(coordinate), snapping);
   for (const double w : {1.0, 3.0, 0x1.fffffep-3, 0x1p-100}) {
     const SnappedVertex vertex =
-        snap(RingVector3(Ring(coordinate) * Ring(w), Ring(0), Ring(w)), snapping);
+        snap(RingVector3(Ring(coordinate) * Ring(w), Ring(0), Ring(w)), snapping, one_unit);
     EXPECT_EQ(vertex.x.first, r.first) << coordinate << " of " << w;
     EXPECT_EQ(vertex.x.last, r.last) << coordinate << " of " << w;
   }
@@ -35,6 +36,43 @@ TEST(Candidates, HaveOneMemberForANamedRounding) {
   EXPECT_EQ(range(-0.53125, {4, Rounding::half_up, 0}), std::pair(-8L, -8L));
   EXPECT_EQ(range(-0.53125, {4, Rounding::nearest_even, 0}), std::pair(-8L, -8L));
   EXPECT_EQ(range(-0.59375, {4, Rounding::nearest_even, 0}), std::pair(-10L, -10L));
+}
+
+TEST(Candidates, OfADirectedRoundingLieInItsDirection) {
+  EXPECT_EQ(range(0.53125, {4, Rounding::half_down, 0}), std::pair(8L, 8L));  // 8.5 units
+  EXPECT_EQ(range(-0.53125, {4, Rounding::half_down, 0}), std::pair(-9L, -9L));
+  EXPECT_EQ(range(0.59, {4, Rounding::floor, 0}), std::pair(9L, 9L));  // 9.44
+  EXPECT_EQ(range(-0.59, {4, Rounding::floor, 0}), std::pair(-10L, -10L));
+  EXPECT_EQ(range(0.59, {4, Rounding::ceil, 0}), std::pair(10L, 10L));
+  EXPECT_EQ(range(-0.59, {4, Rounding::ceil, 0}), std::pair(-9L, -9L));
+  EXPECT_EQ(range(0.59, {4, Rounding::toward_zero, 0}), std::pair(9L, 9L));
+  EXPECT_EQ(range(-0.59, {4, Rounding::toward_zero, 0}), std::pair(-9L, -9L));
+  EXPECT_EQ(range(-0.03, {4, Rounding::toward_zero, 0}), std::pair(0L, 0L));
+  for (const Rounding rounding : {Rounding::floor, Rounding::ceil, Rounding::toward_zero}) {
+    EXPECT_EQ(range(-0.5, {4, rounding, 0}), std::pair(-8L, -8L)) << "on the grid";
+  }
+  // All positions within 0.75 units of 9.44, which are 8.69 to 10.19.
+  EXPECT_EQ(range(0.59, {4, Rounding::floor, 0.75F}), std::pair(8L, 10L));
+  EXPECT_EQ(range(0.59, {4, Rounding::ceil, 0.75F}), std::pair(9L, 11L));
+}
+
+TEST(Candidates, NeedNoPowerOfTwo) {
+  EXPECT_EQ(range(0.53125, cases::with_steps({8, Rounding::floor, 0}, 12)),
+            std::pair(6L, 6L));  // 6.375
+  EXPECT_EQ(range(0.53125, cases::with_steps({8, Rounding::ceil, 0}, 12)), std::pair(7L, 7L));
+  EXPECT_EQ(range(0.53125, cases::with_steps({8, Rounding::nearest_even, 0}, 3)),
+            std::pair(2L, 2L));
+  EXPECT_EQ(range(0.5, cases::with_steps({8, Rounding::nearest_even, 0}, 5)),
+            std::pair(2L, 2L));  // 2.5
+}
+
+TEST(Candidates, MayDifferAlongTheAxes) {
+  Snapping snapping{4, Rounding::floor, 0};
+  snapping.rounding_of_y = Rounding::ceil;
+  const SnappedVertex vertex =
+      snap(RingVector3(Ring(0.59), Ring(0.59), Ring(1)), snapping, Ring(1));
+  EXPECT_EQ(vertex.x.first, 9);
+  EXPECT_EQ(vertex.y.first, 10);
 }
 
 TEST(Candidates, OfAnUnspecifiedRoundingAreTheNeighbours) {

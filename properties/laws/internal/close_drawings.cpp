@@ -102,8 +102,8 @@ class CloseCheck {
 
 ValueAllowance depth_allowance(const cases::Case& c, const cases::Contract& contract) {
   const cases::ValueBound& bound = contract.bounds.depth;
-  return {double{bound.constant},
-          double{std::max(std::abs(c.viewport.min_depth), std::abs(c.viewport.max_depth))}};
+  const double size{std::max(std::abs(c.viewport.min_depth), std::abs(c.viewport.max_depth))};
+  return {double{bound.constant} + double{bound.absolute} / ulp_of(size), size};
 }
 
 std::optional<ValueAllowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
@@ -126,7 +126,7 @@ std::optional<ValueAllowance> value_allowance(const cases::Case& c, const cases:
   if (least_w <= 0 && is_affine) return std::nullopt;
   const cases::ValueBound& bound =
       is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;
-  if (bound.per_condition > 0 || bound.range_share > 0) return std::nullopt;
+  if (bound.per_condition > 0 || bound.range_share > 0 || bound.absolute > 0) return std::nullopt;
   allowance.units = double{bound.constant};
   if (bound.per_horizon > 0) {
     const bool is_covered = !contract.coverage || contract.basis == cases::Basis::snapped;

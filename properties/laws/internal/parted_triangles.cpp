@@ -63,9 +63,9 @@ class OpenSamples {
         whole_(parted.whole, of_whole),
         parts_(parted.parts, of_parts) {
     if (!of_parts.coverage) return;
-    const double unit = 1 / static_cast<double>(1 << of_parts.coverage->subpixel_bits);
     const double tolerance = std::max(of_parts.clip_tolerance, of_whole.clip_tolerance);
-    const double of_cut = (tolerance + double{of_parts.coverage->position_error}) * unit;
+    const double of_cut =
+        (tolerance + double{of_parts.coverage->position_error}) / of_parts.coverage->steps();
     margin_ = 3 * std::max(placement_reach(*of_parts.coverage), of_cut);
     if (of_parts.has_open_viewport()) {
       margin_ *= cases::most_growth(parted.whole.viewport, of_parts.viewport_error);
@@ -77,8 +77,7 @@ class OpenSamples {
     if (parted_->is_exempt && parted_->is_exempt(place)) return true;
     if (whole_.judge(place.triangle, place).verdict == Verdict::permitted) return true;
     if (contract_.coverage && is_near(place)) return true;
-    const bool is_strict =
-        contract_.tie_rule != cases::TieRule::unspecified && contract_.is_on_grid;
+    const bool is_strict = contract_.has_one_owner_of_ties() && contract_.is_on_grid;
     for (std::uint32_t part = 0; part < parted_->triangle_of.size(); ++part) {
       if (parted_->triangle_of[part] != place.triangle) continue;
       if (contract_.coverage && !parts_.truth(part).has_certain_orientation()) return true;

@@ -78,12 +78,15 @@ cases::Fragments turned_back(const cases::Case& c, const cases::Fragments& drawn
 }
 
 std::optional<cases::Contract> turned_back(const cases::Case& c, const cases::Contract& contract) {
+  if (contract.sample_position) return std::nullopt;
   cases::Contract result = contract;
-  result.tie_rule = cases::TieRule::unspecified;
+  const bool is_of_all_sides =
+      contract.tie_rule == cases::TieRule::all || contract.tie_rule == cases::TieRule::none;
+  if (!is_of_all_sides) result.tie_rule = cases::TieRule::unspecified;
   if (!contract.coverage) return result;
   const cases::Snapping& grid = *contract.coverage;
   const int height = c.framebuffer.height;
-  if (grid.rounding == cases::Rounding::half_up || !keeps_even_points(grid, height)) {
+  if (!is_symmetric(grid) || !keeps_even_points(grid, height)) {
     return std::nullopt;
   }
   return with_origin_away(result, height);

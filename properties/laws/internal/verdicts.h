@@ -54,9 +54,7 @@ class Verdicts {
 
 /// How far a contract may move a vertex along each axis, in pixels.
 inline double placement_reach(const cases::Snapping& grid) {
-  const double rounding = grid.rounding == cases::Rounding::unspecified ? 1 : 0.5;
-  const double unit = 1 / static_cast<double>(1 << grid.subpixel_bits);
-  return (rounding + double{grid.position_error}) * unit;
+  return (grid.rounding_reach() + double{grid.position_error}) / grid.steps();
 }
 
 }  // namespace rastercheck::properties

@@ -76,8 +76,22 @@ cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows) {
 }
 
 bool keeps_even_points(const cases::Snapping& grid, int pixels) {
-  return grid.rounding != cases::Rounding::nearest_even || grid.subpixel_bits > 0 ||
-         pixels % 2 == 0;
+  const bool has_even_points = grid.rounding == cases::Rounding::nearest_even ||
+                               grid.rounding_along(1) == cases::Rounding::nearest_even;
+  return !has_even_points || grid.subpixel_bits > 0 || pixels % 2 == 0;
+}
+
+bool is_symmetric(const cases::Snapping& grid) {
+  const auto is_alike = [&grid](std::size_t axis) {
+    const cases::Rounding rounding = grid.rounding_along(axis);
+    return rounding == cases::Rounding::nearest_even || rounding == cases::Rounding::unspecified;
+  };
+  return is_alike(0) && is_alike(1);
+}
+
+bool is_the_same_everywhere(const cases::Snapping& grid) {
+  return grid.rounding_along(0) != cases::Rounding::toward_zero &&
+         grid.rounding_along(1) != cases::Rounding::toward_zero;
 }
 
 cases::Contract with_origin_away(cases::Contract contract, int pixels) {

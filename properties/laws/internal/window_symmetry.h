@@ -54,6 +54,13 @@ cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows);
 /// require nothing.
 bool keeps_even_points(const cases::Snapping& grid, int pixels);
 
+/// True if the grid rounds a position and its mirror image alike, along both axes.
+bool is_symmetric(const cases::Snapping& grid);
+
+/// True if whole pixels may be added to positions without changing how the grid rounds them, but
+/// for what keeps_even_points() says.
+bool is_the_same_everywhere(const cases::Snapping& grid);
+
 /// The contract for a window whose origin is `pixels` away: its guard band is narrower.
 cases::Contract with_origin_away(cases::Contract contract, int pixels);
 

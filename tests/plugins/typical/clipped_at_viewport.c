@@ -19,7 +19,7 @@ static const rastercheck_contract contract = {
     .rounding = RASTERCHECK_ROUNDING_NEAREST_EVEN,
     .position_error = 0x1p-7F, /* see is_exact_enough() */
     .clip_tolerance = 0.5F,    /* new corners are rounded to the grid */
-    .guard_band = 0x1p-126F,   /* clips at the viewport itself */
+    .clips = RASTERCHECK_CLIPS_BEYOND_VIEWPORT,
     .basis = RASTERCHECK_BASIS_SNAPPED,
     .keeps = RASTERCHECK_KEEPS_CONSTANTS,
     .smooth = {.constant = 0.5F + 0x1p-6F}, /* see is_exact_enough() */

@@ -4,6 +4,8 @@
  * of 1/256 pixel; depth is a float32.
  *
  * Does not clip: refuses triangles with some w <= 0, or farther than 32768 pixels.
+ *
+ * With BREAKS defined, shares are cut down to steps instead of rounded.
  */
 #include "common.h"
 
@@ -38,7 +40,10 @@ static float stored(const double r[3], const double weight[3]) {
   const double last = first == low ? high : low;
   if (low == high) return (float)first;
   const double share = (mean_of(r, weight) - first) / (last - first);
-  const double step = rint(fmin(fmax(share, 0), 1) * STEPS); /* the byte that the target holds */
+  double step = rint(fmin(fmax(share, 0), 1) * STEPS); /* the byte that the target holds */
+#ifdef BREAKS
+  step = floor(fmin(fmax(share, 0), 1) * STEPS);
+#endif
   return (float)(first + (last - first) * (step / STEPS));
 }
 
