@@ -78,14 +78,14 @@ enum class ColorFormat {
   rgba8,
 };
 
-/// The grid point that a position halfway between two grid points is rounded to, along each axis.
+/// The grid point that a position is rounded to, along each axis.
 enum class Rounding {
-  nearest_even,  ///< the point with the even coordinate
-  half_up,       ///< the point with the larger coordinate
+  nearest_even,  ///< the nearest; halfway between two, the one with the even coordinate
+  half_up,       ///< the nearest; halfway between two, the one with the larger coordinate
+  floor,         ///< the next one with a lesser coordinate
 };
 
-/// Rounds the vertices' window positions to the nearest point of a grid, before edges are set up
-/// (RULES §3).
+/// Rounds the vertices' window positions to a grid, before edges are set up (RULES §3).
 struct Snapping {
   int subpixel_bits = 8;  ///< grid spacing 2^-subpixel_bits pixels; 0…16
   Rounding rounding = Rounding::nearest_even;

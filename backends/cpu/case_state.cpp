@@ -124,10 +124,14 @@ ras::ColorFormat format(cases::ColorFormat format) {
   return format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8 : ras::ColorFormat::float32;
 }
 
+ras::Rounding rounding(cases::Rounding asked_for) {
+  if (asked_for == cases::Rounding::floor) return ras::Rounding::floor;
+  return asked_for == cases::Rounding::half_up ? ras::Rounding::half_up
+                                               : ras::Rounding::nearest_even;
+}
+
 ras::Snapping snapping(const cases::Snapping& asked_for) {
-  return {asked_for.subpixel_bits, asked_for.rounding == cases::Rounding::half_up
-                                       ? ras::Rounding::half_up
-                                       : ras::Rounding::nearest_even};
+  return {asked_for.subpixel_bits, rounding(asked_for.rounding)};
 }
 
 ras::State state_of(const cases::Case& c) {

@@ -77,7 +77,7 @@ class Clipping {
     if (!(depth > 0)) return result;
     const glm::dvec2 twice_window{x.nearest() / depth, y.nearest() / depth};
     window = twice_window / 2.0;
-    result.at = {nearest_point(twice_window.x), nearest_point(twice_window.y)};
+    result.at = {rounded_point(twice_window.x), rounded_point(twice_window.y)};
     result.w = depth / whole;
     result.z = z.nearest() / whole;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -203,13 +203,14 @@ class Clipping {
     return value.sign() < 0 ? negated(value) : value;
   }
 
-  /// The grid point nearest to half of `twice_window`.
-  std::int64_t nearest_point(double twice_window) const {
+  /// The grid point that half of `twice_window` is rounded to.
+  std::int64_t rounded_point(double twice_window) const {
     const auto& [bits, rounding] = grid_.snapping;
     const double position = std::ldexp(twice_window, bits - 1);
     const double below = std::floor(position);
     const double rest = position - below;
     auto point = static_cast<std::int64_t>(below);
+    if (rounding == Rounding::floor) return point << (grid_.unit_bits - bits);
     if (rest == 0.5) {
       point = tie_point(rounding, point);
     } else if (rest > 0.5) {

@@ -39,8 +39,16 @@ bool is_within(const GridAxis& axis, float coordinate, float w) {
   return compare(axis, coordinate, w, kTwice) <= 0 && compare(axis, coordinate, w, -kTwice) >= 0;
 }
 
-/// The nearest grid point, in units of 2^-b pixels.
-std::int64_t nearest_point(const GridAxis& axis, const Snapping& snapping, float coordinate,
+/// The sign of N 2^b − k w, where 2^b = 2 half_units.
+int compare_exactly(const GridAxis& axis, float coordinate, float w, double half_units, double k) {
+  ExactSum sum;
+  add_window_numerator(sum, axis, coordinate, w, 2 * half_units);
+  sum.add_product(-k, w);
+  return sum.sign();
+}
+
+/// The grid point that a position is rounded to, in units of 2^-b pixels.
+std::int64_t rounded_point(const GridAxis& axis, const Snapping& snapping, float coordinate,
                            float w) {
   // Grid units per unit of N / w, which is twice the position in pixels.
   const double half_units = std::ldexp(1.0, snapping.subpixel_bits - 1);
@@ -54,22 +62,26 @@ std::int64_t nearest_point(const GridAxis& axis, const Snapping& snapping, float
   const double position = n.value / w * half_units;
   // The division also rounds, by less than 2^-20, because positions are below 2^32.
   const double error = n.error / w * half_units + 0x1p-20;
+  if (snapping.rounding == Rounding::floor) {
+    const double nearest = std::round(position);
+    const bool is_close = std::abs(position - nearest) <= error;
+    if (!is_close) return static_cast<std::int64_t>(std::floor(position));
+    const bool is_below = compare_exactly(axis, coordinate, w, half_units, 2 * nearest) < 0;
+    return static_cast<std::int64_t>(nearest) - (is_below ? 1 : 0);
+  }
   const double below = std::floor(position);
   const double rest = position - below;
   const auto point = static_cast<std::int64_t>(below);
   if (rest < 0.5 - error) return point;
   if (rest > 0.5 + error) return point + 1;
 
-  ExactSum sum;
-  add_window_numerator(sum, axis, coordinate, w, 2 * half_units);
-  sum.add_product(-(2 * below + 1), w);
-  const int side = sum.sign();
+  const int side = compare_exactly(axis, coordinate, w, half_units, 2 * below + 1);
   if (side == 0) return tie_point(snapping.rounding, point);
   return side > 0 ? point + 1 : point;
 }
 
 std::int64_t snapped(const Grid& grid, const GridAxis& axis, float coordinate, float w) {
-  return nearest_point(axis, grid.snapping, coordinate, w)
+  return rounded_point(axis, grid.snapping, coordinate, w)
          << (grid.unit_bits - grid.snapping.subpixel_bits);
 }
 

@@ -10,7 +10,8 @@
 //
 // so the vertex is snapped to the grid point k to which N 2^(b−1) / w rounds. In double, the
 // quotient has an error of a few 2^-53 of its terms. If it is too close to the middle between two
-// points, the sign of N 2^b − (2k + 1) w, a sum without rounding, decides.
+// points, the sign of N 2^b − (2k + 1) w, a sum without rounding, decides; for Rounding::floor, if
+// it is too close to a point, the sign of N 2^b − 2k w.
 //
 // Points are counted in units of 2^-u pixels, where u is the larger of b and 4. Samples, whose
 // offsets are sixteenths of a pixel, are then grid points too.
@@ -47,8 +48,8 @@ struct Grid {
 /// Returns u for a snapping.
 int unit_bits(const Snapping& snapping);
 
-/// Returns the point that a position halfway between two points rounds to; `below` is the lower of
-/// the two. All are in units of 2^-b pixels.
+/// Returns the point that a position halfway between two points rounds to, unless by
+/// Rounding::floor; `below` is the lower of the two. All are in units of 2^-b pixels.
 std::int64_t tie_point(Rounding rounding, std::int64_t below);
 
 Grid grid_of(const State& state);
