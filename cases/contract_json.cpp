@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "cases/conservative_json.h"
 #include "cases/digest.h"
 #include "cases/files.h"
 #include "cases/json.h"
@@ -121,6 +122,7 @@ void check_contract_header(const JsonNode& root) {
                                              "is_on_grid",
                                              "basis",
                                              "tie_rule",
+                                             "conservative",
                                              "guard_band",
                                              "clip_tolerance",
                                              "clip_error",
@@ -228,6 +230,7 @@ std::string to_json(const ContractTerms& terms) {
   all.add("is_on_grid", terms.is_on_grid);
   all.add_asked("basis", terms.basis);
   all.add_asked("tie_rule", terms.tie_rule);
+  if (terms.conservative) all.add("conservative", conservative_text(*terms.conservative));
   all.add("guard_band", terms.guard_band);
   all.add("clip_tolerance", terms.clip_tolerance);
   all.add("clip_error", terms.clip_error);
@@ -265,6 +268,7 @@ ContractTerms read_contract_terms(const JsonNode& root) {
                   [](const JsonNode& node) { return node.enumerator<Basis>(); });
   read_asked_term(root, "tie_rule", terms.tie_rule, &read_tie_rule);
   const auto size = [](const JsonNode& node) { return node.float32(0, kMost); };
+  read_term(root, "conservative", terms.conservative, &read_conservative);
   read_term(root, "guard_band", terms.guard_band, size);
   read_term(root, "clip_tolerance", terms.clip_tolerance, size);
   read_term(root, "clip_error", terms.clip_error, size);

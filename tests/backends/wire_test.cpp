@@ -44,6 +44,8 @@ cases::Contract full_contract() {
   contract.coverage = cases::Snapping{4, cases::Rounding::unspecified, 0.5F};
   contract.basis = cases::Basis::unspecified;
   contract.tie_rule = cases::TieRule::unspecified;
+  contract.conservative = cases::Conservative{cases::ConservativeKind::inner, 0.5F, 0.25F,
+                                              cases::ConservativeCorners::edges, true};
   contract.guard_band = 100;
   contract.is_on_grid = false;
   contract.clip_tolerance = 3;
@@ -167,6 +169,11 @@ TEST(Wire, RefusesContractsOfNoNumbers) {
   EXPECT_FALSE(unpack_contract(pack(contract)));
   contract = full_contract();
   contract.coverage->subpixel_bits = 1000;
+  EXPECT_FALSE(unpack_contract(pack(contract)));
+  contract = full_contract();
+  contract.conservative->error = kNoNumber;
+  EXPECT_FALSE(unpack_contract(pack(contract)));
+  contract.conservative->error = 2 * cases::kMaxConservativeReach;
   EXPECT_FALSE(unpack_contract(pack(contract)));
   // The vertices that clipping makes may be anywhere.
   contract = full_contract();

@@ -34,6 +34,13 @@ FULL_CONTRACT = {
     "is_on_grid": False,
     "basis": "snapped",
     "tie_rule": "bottom_left",
+    "conservative": {
+        "kind": "outer",
+        "error": 0.5,
+        "growth": "0x1p-2",
+        "corners": "edges",
+        "covers_degenerates": True,
+    },
     "guard_band": 16384,
     "clip_tolerance": "0x1p-1",
     "clip_error": 0.25,
@@ -61,6 +68,7 @@ WORDS_CONTRACT = {
     "basis": "as_asked",
     "tie_rule": "unspecified",
     "derivative_bound": 1,
+    "conservative": "none",
 }
 # Names one law, so that only this law is checked, and has nothing to draw.
 CASE = {
@@ -112,10 +120,18 @@ def reader_only(contract):
     depth = contract.get("bounds", {}).get("depth", {})
     if any(number(value) != 0 for key, value in depth.items() if key != "constant"):
         return "a bound of depth varies"
+    conservative = contract.get("conservative")
+    if isinstance(conservative, dict) and conservative.get("kind") == "inner":
+        if number(conservative.get("growth", 0)) != 0:
+            return "inner coverage grows"
+        if conservative.get("corners") == "edges":
+            return "inner coverage has shifted edges"
+        if conservative.get("covers_degenerates"):
+            return "inner coverage of triangles without area"
     return None
 
 
-READER_ONLY_RULES = 2  # the reasons above
+READER_ONLY_RULES = 5  # the reasons above
 
 
 def mutations(base):
@@ -124,6 +140,10 @@ def mutations(base):
     changed = copy.deepcopy(base)
     changed.setdefault("bounds", {})["depth"] = {"constant": 1, "per_horizon": 1}
     yield "a bound of depth that varies", changed
+    for key, value in (("growth", 1), ("corners", "edges"), ("covers_degenerates", True)):
+        changed = copy.deepcopy(base)
+        changed["conservative"] = {"kind": "inner", key: value}
+        yield f"inner coverage with {key}", changed
 
 
 def main(arguments):
