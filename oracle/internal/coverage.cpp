@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "oracle/internal/conservative.h"
+
 namespace rastercheck::oracle {
 namespace {
 
@@ -356,6 +358,11 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle) {
   if (!triangle.promise.is_made) return std::nullopt;
+  if (triangle.scene->contract().conservative) {
+    if (!decisive_distance(triangle)) return std::nullopt;
+    const bool is_drawn = conservative_facing(triangle) == Facing::drawn;
+    return CoverageBoundary{&triangle.ideal, is_drawn, true};
+  }
   const int orientation = triangle.ideal.orientation();
   if (triangle.shape == Shape::exact) {
     const bool is_drawn = orientation != 0 && !triangle.scene->is_culled(orientation);
@@ -388,6 +395,10 @@ CutFacing facing_of_cut(const TriangleSetup& triangle) {
 
 SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
   if (!triangle.promise.is_made) return {Verdict::permitted, Reason::not_promised};
+  if (triangle.scene->contract().conservative) {
+    return decide_conservatively(triangle, static_cast<int>(floor_to_long(Field(p.u))),
+                                 static_cast<int>(floor_to_long(Field(p.v))));
+  }
   switch (triangle.shape) {
     case Shape::exact:
       return decide_exact(triangle, p);
@@ -428,6 +439,7 @@ SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
                ? SampleVerdict{Verdict::permitted, Reason::not_promised}
                : SampleVerdict{Verdict::forbidden, Reason::viewport};
   }
+  if (scene.contract().conservative) return decide_conservatively(triangle, x, y);
   if (triangle.has_open_sides) return decide_beside(triangle, x, y, sample);
   if (!scene.pixels().holds(x, y)) return {Verdict::forbidden, Reason::viewport};
   const Point p = scene.sample_point(x, y, sample);
