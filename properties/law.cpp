@@ -99,6 +99,10 @@ bool draws_what_is_asked_for(backends::Backend& backend) {
 
 bool draws_invariantly(backends::Backend& backend) { return backend.contract({}).is_invariant; }
 
+bool covers_pixels(backends::Backend& backend) {
+  return backend.contract({}).conservative.has_value();
+}
+
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
                         std::uint64_t index) {
   if (law.check_given != nullptr) return law.check_given(c, backend, index);
@@ -108,7 +112,15 @@ Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend&
 }
 
 bool is_promised(const Law& law, backends::Backend& backend) {
+  if (law.needs_samples && covers_pixels(backend)) return false;
   return law.is_promised == nullptr || law.is_promised(backend);
+}
+
+std::string_view why_unpromised(const Law& law, backends::Backend& backend) {
+  if (law.needs_samples && covers_pixels(backend)) {
+    return "the backend covers whole pixels, not samples";
+  }
+  return law.unpromised.empty() ? "the backend does not promise this property" : law.unpromised;
 }
 
 records::BackendPromises promises_of(const std::string& name, backends::Backend* backend,

@@ -95,6 +95,9 @@ struct Law {
   bool (*is_promised)(backends::Backend& backend) = nullptr;
   /// A clause that says what a backend without that promise lacks; reports give it as the reason.
   std::string_view unpromised = {};
+  /// True if the law is about samples that are covered one by one. It then applies to no backend
+  /// that covers whole pixels (covers_pixels).
+  bool needs_samples = false;
   /// Labels that the law's random cases must reach.
   std::vector<Cover> covers = {};
 };
@@ -113,6 +116,9 @@ bool draws_what_is_asked_for(backends::Backend& backend);
 /// (cases::Contract::is_invariant).
 bool draws_invariantly(backends::Backend& backend);
 
+/// True if a backend covers whole pixels, not samples (cases::Conservative).
+bool covers_pixels(backends::Backend& backend);
+
 /// Checks a law on a case, which may have a camera. Fails if the backend cannot draw the case, or
 /// if clip positions are beyond float32 and the law needs them.
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
@@ -120,6 +126,9 @@ Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend&
 
 /// True if the backend promises what the law is about.
 bool is_promised(const Law& law, backends::Backend& backend);
+
+/// Why the backend does not promise what the law is about.
+std::string_view why_unpromised(const Law& law, backends::Backend& backend);
 
 /// Returns which of these laws the backend makes promises for; `name` is the backend's name in the
 /// records. For nullptr (a backend that cannot be made): assumes that all laws are promised, but

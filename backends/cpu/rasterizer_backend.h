@@ -17,6 +17,7 @@ enum class Output { fragments, framebuffer };
 
 struct RasterizerOptions {
   rasterizer::Precision precision = rasterizer::Precision::float64;
+  rasterizer::Conservative conservative = rasterizer::Conservative::off;
   Output output = Output::fragments;
   unsigned threads = 1;  ///< threads that draw into the framebuffer
   /// The SIMD target to draw with, which must be supported here (rasterizer/simd.h); empty means

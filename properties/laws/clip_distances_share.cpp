@@ -296,6 +296,7 @@ const LawRegistration kRegistration(
                    "and samples that a contract leaves open in one of the three drawings",
      .generate = &generate,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(38, "clipped"), cover(7, "drawn with both"), cover(16, "several samples"),
                 cover(27, "shared triangle"), cover_decided(5, "zero at a sample")}});
 

@@ -264,6 +264,7 @@ const LawRegistration kRegistration(
                    "noperspective and flat attributes, which are made smooth",
      .generate = &generate_any,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(5, "clip distance"), cover(5, "far plane"), cover(5, "near plane"),
                 cover(12, "side of the viewport"), cover_decided(15, "snapped"),
                 cover(5, "through the eye"), cover(10, "w <= 0")}});

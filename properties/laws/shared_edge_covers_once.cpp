@@ -402,6 +402,7 @@ const LawRegistration kRegistration(
          "pairs that form no convex quadrilateral however they are placed, and clipped ones",
      .generate = &generate,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(40, "different w"), cover(16, "several samples"), cover_decided(16, "tie")}});
 
 }  // namespace

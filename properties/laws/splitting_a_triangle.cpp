@@ -101,6 +101,7 @@ const LawRegistration kRegistration(
                    "and flat attributes, which are made smooth",
      .generate = &generate_any,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(10, "clipped"), cover(15, "several samples"), cover_decided(15, "snapped"),
                 cover(7, "w <= 0")}});
 

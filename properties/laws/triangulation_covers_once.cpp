@@ -402,6 +402,7 @@ const LawRegistration kRegistration(
                    "named, samples that more than two may cover; the far border of the viewport",
      .generate = &triangulated_screen,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(8, "clip distances"), cover_decided(6, "half of the screen"),
                 cover(15, "several samples"), cover_decided(11, "snapped")}});
 
