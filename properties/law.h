@@ -98,6 +98,9 @@ struct Law {
   /// True if the law is about samples that are covered one by one. It then applies to no backend
   /// that covers whole pixels (covers_pixels).
   bool needs_samples = false;
+  /// True if the law assumes that covered samples lie in their triangle, and that triangles without
+  /// area draw nothing. It then applies to no backend with outer conservative coverage.
+  bool excludes_outer = false;
   /// Labels that the law's random cases must reach.
   std::vector<Cover> covers = {};
 };
@@ -118,6 +121,8 @@ bool draws_invariantly(backends::Backend& backend);
 
 /// True if a backend covers whole pixels, not samples (cases::Conservative).
 bool covers_pixels(backends::Backend& backend);
+/// True if it covers at least the pixels that triangles touch.
+bool covers_touched_pixels(backends::Backend& backend);
 
 /// Checks a law on a case, which may have a camera. Fails if the backend cannot draw the case, or
 /// if clip positions are beyond float32 and the law needs them.

@@ -108,8 +108,8 @@ enum class Basis { ideal, snapped };
 ///   outer   pixels whose S meets T. A triangle that only touches a pixel's border does not cover
 ///   the
 ///           pixel. A triangle without area covers the pixels whose S it meets, is back-facing, and
-///           has its provoking vertex's attributes and depth everywhere (if that vertex has w <= 0:
-///           the depth range's end for z = 0).
+///           has its provoking vertex's attributes and depth everywhere. If all vertices have the
+///           same z/w, that is the depth; else, if that vertex has w <= 0, z = 0 is.
 ///   inner   pixels whose S lies in T
 ///
 /// Decided as exact arithmetic does. Values of samples outside T come from the triangle's planes; a

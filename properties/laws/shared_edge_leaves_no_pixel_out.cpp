@@ -144,11 +144,6 @@ class GapSearch {
   Tally tally_;
 };
 
-bool covers_touched_pixels(backends::Backend& backend) {
-  return covers_pixels(backend) &&
-         backend.contract({}).conservative->kind == cases::ConservativeKind::outer;
-}
-
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   if (!covers_touched_pixels(backend)) return not_applicable();
   cases::ClipCase clip = c;

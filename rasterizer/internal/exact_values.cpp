@@ -178,7 +178,8 @@ void set_up_flat_values(const State& state, const ValueSource& source, TriangleV
   const glm::vec4& p = source.positions[provoking];
   out = TriangleValues();
   out.depth = {depth_range(state), {}, {}};
-  const double z = p.w > 0 ? double{p.z} / double{p.w} : 0;
+  const double of_vertex = p.w > 0 ? double{p.z} / double{p.w} : 0;
+  const double z = has_equal_depth(source.positions) ? plane_depth(source.positions) : of_vertex;
   out.depth.plane.c = out.depth.low + out.depth.span * z;
   out.has_constant_depth = true;
   out.attributes.resize(state.attributes.size());
