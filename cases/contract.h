@@ -148,6 +148,10 @@ struct Contract {
   Coverage coverage;
   Basis basis = Basis::ideal;
   TieRule tie_rule = TieRule::top_left;
+  /// If set, pixels are covered, not samples. If `coverage` is snapped too, every position that the
+  /// snapping allows counts: a pixel is required if all of them require it, and forbidden if all of
+  /// them forbid it.
+  std::optional<Conservative> conservative;
   /// A vertex outside the viewport may be clipped if its window position is farther than this from
   /// the window origin in x or y, in pixels. Only if `coverage` is snapped. D3D: 2^15. If the
   /// backend clips at the viewport: 0.

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cases/conservative_json.h"
 #include "cases/digest.h"
 #include "cases/files.h"
 #include "cases/json.h"
@@ -183,6 +184,7 @@ void check_contract_header(const JsonNode& root) {
                                              "is_on_grid",
                                              "basis",
                                              "tie_rule",
+                                             "conservative",
                                              "guard_band",
                                              "guard_beyond_viewport",
                                              "culls_instead_of_clipping",
@@ -335,6 +337,7 @@ std::string to_json(const ContractTerms& terms) {
   all.add("is_on_grid", terms.is_on_grid);
   all.add_asked("basis", terms.basis);
   all.add_asked("tie_rule", terms.tie_rule);
+  if (terms.conservative) all.add("conservative", conservative_text(*terms.conservative));
   all.add("guard_band", terms.guard_band);
   all.add("guard_beyond_viewport", terms.guard_beyond_viewport);
   all.add("culls_instead_of_clipping", terms.culls_instead_of_clipping);
@@ -380,6 +383,7 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   read_asked_term(root, "tie_rule", terms.tie_rule,
                   [](const JsonNode& node) { return node.enumerator<TieRule>(); });
   const auto size = [](const JsonNode& node) { return node.float32(0, kMost); };
+  read_term(root, "conservative", terms.conservative, &read_conservative);
   read_term(root, "guard_band", terms.guard_band, size);
   read_term(root, "guard_beyond_viewport", terms.guard_beyond_viewport, size);
   read_term(root, "culls_instead_of_clipping", terms.culls_instead_of_clipping, boolean);

@@ -45,6 +45,7 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   keep(terms.basis, c.basis, own.basis);
   if (!own.coverage) own.basis = Basis::ideal;  // there are no snapped positions
   keep(terms.tie_rule, c.fill_rule, own.tie_rule);
+  keep(terms.conservative, own.conservative);
   keep(terms.guard_band, own.guard_band);
   if (terms.guard_band) own.guard_beyond_viewport.reset();
   keep(terms.guard_beyond_viewport, own.guard_beyond_viewport);

@@ -39,6 +39,8 @@ struct ContractTerms {
   std::optional<bool> is_on_grid;
   Term<Basis> basis;  ///< ideal if coverage is exact
   Term<TieRule> tie_rule;
+  /// If only the inner value is empty, samples are covered, not pixels.
+  std::optional<std::optional<Conservative>> conservative;
   std::optional<float> guard_band;
   std::optional<float> guard_beyond_viewport;
   std::optional<bool> culls_instead_of_clipping;

@@ -86,4 +86,40 @@ enum class TieRule {
   unspecified
 };
 
+/// Which pixels conservative coverage takes. `outer`: at least every pixel that the triangle
+/// touches. `inner`: at most the pixels that lie in the triangle.
+enum class ConservativeKind { outer, inner };
+
+/// How an outer coverage grows. `square`: a pixel is tested with its square grown to all sides.
+/// `edges`: each edge is shifted outwards "in X and Y equally", by g (|A| + |B|) of its functional,
+/// and the shifted edges may meet far beyond an acute corner, as in Vulkan.
+enum class ConservativeCorners { square, edges };
+
+/// Conservative coverage: whole pixels are covered, with all their samples (RULES §11). S is a
+/// pixel's open square, and T is the triangle inside all clip planes, clip distances and the
+/// viewport.
+///
+///   outer   required if S grown by `growth` meets T; if it only touches T's border, either answer
+///           is right. Forbidden if S grown by growth + error misses T.
+///   inner   forbidden unless S lies in T; required if S grown by `error` does. The viewport's
+///   sides
+///           are not moved: of them S itself must keep clear.
+///
+/// A pixel whose square does not meet the viewport is never covered. Values of samples outside T
+/// are those of the triangle's planes; where these have 1/w <= 0, any value is right.
+struct Conservative {
+  ConservativeKind kind = ConservativeKind::outer;
+  float error = 0;   ///< in pixels; >= 0
+  float growth = 0;  ///< in pixels; >= 0, and 0 for inner coverage
+  ConservativeCorners corners = ConservativeCorners::square;  ///< square for inner coverage
+  /// True if a triangle without area covers the pixels that it touches, as above, if culling is off
+  /// and its indices differ. If culling is on, or if indices are equal, it may cover them. If
+  /// false, triangles without area cover nothing, and triangles that lose their area when vertices
+  /// are snapped may cover nothing. Outer coverage only.
+  bool covers_degenerates = false;
+  bool operator==(const Conservative&) const = default;
+};
+/// The largest error, and the largest growth, in pixels.
+inline constexpr float kMaxConservativeReach = 16384;
+
 }  // namespace rastercheck::cases

@@ -41,6 +41,12 @@ constexpr auto names_of(Rounding /*type*/) {
 constexpr auto names_of(Basis /*type*/) {
   return std::to_array<std::string_view>({"ideal", "snapped", "unspecified"});
 }
+constexpr auto names_of(ConservativeKind /*type*/) {
+  return std::to_array<std::string_view>({"outer", "inner"});
+}
+constexpr auto names_of(ConservativeCorners /*type*/) {
+  return std::to_array<std::string_view>({"square", "edges"});
+}
 constexpr auto names_of(Storage /*type*/) {
   return std::to_array<std::string_view>({"float32", "float16", "unorm8", "unorm16", "srgb8"});
 }

@@ -106,6 +106,15 @@ bool draws_all_parts_once(backends::Backend& backend) {
   return is_owned && contract.draws_every_triangle();
 }
 
+bool covers_pixels(backends::Backend& backend) {
+  return backend.contract({}).conservative.has_value();
+}
+
+bool covers_touched_pixels(backends::Backend& backend) {
+  const auto conservative = backend.contract({}).conservative;
+  return conservative && conservative->kind == cases::ConservativeKind::outer;
+}
+
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
                         std::uint64_t index) {
   if (law.check_given != nullptr) return law.check_given(c, backend, index);
@@ -115,7 +124,19 @@ Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend&
 }
 
 bool is_promised(const Law& law, backends::Backend& backend) {
+  if (law.needs_samples && covers_pixels(backend)) return false;
+  if (law.excludes_outer && covers_touched_pixels(backend)) return false;
   return law.is_promised == nullptr || law.is_promised(backend);
+}
+
+std::string_view why_unpromised(const Law& law, backends::Backend& backend) {
+  if (law.needs_samples && covers_pixels(backend)) {
+    return "the backend covers whole pixels, not samples";
+  }
+  if (law.excludes_outer && covers_touched_pixels(backend)) {
+    return "the backend covers pixels beyond the triangle";
+  }
+  return law.unpromised.empty() ? "the backend does not promise this property" : law.unpromised;
 }
 
 records::BackendPromises promises_of(const std::string& name, backends::Backend* backend,

@@ -95,6 +95,12 @@ struct Law {
   bool (*is_promised)(backends::Backend& backend) = nullptr;
   /// A clause that says what a backend without that promise lacks; reports give it as the reason.
   std::string_view unpromised = {};
+  /// True if the law is about samples that are covered one by one. It then applies to no backend
+  /// that covers whole pixels (covers_pixels).
+  bool needs_samples = false;
+  /// True if the law assumes that covered samples lie in their triangle, and that triangles without
+  /// area draw nothing. It then applies to no backend with outer conservative coverage.
+  bool excludes_outer = false;
   /// Labels that the law's random cases must reach.
   std::vector<Cover> covers = {};
 };
@@ -117,6 +123,11 @@ bool draws_invariantly(backends::Backend& backend);
 /// none own their samples, or of triangles that are left out. See Law::is_promised.
 bool draws_all_parts_once(backends::Backend& backend);
 
+/// True if a backend covers whole pixels, not samples (cases::Conservative).
+bool covers_pixels(backends::Backend& backend);
+/// True if it covers at least the pixels that triangles touch.
+bool covers_touched_pixels(backends::Backend& backend);
+
 /// Checks a law on a case, which may have a camera. Fails if the backend cannot draw the case, or
 /// if clip positions are beyond float32 and the law needs them.
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
@@ -124,6 +135,9 @@ Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend&
 
 /// True if the backend promises what the law is about.
 bool is_promised(const Law& law, backends::Backend& backend);
+
+/// Why the backend does not promise what the law is about.
+std::string_view why_unpromised(const Law& law, backends::Backend& backend);
 
 /// Returns which of these laws the backend makes promises for; `name` is the backend's name in the
 /// records. For nullptr (a backend that cannot be made): assumes that all laws are promised, but

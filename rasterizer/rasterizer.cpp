@@ -22,6 +22,8 @@ std::string_view to_string(Error error) {
       return "the scissor has a negative size";
     case Error::subpixel_bits:
       return "the subpixel bits of the snapping are not within 0 to 16";
+    case Error::snapped_conservative:
+      return "conservative coverage cannot be combined with snapping";
     case Error::attribute_count:
       return "there are more than 32 attributes, or not as many as the framebuffer has";
     case Error::clip_distance_count:

@@ -101,6 +101,22 @@ inline constexpr int kGuardBand = 32768;
 /// or from the triangle of the snapped vertices.
 enum class Basis { ideal, snapped };
 
+/// Whether whole pixels are covered, with all their samples. S is a pixel's open square, and T the
+/// triangle inside all clip planes, user clip distances and the viewport.
+///
+///   off     samples are covered, one by one
+///   outer   pixels whose S meets T. A triangle that only touches a pixel's border does not cover
+///   the
+///           pixel. A triangle without area covers the pixels whose S it meets, is back-facing, and
+///           has its provoking vertex's attributes and depth everywhere. If all vertices have the
+///           same z/w, that is the depth; else, if that vertex has w <= 0, z = 0 is.
+///   inner   pixels whose S lies in T
+///
+/// Decided as exact arithmetic does. Values of samples outside T come from the triangle's planes; a
+/// smooth attribute is the provoking vertex's value where 1/w <= 0. Depths of `outer` are clamped
+/// only if State::depth_clamp is set or the convention is d3d. Not with State::snapping.
+enum class Conservative { off, outer, inner };
+
 /// Arithmetic of fragment attributes: double with one rounding to float32 at the end, or float32.
 /// Depth always uses double, and so do all values that are drawn into framebuffers.
 enum class Precision { float64, float32 };
@@ -162,6 +178,7 @@ struct State {
   std::optional<Snapping> snapping =
       {};  ///< empty: draws the triangle of the clip positions exactly
   Basis basis = Basis::ideal;
+  Conservative conservative = Conservative::off;
   Precision precision = Precision::float64;
   bool depth_clamp = false;
   /// True if fragments carry the screen derivatives of their attributes. Only draw_fragments()
@@ -193,6 +210,7 @@ enum class Error {
   viewport,              ///< a number that is not finite, or depths outside [0, 1]
   scissor,               ///< a negative size
   subpixel_bits,         ///< not 0…16
+  snapped_conservative,  ///< conservative coverage of snapped vertices
   attribute_count,       ///< more than kMaxAttributes, or not the framebuffer's
   clip_distance_count,   ///< more than kMaxClipDistances
   attribute_values,      ///< too few or too many values for the vertices and attributes

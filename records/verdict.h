@@ -26,7 +26,9 @@ enum class Reason {
   viewport,       ///< forbidden: outside the viewport, scissor or framebuffer; permitted: inside
                   ///< only some of the viewports that the contract allows
   culled,         ///< forbidden: the triangle faces the wrong way
-  degenerate,     ///< forbidden: the triangle is seen edge-on or has no area
+  degenerate,     ///< forbidden: the triangle is seen edge-on or has no area; permitted: nothing
+                  ///< says whether such a triangle covers the pixel
+  conservative,   ///< permitted: within the error of conservative coverage
 };
 
 /// The answer for one sample.
@@ -42,7 +44,7 @@ constexpr auto names_of(Verdict /*type*/) {
 constexpr auto names_of(Reason /*type*/) {
   return std::to_array<std::string_view>({"inside", "tie", "snapping", "clip edge", "w <= 0",
                                           "depth", "not promised", "outside", "clipped", "viewport",
-                                          "culled", "degenerate"});
+                                          "culled", "degenerate", "conservative"});
 }
 constexpr std::string_view to_string(Verdict verdict) { return cases::name_of(verdict); }
 constexpr std::string_view to_string(Reason reason) { return cases::name_of(reason); }

@@ -134,7 +134,7 @@ ras::Snapping snapping(const cases::Snapping& asked_for) {
   return {asked_for.subpixel_bits, rounding(asked_for.rounding)};
 }
 
-ras::State state_of(const cases::Case& c) {
+ras::State state_of(const cases::Case& c, ras::Conservative conservative) {
   ras::State s;
   s.convention = convention(c.rules);
   s.viewport = {{c.viewport.x, c.viewport.y},
@@ -151,7 +151,8 @@ ras::State state_of(const cases::Case& c) {
     s.attributes.push_back(qualifier(attribute));
   }
   s.clip_distance_count = c.clip_distance_count;
-  if (c.coverage) s.snapping = snapping(*c.coverage);
+  s.conservative = conservative;
+  if (c.coverage && conservative == ras::Conservative::off) s.snapping = snapping(*c.coverage);
   s.basis = c.basis == cases::Basis::ideal ? ras::Basis::ideal : ras::Basis::snapped;
   return s;
 }

@@ -26,8 +26,10 @@ rasterizer::Filter filter(cases::Filter filter);
 /// The snapping grid that a case asks for. Rounds to nearest if the case leaves the rounding open.
 rasterizer::Snapping snapping(const cases::Snapping& asked_for);
 
-/// The rasterizer's state for a case, without the depth test.
-rasterizer::State state_of(const cases::Case& c);
+/// The rasterizer's state for a case, without the depth test. Conservative coverage is that of the
+/// exact positions, whatever grid the case asks for.
+rasterizer::State state_of(const cases::Case& c,
+                           rasterizer::Conservative conservative = rasterizer::Conservative::off);
 
 /// A case's triangles as the rasterizer's mesh. The case must outlive this object.
 class CaseMesh {

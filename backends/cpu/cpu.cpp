@@ -66,6 +66,11 @@ bool set(std::string_view option, RasterizerOptions& options) {
   if (option == "precision=float64" || option == "precision=float32") {
     const bool is_double = option.ends_with("64");
     options.precision = is_double ? Precision::float64 : Precision::float32;
+  } else if (option == "conservative=outer" || option == "conservative=inner") {
+    options.conservative = option.ends_with("outer") ? rasterizer::Conservative::outer
+                                                     : rasterizer::Conservative::inner;
+  } else if (option == "rounding=floor") {
+    options.rounds_down = true;
   } else if (option == "output=fragments" || option == "output=framebuffer") {
     options.output = option.ends_with("fragments") ? Output::fragments : Output::framebuffer;
   } else if (option.starts_with(kThreads)) {
@@ -89,8 +94,10 @@ Result<std::unique_ptr<Backend>> make(const std::string& text) {
     return tl::unexpected(Error{
         "cpu:" + text, "",
         "unknown option '" + option +
-            "'; options: precision=float64 (the default), precision=float32, output=fragments (the "
-            "default), output=framebuffer, threads=N (1 to 256), simd=TARGET (" +
+            "'; options: precision=float64 (the default), precision=float32, conservative=outer, "
+            "conservative=inner, rounding=floor, output=fragments (the default), "
+            "output=framebuffer, threads=N (1 "
+            "to 256), simd=TARGET (" +
             simd_names(false) + ")"});
   }
   if (const std::string reason = unavailable_because(options.simd); !reason.empty()) {
@@ -108,6 +115,9 @@ std::vector<Listing> list() {
   std::vector<Listing> all{
       {"cpu", "this project's rasterizer", ""},
       {"cpu:precision=float32", "the same, with attributes computed in float32", ""},
+      {"cpu:rounding=floor", "the same, but grid positions are the next lesser ones", ""},
+      {"cpu:conservative=outer", "the same, with all pixels that a triangle touches", ""},
+      {"cpu:conservative=inner", "the same, with the pixels that lie in a triangle", ""},
       {"cpu:output=framebuffer", "the same, drawn tile by tile into a framebuffer", ""}};
   for (const rasterizer::SimdTarget& target : rasterizer::simd_targets()) {
     all.push_back({"cpu:simd=" + target.name, "the same, with vectors of " + target.name,

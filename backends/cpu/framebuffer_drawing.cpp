@@ -34,9 +34,9 @@ struct TriangleNumber {
 
 class FramebufferDrawing {
  public:
-  FramebufferDrawing(const cases::Case& c, unsigned threads)
+  FramebufferDrawing(const cases::Case& c, ras::Conservative conservative, unsigned threads)
       : case_(c),
-        state_(state_of(c)),
+        state_(state_of(c, conservative)),
         memory_(c),
         threads_(threads),
         clear_depth_(is_tested() ? c.depth_clear.value_or(kFarthest) : kFarthest) {
@@ -124,8 +124,10 @@ class FramebufferDrawing {
 
 }  // namespace
 
-Result<cases::Fragments> draw_through_framebuffer(const cases::Case& c, unsigned threads) {
-  return FramebufferDrawing(c, threads).draw();
+Result<cases::Fragments> draw_through_framebuffer(const cases::Case& c,
+                                                  ras::Conservative conservative,
+                                                  unsigned threads) {
+  return FramebufferDrawing(c, conservative, threads).draw();
 }
 
 }  // namespace rastercheck::backends

@@ -6,11 +6,14 @@
 #include "cases/case.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
+#include "rasterizer/rasterizer.h"
 
 namespace rastercheck::backends {
 
-/// Draws on `threads` threads. The values come from framebuffers, which hold results of
-/// computations in double. The fragments have no derivatives.
-Result<cases::Fragments> draw_through_framebuffer(const cases::Case& c, unsigned threads);
+/// Draws with this coverage, on `threads` threads. The values come from framebuffers, which hold
+/// results of computations in double. The fragments have no derivatives.
+Result<cases::Fragments> draw_through_framebuffer(const cases::Case& c,
+                                                  rasterizer::Conservative conservative,
+                                                  unsigned threads);
 
 }  // namespace rastercheck::backends

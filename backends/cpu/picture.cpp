@@ -71,15 +71,15 @@ std::optional<ras::Error> draw_untextured(const FrameDraw& draw, cases::Shading 
 }
 
 std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline& pipeline,
-                                    std::optional<float> clear_depth, unsigned threads,
+                                    std::optional<float> clear_depth, const PictureOptions& options,
                                     ras::Picture& framebuffer) {
-  ras::State state = state_of(c);
+  ras::State state = state_of(c, options.conservative);
   state.depth_test = depth_test(pipeline.depth_function);
   state.depth_write = pipeline.writes_depth;
   state.blend = blend(pipeline.blend);
   const CaseMesh memory(c);
   const ras::Mesh mesh = memory.mesh();
-  const FrameDraw draw{c, state, mesh, clear_depth, framebuffer, threads};
+  const FrameDraw draw{c, state, mesh, clear_depth, framebuffer, options.threads};
   if (!pipeline.texturing) return draw_untextured(draw, pipeline.shading);
   if (c.attributes.size() < 2) return ras::Error::attribute_count;
   const cases::Texturing& texturing = *pipeline.texturing;
@@ -129,10 +129,10 @@ std::size_t sample_count(const cases::FramebufferSize& size) {
 }  // namespace
 
 Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline,
-                                    unsigned threads) {
+                                    const PictureOptions& options) {
   ras::Picture framebuffer;
   framebuffer.format = format(pipeline.format);
-  if (const auto error = draw_into(c, pipeline, pipeline.clear_depth, threads, framebuffer)) {
+  if (const auto error = draw_into(c, pipeline, pipeline.clear_depth, options, framebuffer)) {
     return tl::unexpected(refused(*error));
   }
   if (pipeline.resolves) {
@@ -148,8 +148,8 @@ Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline&
   return picture;
 }
 
-Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline, unsigned threads,
-                       cases::Picture& picture) {
+Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
+                       const PictureOptions& options, cases::Picture& picture) {
   // The rasterizer reports bad sizes, except a different size with the same sample count, which is
   // caught here.
   const bool is_other =
@@ -157,7 +157,7 @@ Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline, un
   if (pipeline.resolves || is_other) return tl::unexpected(refused(ras::Error::target_size));
   ras::Picture framebuffer = framebuffer_of(picture, pipeline.format);
   framebuffer.size = target_size(c);
-  const auto error = draw_into(c, pipeline, std::nullopt, threads, framebuffer);
+  const auto error = draw_into(c, pipeline, std::nullopt, options, framebuffer);
   // Copies even after an error, so that a law can see whether a refused draw left the picture
   // alone.
   take(framebuffer, picture);

@@ -35,6 +35,16 @@ cases::TextureBounds texture_bounds() {
   return bounds;
 }
 
+/// The promise of conservative coverage: exact, whatever grid a case asks for.
+void promise_conservative(ras::Conservative conservative, cases::Contract& contract) {
+  contract.coverage.reset();
+  contract.basis = cases::Basis::ideal;
+  auto& promised = contract.conservative.emplace();
+  promised.covers_degenerates = conservative == ras::Conservative::outer;
+  promised.kind = conservative == ras::Conservative::outer ? cases::ConservativeKind::outer
+                                                           : cases::ConservativeKind::inner;
+}
+
 /// The production rasterizer's promise: the mathematical triangle, or the triangle of exactly
 /// rounded vertices if the case asks for snapping. Values, screen derivatives, clip positions and
 /// normals stay within the bounds of rasterizer/rasterizer.h and vertex_stage.h. Constants and the
@@ -77,14 +87,22 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
 /// The backends that draw the same bits as the backend with these options. Framebuffers hold values
 /// computed in double, whatever the precision of fragments.
 std::vector<std::string> variants(const RasterizerOptions& options) {
+  if (options.rounds_down) return {};
   const bool is_double =
       options.precision == ras::Precision::float64 || options.output == Output::framebuffer;
   std::vector<std::string> ways{"cpu:output=framebuffer", "cpu"};
+  std::vector<std::string> threaded{"cpu:output=framebuffer,threads=2",
+                                    "cpu:output=framebuffer,threads=3"};
   if (!is_double) ways = {"cpu:precision=float32"};
+  if (options.conservative != ras::Conservative::off) {
+    const bool is_outer = options.conservative == ras::Conservative::outer;
+    const std::string kind = is_outer ? "conservative=outer" : "conservative=inner";
+    for (std::string& way : ways) way += (way == "cpu" ? ":" : ",") + kind;
+    for (std::string& way : threaded) way += "," + kind;
+  }
   std::vector<std::string> all = ways;
   if (is_double) {
-    all.emplace_back("cpu:output=framebuffer,threads=2");
-    all.emplace_back("cpu:output=framebuffer,threads=3");
+    all.insert(all.end(), threaded.begin(), threaded.end());
   }
   for (const std::string& way : ways) {
     const std::string with = way + (way.find(':') == std::string::npos ? ":" : ",") + "simd=";
@@ -107,23 +125,36 @@ class RasterizerBackend : public Backend,
   cases::Contract promise(const cases::Case& c) const override {
     cases::Contract contract = production_contract(c, options_.precision);
     if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // not stored
+    if (options_.rounds_down && contract.coverage) {
+      contract.coverage->rounding = cases::Rounding::floor;
+    }
+    if (is_conservative()) promise_conservative(options_.conservative, contract);
     return contract;
   }
   /// Framebuffers hold values computed in double, so only the backend in double draws pictures.
   PictureDrawer* picture_drawer() override {
-    return options_.precision == ras::Precision::float64 ? this : nullptr;
+    const bool is_plain = options_.precision == ras::Precision::float64 && !options_.rounds_down;
+    return is_plain ? this : nullptr;
   }
   Assembler* assembler() override { return this; }
   VertexStage* vertex_stage() override { return this; }
-  Tracer* tracer() override { return this; }
+  /// The stages of a trace say whether a sample is covered, not a pixel.
+  Tracer* tracer() override { return is_conservative() || options_.rounds_down ? nullptr : this; }
 
  private:
-  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+  bool is_conservative() const { return options_.conservative != ras::Conservative::off; }
+  Result<cases::Fragments> draw_fragments(const cases::Case& asked_for) override {
     const ras::OnSimdTarget target(options_.simd);
-    if (options_.output == Output::framebuffer) {
-      return draw_through_framebuffer(c, options_.threads);
+    std::optional<cases::Case> rounded;
+    if (options_.rounds_down && asked_for.coverage) {
+      rounded = asked_for;
+      rounded->coverage->rounding = cases::Rounding::floor;
     }
-    ras::State state = state_of(c);
+    const cases::Case& c = rounded ? *rounded : asked_for;
+    if (options_.output == Output::framebuffer) {
+      return draw_through_framebuffer(c, options_.conservative, options_.threads);
+    }
+    ras::State state = state_of(c, options_.conservative);
     state.precision = options_.precision;
     state.derivatives = true;
     const CaseMesh memory(c);
@@ -135,12 +166,12 @@ class RasterizerBackend : public Backend,
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override {
     const ras::OnSimdTarget target(options_.simd);
-    return backends::draw_picture(c, pipeline, options_.threads);
+    return backends::draw_picture(c, pipeline, {options_.conservative, options_.threads});
   }
   Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                          cases::Picture& picture) override {
     const ras::OnSimdTarget target(options_.simd);
-    return backends::draw_over(c, pipeline, options_.threads, picture);
+    return backends::draw_over(c, pipeline, {options_.conservative, options_.threads}, picture);
   }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override {

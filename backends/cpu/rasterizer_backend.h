@@ -17,8 +17,11 @@ enum class Output { fragments, framebuffer };
 
 struct RasterizerOptions {
   rasterizer::Precision precision = rasterizer::Precision::float64;
+  rasterizer::Conservative conservative = rasterizer::Conservative::off;
   Output output = Output::fragments;
   unsigned threads = 1;  ///< threads that draw into the framebuffer
+  /// True if positions on a grid are rounded to the next lesser point, whatever a case asks for.
+  bool rounds_down = false;
   /// The SIMD target to draw with, which must be supported here (rasterizer/simd.h); empty means
   /// the best available.
   std::string simd = {};

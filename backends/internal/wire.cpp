@@ -78,14 +78,19 @@ template <typename Archive, cases::Either<cases::TrianglePromise> T>
 void members(Archive& archive, T& p) {
   archive(p.is_made, p.position_error, p.clip_tolerance, p.clip_error, p.side_tolerance, p.bounds);
 }
+template <typename Archive, cases::Either<cases::Conservative> T>
+void members(Archive& archive, T& c) {
+  archive(c.kind, c.error, c.growth, c.corners, c.covers_degenerates);
+}
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
-  archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.guard_beyond_viewport,
-          c.culls_instead_of_clipping, c.culls, c.least_area, c.sample_position, c.depth_function,
-          c.depth_error, c.is_on_grid, c.clip_tolerance, c.clip_error, c.viewport_error,
-          c.depth_format, c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants,
-          c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values, c.derivative_bound,
-          c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds, c.triangles);
+  archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.conservative, c.guard_band,
+          c.guard_beyond_viewport, c.culls_instead_of_clipping, c.culls, c.least_area,
+          c.sample_position, c.depth_function, c.depth_error, c.is_on_grid, c.clip_tolerance,
+          c.clip_error, c.viewport_error, c.depth_format, c.claims, c.bounds, c.keeps_equal_depth,
+          c.keeps_constants, c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values,
+          c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds,
+          c.triangles);
 }
 template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
@@ -300,6 +305,11 @@ bool has_meaning(const cases::Contract& c) {
                    promise.position_error <= cases::kMaxPositionError;
   }
   if (!is_placeable) return false;
+  if (c.conservative) {
+    const auto& [kind, error, growth, corners, covers_degenerates] = *c.conservative;
+    sizes.insert(sizes.end(), {error, growth});
+    if (std::max(error, growth) > cases::kMaxConservativeReach) return false;
+  }
   if (c.texture_bounds) {
     const cases::TextureBounds& bounds = *c.texture_bounds;
     sizes.insert(sizes.end(), {bounds.coordinate_share, bounds.coordinate_constant, bounds.bilinear,

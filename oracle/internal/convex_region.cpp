@@ -1,5 +1,6 @@
 #include "oracle/internal/convex_region.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace rastercheck::oracle {
@@ -32,6 +33,11 @@ ConvexRegion::Corner ConvexRegion::make_corner(HomogeneousPoint point, std::size
 int ConvexRegion::side_of(const Line& line, const Corner& corner) {
   const int side = line.certain_side(corner.near);
   return side != 0 ? side : sign_of(line.at(corner.point));
+}
+
+bool ConvexRegion::rises_above(const Line& line) const {
+  return std::any_of(corners_.begin(), corners_.end(),
+                     [&line](const Corner& corner) { return side_of(line, corner) > 0; });
 }
 
 bool ConvexRegion::meets(const Line& line) const {

@@ -28,6 +28,8 @@ class ConvexRegion {
   /// Keeps the part in the closed half-plane line >= least.
   void clip_above(const Line& line, const Ring& least) { clip({line.a, line.b, line.c - least}); }
 
+  /// True if the line is positive somewhere in the region.
+  bool rises_above(const Line& line) const;
   /// True if the line is zero somewhere in the region.
   bool meets(const Line& line) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "oracle/internal/conservative.h"
+
 namespace rastercheck::oracle {
 namespace {
 
@@ -363,6 +365,11 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle) {
   if (triangle.is_left_out) return CoverageBoundary{&triangle.ideal, false, false};
   if (!triangle.promise.is_made || triangle.may_be_left_out) return std::nullopt;
+  if (triangle.scene->contract().conservative) {
+    if (!decisive_distance(triangle)) return std::nullopt;
+    const bool is_drawn = conservative_facing(triangle) == Facing::drawn;
+    return CoverageBoundary{&triangle.ideal, is_drawn, true};
+  }
   const int orientation = triangle.ideal.orientation();
   if (triangle.shape == Shape::exact) {
     const bool is_drawn = orientation != 0 && !triangle.scene->is_culled(orientation);
@@ -396,6 +403,13 @@ CutFacing facing_of_cut(const TriangleSetup& triangle) {
 SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
   if (!triangle.promise.is_made) return {Verdict::permitted, Reason::not_promised};
   if (triangle.is_left_out) return {Verdict::forbidden, Reason::clipped};
+  if (triangle.scene->contract().conservative) {
+    const Scene& scene = *triangle.scene;
+    const auto pixel = [&scene](const Ring& at) {
+      return static_cast<int>(floor_to_long(quotient(at, scene.units_per_pixel())));
+    };
+    return if_drawn(triangle, decide_conservatively(triangle, pixel(p.u), pixel(p.v)));
+  }
   switch (triangle.shape) {
     case Shape::exact:
       return if_drawn(triangle, decide_exact(triangle, p));
@@ -435,6 +449,10 @@ SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
     return scene.target_pixels().holds(x, y)
                ? SampleVerdict{Verdict::permitted, Reason::not_promised}
                : SampleVerdict{Verdict::forbidden, Reason::viewport};
+  }
+  if (scene.contract().conservative) {
+    return triangle.is_left_out ? SampleVerdict{Verdict::forbidden, Reason::clipped}
+                                : if_drawn(triangle, decide_conservatively(triangle, x, y));
   }
   if (triangle.has_open_sides) return decide_beside(triangle, x, y, sample);
   if (!scene.pixels().holds(x, y)) return {Verdict::forbidden, Reason::viewport};

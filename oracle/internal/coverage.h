@@ -13,7 +13,8 @@ namespace rastercheck::oracle {
 /// The verdict of a sample of any pixel under the scene's contract.
 records::SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample);
 
-/// The verdict of a point as if it were a sample, ignoring viewport and scissor.
+/// The verdict of a point as if it were a sample, ignoring viewport and scissor. Under conservative
+/// coverage: of the point's pixel, in viewport and scissor.
 records::SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p);
 
 /// Three edge functions whose signs decide most samples.
@@ -24,7 +25,8 @@ struct CoverageBoundary {
   /// `is_cut_by_planes`) are positive is required if is_drawn, else forbidden.
   bool is_drawn;
   /// If true, both rules hold only for edge functions farther from zero than
-  /// TriangleSetup::edge_bands.
+  /// TriangleSetup::edge_bands or, under conservative coverage, than they change within
+  /// decisive_distance() (conservative.h).
   bool has_bands;
 };
 

@@ -53,8 +53,10 @@ DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& co
     if (coverage.edges_of(map) != nullptr) set_line(triangle, *map, 0);
     return;
   }
-  const bool is_open = triangle.promise.is_made && triangle.shape != Shape::exact &&
-                       triangle.ideal.orientation() != 0 && coverage.has_first_level();
+  // Under conservative coverage, samples may lie outside every placement.
+  const bool is_open = !triangle.scene->contract().conservative && triangle.promise.is_made &&
+                       triangle.shape != Shape::exact && triangle.ideal.orientation() != 0 &&
+                       coverage.has_first_level();
   if (!is_open) return;
   if (const std::optional<double> moved = placement_radius(triangle)) {
     set_line(triangle, triangle.ideal, *moved);

@@ -234,6 +234,8 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
     if (truth->is_value_free(std::nullopt)) continue;
     const auto depth = truth->depth(x, y, s);
     const Field slack = depth_slack(truth->setup());
+    // Conservatively covered samples without a depth may have any, in a plane of equal depth, too.
+    if (!depth && scene_->contract().conservative) rivals.back().plane.reset();
     if (!depth) continue;
     rivals.back().depth =
         directed(*scene_, FieldRange{to_field(depth->lo) - slack, to_field(depth->hi) + slack});

@@ -97,7 +97,7 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
 void PreparedValues::set_centroids() {
   centroids_.reset();
   const bool is_asked =
-      map_ != nullptr && first_level_ == Level::filter &&
+      map_ != nullptr && !scene_->contract().conservative && first_level_ == Level::filter &&
       !scene_->scene().conventions().centroid_is_a_sample &&
       std::any_of(scene_->source().attributes.begin(), scene_->source().attributes.end(),
                   [](const auto& a) { return a.location == cases::Location::centroid; });
@@ -108,6 +108,8 @@ void PreparedValues::set_shifts() {
   sample_shifts_.reset();
   center_shifts_.reset();
   if (!is_open_ || map_ == nullptr || first_level_ != Level::filter) return;
+  // Samples of a covered pixel may lie outside every placement, which the filter does not expect.
+  if (scene_->contract().conservative) return;
   const PixelBox& box = coverage_->box();
   sample_shifts_ = placement_filter(*triangle_, edges_, box, false);
   const cases::Case& source = scene_->source();
@@ -196,10 +198,21 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
     value.at_center =
         declared.location == cases::Location::center && source.framebuffer.samples > 1;
     value.is_mean = !value.at_center && coverage_->edges_of(map_) != nullptr;
-    const bool is_known = set_filter(value) && (!is_open_ || set_readings(value));
+    const bool is_known =
+        !may_lie_behind(value) && set_filter(value) && (!is_open_ || set_readings(value));
     value.method = is_known ? ValueMethod::map : ValueMethod::exact;
   }
   return value;
+}
+
+/// True if the value is affine and the filter, which tests 1/w only where it divides by it, might
+/// see a sample with 1/w <= 0: one of a conservatively covered pixel, outside the triangle.
+bool PreparedValues::may_lie_behind(const PreparedValue& value) const {
+  if (!scene_->contract().conservative || value.kind == AttributeKind::smooth) return false;
+  const auto& positions = scene_->source().positions;
+  const float w = positions[triangle_->indices[0]].w;
+  return !(w > 0 && w == positions[triangle_->indices[1]].w &&
+           w == positions[triangle_->indices[2]].w);
 }
 
 void PreparedValues::set_flat_filter(PreparedValue& value) const {

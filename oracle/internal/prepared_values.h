@@ -92,6 +92,7 @@ class PreparedValues {
   void set_centroids();
   bool set_readings(PreparedValue& value) const;
   PreparedValue make_value(std::optional<std::uint32_t> attribute) const;
+  bool may_lie_behind(const PreparedValue& value) const;
   void set_flat_filter(PreparedValue& value) const;
   void set_attribute_scale(PreparedValue& value) const;
   bool set_filter(PreparedValue& value) const;

@@ -223,10 +223,13 @@ Point Scene::sample_point(int x, int y, int sample) const {
 }
 
 Point Scene::center_point(int x, int y) const {
-  if (has_own_sample()) return sample_point(x, y, 0);
-  const Point center{Ring(x + 0.5), Ring(y + 0.5)};
-  if (is_in_pixels_) return center;
-  return {center.u * units_per_pixel_, center.v * units_per_pixel_};
+  return has_own_sample() ? sample_point(x, y, 0) : pixel_middle(x, y);
+}
+
+Point Scene::pixel_middle(int x, int y) const {
+  const Point middle{Ring(x + 0.5), Ring(y + 0.5)};
+  if (is_in_pixels_) return middle;
+  return {middle.u * units_per_pixel_, middle.v * units_per_pixel_};
 }
 
 ViewportSide Scene::viewport_side(const Point& p) const {

@@ -78,6 +78,8 @@ class Scene {
   /// position of its own, of the sample instead.
   Point sample_point(int x, int y, int sample) const;
   Point center_point(int x, int y) const;
+  /// The middle of a pixel, wherever its samples are.
+  Point pixel_middle(int x, int y) const;
   /// True if pixels have one sample at a position of the contract's own.
   bool has_own_sample() const {
     return contract_->sample_position.has_value() && case_->framebuffer.samples == 1;

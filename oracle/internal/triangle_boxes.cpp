@@ -19,6 +19,11 @@ constexpr double kFarAway = std::numeric_limits<double>::infinity();
 double spread_of(const SceneTruth& scene, const cases::TrianglePromise& promise) {
   const cases::Contract& contract = scene.contract();
   double spread = 1;  // a margin of one pixel
+  if (contract.conservative) {
+    // A pixel is open if its square, grown by this, touches the triangle; rounded upwards.
+    spread += (double{contract.conservative->growth} + double{contract.conservative->error}) *
+              (1 + 0x1p-50);
+  }
   if (!contract.coverage) return spread;
   spread += (1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance) /
             contract.coverage->steps();
@@ -116,6 +121,9 @@ PixelBox box_of(const SceneTruth& scene, std::size_t triangle,
   const std::optional<NearVertices> near = near_vertices(source, triangle);
   if (!near) return all;
   if (is_surely_culled(scene, triangle, promise, *near)) return {0, 0, 0, 0};
+  // Shifted edges may meet far away.
+  const auto& conservative = scene.contract().conservative;
+  if (conservative && conservative->corners == cases::ConservativeCorners::edges) return all;
   const double spread = spread_of(scene, promise) + near->error;
   std::array<double, 2> least{kFarAway, kFarAway};
   std::array<double, 2> greatest{-kFarAway, -kFarAway};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/internal/conservative.h"
+
 namespace rastercheck::oracle {
 namespace {
 
@@ -71,6 +73,10 @@ TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& bo
   const bool has_lines =
       first_level_ == Level::filter && triangle.promise.is_made && !triangle.may_be_left_out;
   if (is_empty_ || !has_lines) return;
+  if (triangle.scene->contract().conservative) {
+    add_conservative_lines();
+    return;
+  }
   if (triangle.shape != Shape::exact && triangle.ideal.orientation() == 0) add_line_of_degenerate();
   if (triangle.shape == Shape::cut) add_cut_lines();
   if (!boundary_) return;
@@ -85,6 +91,23 @@ TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& bo
       const bool is_zero = functional.line.is_constant() && sign_of(functional.line.c) == 0;
       is_filtered = is_filtered && (is_zero || add(functional.line, Ring(0)));
     }
+  }
+  if (!is_filtered) lines_.clear();
+}
+
+/// Adds the edges and clip planes, each with the margin within which a sample does not decide its
+/// pixel. A plane that is 0 everywhere counts as inside, which no margin can express.
+void TriangleFilter::add_conservative_lines() {
+  if (!boundary_) return;
+  const Ring distance = decisive_distance(*triangle_).value();
+  bool is_filtered = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Line& edge = boundary_->map->edge(i);
+    is_filtered = is_filtered && add(edge, band_of(edge, distance));
+  }
+  for (const ClipFunctional& functional : triangle_->clip_functionals()) {
+    if (!functional.is_violated) continue;
+    is_filtered = is_filtered && add(functional.line, band_of(functional.line, distance));
   }
   if (!is_filtered) lines_.clear();
 }

@@ -70,6 +70,7 @@ class TriangleFilter {
   void set_inner_pixels();
   void add_line_of_degenerate();
   void add_cut_lines();
+  void add_conservative_lines();
   bool add(const Line& line, const Ring& margin);
   bool add_enclosing(const std::vector<OpenLine>& readings);
   std::vector<OpenLine> readings_of_edge(std::size_t edge) const;

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/internal/conservative.h"
+
 namespace rastercheck::oracle {
 namespace {
 
@@ -192,6 +194,13 @@ const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
         {line, widened(line, error), widened(line, -error), zero_is_tie, is_user, violated});
   });
   return *clip_functionals_;
+}
+
+std::vector<std::array<Ring, 3>> TriangleSetup::clip_values() const {
+  std::vector<std::array<Ring, 3>> all;
+  for_each_clip_plane(
+      [&all](const std::array<Ring, 3>& values, bool, bool) { all.push_back(values); });
+  return all;
 }
 
 /// True if the clipped polygon has a point such that the square of half-width `distance` around it
@@ -436,8 +445,10 @@ std::pair<int, int> touched(std::span<const double> at, double spread, double un
 PixelBox TriangleSetup::pixels() const {
   if (!promise.is_made) return scene->target_pixels();
   const PixelBox all = has_open_sides ? scene->target_pixels() : scene->pixels();
-  if (has_nonpositive_w) return pixels_of_clipped(all);
-  const double spread = near_double(reach);
+  if (may_cover_far_pixels(*this)) return all;
+  const Ring moved = (shape == Shape::exact ? Ring(0) : reach) + conservative_spread(*scene);
+  if (has_nonpositive_w) return pixels_of_clipped(all, moved);
+  const double spread = near_double(moved);
   const NearPositions& near = near_positions();
   const double units = near_double(scene->units_per_pixel());
   const auto [x0, x1] = touched(near.u, spread, units, all.x1);
@@ -446,10 +457,9 @@ PixelBox TriangleSetup::pixels() const {
 }
 
 /// The box of a triangle that reaches behind the eye: the box of the part that its clip planes
-/// leave in the window, widened by `reach`. decide_cut() permits nothing farther away.
-PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all) const {
+/// leave in the window, widened by `moved`. decide() permits nothing farther away.
+PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all, const Ring& moved) const {
   if (ideal.orientation() == 0) return all;
-  const Ring moved = shape == Shape::exact ? Ring(0) : reach;
   const Ring& per_pixel = scene->units_per_pixel();
   const ConvexRegion region = clipped_to_triangle(
       {Point{Ring(all.x0) * per_pixel - moved, Ring(all.y0) * per_pixel - moved},

@@ -74,6 +74,9 @@ struct TriangleSetup {
   bool is_cut_by_planes = false;
   /// The functionals of all clip planes and clip distances; made when first asked for.
   const std::vector<ClipFunctional>& clip_functionals() const;
+  /// The values, at the vertices and times w, of the functionals of all clip planes and clip
+  /// distances, in the same order.
+  std::vector<std::array<Ring, 3>> clip_values() const;
   /// True if some vertex lies beyond a clip plane or clip distance.
   bool has_clipped_vertex = false;
   Shape shape = Shape::exact;
@@ -168,7 +171,7 @@ struct TriangleSetup {
   void for_each_clip_plane(const Take& take) const;
   Ring clip_size(const std::array<Ring, 3>& distances, bool is_user_distance) const;
   Line widened(const Line& line, const Ring& more) const;
-  PixelBox pixels_of_clipped(const PixelBox& all) const;
+  PixelBox pixels_of_clipped(const PixelBox& all, const Ring& moved) const;
   void set_up_clipping();
   void set_up_leaving_out();
   bool has_less_area_than(double area) const;

@@ -72,7 +72,7 @@ class TriangleValues {
   FractionRange ends(std::size_t attribute) const;
   const FractionRange& depth_ends() const { return depth_ends_; }
   /// True if single_map() has a value of the attribute at its location p; false at a centre with
-  /// 1/w <= 0, where the rules define none.
+  /// 1/w <= 0, or at such a sample of a conservatively covered pixel, where the rules define none.
   bool is_defined_at(std::size_t attribute, const Point& p) const;
   /// The point at which an attribute of a fragment is evaluated. A centroid may have a range of
   /// points; this returns the sample.

@@ -91,10 +91,7 @@ std::string verdict_of(const Check& check) {
 }
 
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check) {
-  if (!is_promised(law, backend)) {
-    return law.unpromised.empty() ? "the backend does not promise this property"
-                                  : std::string(law.unpromised);
-  }
+  if (!is_promised(law, backend)) return std::string(why_unpromised(law, backend));
   if (check.why_not.empty()) return "the property does not apply to such cases";
   const std::size_t own = std::min(check.why_not.find(": "), check.why_not.size());
   const std::string_view why(check.why_not);

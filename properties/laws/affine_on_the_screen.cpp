@@ -260,6 +260,7 @@ const LawRegistration kRegistration(
                    "backends that claim smooth values to be affine themselves",
      .generate = &generate,
      .check = &check,
+     .excludes_outer = true,
      .covers = {cover_decided(49, "quotient"), cover(39, "noperspective"), cover(31, "depth"),
                 cover(21, "long line"), cover(19, "several samples"), cover(13, "snapped"),
                 cover(26, "clipped")}});

@@ -486,6 +486,7 @@ const LawRegistration kRegistration(
                    "triangles that come from snapped vertices",
      .generate = &generate,
      .check_given = &check,
+     .excludes_outer = true,
      .covers = {cover(15, "clipped"), cover(14, "several samples"), cover_decided(12, "snapped"),
                 cover(15, "w <= 0")}});
 

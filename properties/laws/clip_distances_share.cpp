@@ -298,6 +298,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_all_parts_once,
      .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
+     .needs_samples = true,
      .covers = {cover(38, "clipped"), cover(7, "drawn with both"), cover(16, "several samples"),
                 cover(27, "shared triangle"), cover_decided(5, "zero at a sample")}});
 

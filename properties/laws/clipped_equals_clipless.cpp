@@ -266,6 +266,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_all_parts_once,
      .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
+     .needs_samples = true,
      .covers = {cover(5, "clip distance"), cover(5, "far plane"), cover(5, "near plane"),
                 cover(12, "side of the viewport"), cover_decided(15, "snapped"),
                 cover(5, "through the eye"), cover(10, "w <= 0")}});

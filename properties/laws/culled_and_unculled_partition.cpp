@@ -147,6 +147,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_invariantly,
      .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
+     .excludes_outer = true,
      .covers = {cover(20, "both"), cover(30, "front faces"), cover(30, "back faces"),
                 cover(10, "clipped"), cover(5, "w <= 0")}});
 

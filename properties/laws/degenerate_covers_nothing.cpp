@@ -347,6 +347,7 @@ const LawRegistration kRegistration(
      .exceptions = "samples that snapping may give to a triangle without area",
      .generate = &generate,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(15, "all w = 0"), cover(15, "behind the eye"), cover(5, "collinear samples"),
                 cover(15, "collinear vertices"), cover(20, "culling"),
                 cover(15, "opposite vertices"), cover(15, "repeated vertex"),

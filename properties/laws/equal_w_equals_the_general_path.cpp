@@ -311,6 +311,7 @@ const LawRegistration kRegistration(
                    "contract places it does not say where",
      .generate = &generate_any,
      .check = &check,
+     .excludes_outer = true,
      .covers = {cover(10, "clipped"), cover_decided(20, "quotient"), cover(15, "several samples"),
                 cover_decided(15, "snapped")}});
 

@@ -317,6 +317,7 @@ const LawRegistration kRegistration(
      .exceptions = "samples on the viewport's far border under the rules of OpenGL and Vulkan",
      .generate = &generate,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(20, "drawn"), cover(20, "outside the viewport"), cover(8, "scissor"),
                 cover(10, "negative size"), cover(5, "scissor without area"),
                 cover(5, "several samples"), cover(5, "clipped")}});

@@ -266,6 +266,7 @@ const LawRegistration kRegistration(
                    "all w > 0; snapped ones that are clipped",
      .generate = &generate,
      .check = &check,
+     .needs_samples = true,
      .covers = {cover(26, "sample"), cover(12, "center"), cover(11, "centroid"),
                 cover(33, "several samples"), cover(10, "snapped"), cover_decided(16, "clipped"),
                 cover(21, "y up"), cover(28, "y down")}});

@@ -384,6 +384,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_invariantly,
      .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
+     .excludes_outer = true,
      .covers = {cover(15, "scaled"), cover(25, "scaled and moved"), cover(5, "flat")}});
 
 }  // namespace

@@ -404,6 +404,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_all_parts_once,
      .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
+     .needs_samples = true,
      .covers = {cover(40, "different w"), cover(16, "several samples"), cover_decided(16, "tie")}});
 
 }  // namespace

@@ -103,6 +103,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_all_parts_once,
      .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
+     .needs_samples = true,
      .covers = {cover(10, "clipped"), cover(15, "several samples"), cover_decided(15, "snapped"),
                 cover(7, "w <= 0")}});
 

@@ -399,6 +399,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_all_parts_once,
      .unpromised = "the backend does not promise that parts cover, once, what the whole covers",
+     .needs_samples = true,
      .covers = {cover(8, "clip distances"), cover_decided(6, "half of the screen"),
                 cover(15, "several samples"), cover_decided(11, "snapped")}});
 

@@ -243,6 +243,7 @@ const LawRegistration kRegistration(
                    "w <= 0",
      .generate = &generate,
      .check = &check,
+     .excludes_outer = true,
      .covers = {cover(46, "certain way"), cover(13, "long line"), cover(18, "several samples"),
                 cover(16, "snapped"), cover(11, "clipped"), cover(6, "w <= 0")}});
 

@@ -208,6 +208,7 @@ const LawRegistration kRegistration(
                    "which may lie outside; flat attributes",
      .generate = &generate,
      .check = &check,
+     .excludes_outer = true,
      .covers = {cover(20, "at an end"), cover(20, "noperspective"), cover(21, "centroid"),
                 cover(19, "several samples"), cover(16, "snapped"), cover(14, "clipped"),
                 cover(7, "w <= 0")}});

@@ -51,6 +51,9 @@ std::optional<Error> check_state(const State& state) {
                          state.snapping->subpixel_bits > kMostSubpixelBits)) {
     return Error::subpixel_bits;
   }
+  if (state.snapping && state.conservative != Conservative::off) {
+    return Error::snapped_conservative;
+  }
   if (state.attributes.size() > kMaxAttributes) return Error::attribute_count;
   if (state.clip_distance_count > kMaxClipDistances) return Error::clip_distance_count;
   return std::nullopt;

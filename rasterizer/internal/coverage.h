@@ -2,8 +2,9 @@
 
 // Serves every route (docs/rasterizer.md, Routes).
 //
-// The interface of a coverage mode, ExactCoverage (exact_coverage.h) or GridCoverage
-// (grid_coverage.h), as the templates in fragment_drawing.cpp and fallback_drawing.cpp use it.
+// The interface of a coverage mode, ExactCoverage (exact_coverage.h), ConservativeCoverage
+// (conservative_coverage.h) or GridCoverage (grid_coverage.h), as the templates in
+// fragment_drawing.cpp and fallback_drawing.cpp use it.
 //
 //   locate(triangle)            returns the triangle's fate; if it is drawn, sets box()
 //   set_up(triangle, parts)     like locate(); also prepares the calls below and sets up the parts
@@ -49,6 +50,8 @@ struct DrawnPart {
   ValueSource source;
   TriangleValues values;
   TriangleDerivatives derivatives;  ///< set up only with State::derivatives
+  /// True if the triangle has no area (Conservative::outer): all values are copied.
+  bool is_flat = false;
 };
 
 }  // namespace rastercheck::rasterizer

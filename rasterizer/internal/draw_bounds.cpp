@@ -26,6 +26,35 @@ double far_side(double origin, double size) {
   return sum.error > 0 ? std::nextafter(sum.sum, std::numeric_limits<double>::infinity()) : sum.sum;
 }
 
+/// The exact sum of two floats' doubles.
+struct Side {
+  Side(double origin, double size) : sum(origin, size) {}
+
+  // The sum is a whole number just where the rounded sum is and no error is left; an error never
+  // carries it across a whole number that the rounded sum is not.
+  double floor() const {
+    const double below = std::floor(sum.sum);
+    return below == sum.sum && sum.error < 0 ? below - 1 : below;
+  }
+  double ceil() const {
+    const double above = std::ceil(sum.sum);
+    return above == sum.sum && sum.error > 0 ? above + 1 : above;
+  }
+  TwoSum sum;
+};
+
+/// The pixels i of `range` whose open square (i, i + 1) meets the viewport along an axis, and those
+/// that lie in it.
+void set_pixels(const PixelRange& range, float origin, float size, PixelRange& met,
+                PixelRange& whole) {
+  const Side first(origin, 0);
+  const Side second(origin, size);
+  const Side& low = size < 0 ? second : first;
+  const Side& high = size < 0 ? first : second;
+  met = {held_to(range, low.floor()), held_to(range, high.ceil())};
+  whole = {held_to(range, low.ceil()), held_to(range, high.floor())};
+}
+
 PixelRange scissored(int target, int origin, int size) {
   const std::int64_t end = std::int64_t{origin} + size;
   return {std::clamp(origin, 0, target),
@@ -51,6 +80,17 @@ DrawBounds draw_bounds(const State& state, const TargetSize& size) {
   bounds.columns = scissored(size.width, state.scissor.origin.x, state.scissor.size.x);
   bounds.rows = scissored(size.height, state.scissor.origin.y, state.scissor.size.y);
 
+  if (state.conservative != Conservative::off) {
+    const auto& [origin, extent, min_depth, max_depth] = state.viewport;
+    PixelRange columns;
+    PixelRange rows;
+    set_pixels(bounds.columns, origin.x, extent.x, columns, bounds.whole_columns);
+    set_pixels(bounds.rows, origin.y, extent.y, rows, bounds.whole_rows);
+    const bool is_outer = state.conservative == Conservative::outer;
+    bounds.sample_columns.fill(is_outer ? columns : bounds.whole_columns);
+    bounds.sample_rows.fill(is_outer ? rows : bounds.whole_rows);
+    return bounds;
+  }
   const double x0 = state.viewport.origin.x;
   const double y0 = state.viewport.origin.y;
   const double x1 = far_side(x0, state.viewport.size.x);

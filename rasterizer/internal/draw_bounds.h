@@ -40,6 +40,10 @@ struct DrawBounds {
   PixelRange rows;
   std::array<PixelRange, kMaxSamples> sample_columns;  ///< [sample]: viewport ∩ columns
   std::array<PixelRange, kMaxSamples> sample_rows;
+  // For conservative coverage, where sample_columns and sample_rows are alike for all samples: the
+  // pixels whose open square meets the viewport (Conservative::outer) or lies in it (inner).
+  PixelRange whole_columns;  ///< pixels that lie in the viewport
+  PixelRange whole_rows;
 };
 
 /// Returns the bounds of a draw. The viewport limits samples, to [origin, origin + size) after

@@ -80,10 +80,11 @@ DepthRange depth_range(const State& state) {
   range.least = std::min(near, far);
   range.greatest = std::max(near, far);
   // Clipping keeps depths within the range. But depths come from the plane of the clip positions'
-  // triangle. A snapped triangle can reach beyond that triangle, and its depths can then leave
-  // the range.
+  // triangle. A snapped triangle can reach beyond that triangle, and samples of a conservatively
+  // covered pixel can lie outside it; their depths can then leave the range.
   const bool is_clamped = state.depth_clamp || state.convention == Convention::d3d;
-  if (state.snapping && !is_clamped) {
+  const bool may_leave = state.snapping || state.conservative == Conservative::outer;
+  if (may_leave && !is_clamped) {
     range.least = -std::numeric_limits<double>::infinity();
     range.greatest = std::numeric_limits<double>::infinity();
   }
@@ -169,6 +170,21 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
     }
     const double scale = is_divided ? 1 : 1 / weights.det_t;
     line.plane = plane_of(weights.edges, line.numerators, *weights.frame, scale);
+  }
+}
+
+void set_up_flat_values(const State& state, const ValueSource& source, TriangleValues& out) {
+  const std::size_t provoking = provoking_vertex(state);
+  const glm::vec4& p = source.positions[provoking];
+  out = TriangleValues();
+  out.depth = {depth_range(state), {}, {}};
+  const double of_vertex = p.w > 0 ? double{p.z} / double{p.w} : 0;
+  const double z = has_equal_depth(source.positions) ? plane_depth(source.positions) : of_vertex;
+  out.depth.plane.c = out.depth.low + out.depth.span * z;
+  out.has_constant_depth = true;
+  out.attributes.resize(state.attributes.size());
+  for (std::size_t a = 0; a < state.attributes.size(); ++a) {
+    out.attributes[a].copy = source.attributes[provoking][a];
   }
 }
 

@@ -101,6 +101,10 @@ struct ValueSource {
 void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
                    TriangleValues& out);
 
+/// Prepares the values of a triangle without area: those of its provoking vertex, everywhere
+/// (Conservative::outer).
+void set_up_flat_values(const State& state, const ValueSource& source, TriangleValues& out);
+
 /// Returns the value at (u, v) before rounding to float32: in double if double is certain, else
 /// from exact sums. The value is arbitrary where the rules leave it undefined (a smooth value with
 /// 1/w <= 0).

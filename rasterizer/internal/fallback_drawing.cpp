@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rasterizer/internal/block_kernels.h"
+#include "rasterizer/internal/conservative_coverage.h"
 #include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/exact_values.h"
 #include "rasterizer/internal/grid_coverage.h"
@@ -236,6 +237,10 @@ std::unique_ptr<FallbackDrawing> make_fallback_drawing(const DrawSetting& settin
                                                        bool has_derivatives) {
   if (setting.state.snapping) {
     return std::make_unique<FallbackDrawingBy<GridCoverage>>(setting, mesh, has_derivatives);
+  }
+  if (setting.state.conservative != Conservative::off) {
+    return std::make_unique<FallbackDrawingBy<ConservativeCoverage>>(setting, mesh,
+                                                                     has_derivatives);
   }
   return std::make_unique<FallbackDrawingBy<ExactCoverage>>(setting, mesh, has_derivatives);
 }

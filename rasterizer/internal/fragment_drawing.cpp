@@ -5,6 +5,7 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/block_output.h"
+#include "rasterizer/internal/conservative_coverage.h"
 #include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_setting.h"
@@ -329,6 +330,9 @@ DrawCounts draw_with(const State& state, const Mesh& mesh, const TargetSize& siz
   FragmentOutput output(fragments, state.attributes.size());
   if (state.snapping) {
     return Drawing<GridCoverage, Tap>(setting, mesh, output, tap).draw();
+  }
+  if (state.conservative != Conservative::off) {
+    return Drawing<ConservativeCoverage, Tap>(setting, mesh, output, tap).draw();
   }
   return Drawing<ExactCoverage, Tap>(setting, mesh, output, tap).draw();
 }

@@ -1,6 +1,7 @@
 #include "rasterizer/internal/grid_coverage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "rasterizer/internal/determinant.h"
@@ -49,7 +50,34 @@ Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>&
                              setting_.frame);
   parts[0].weights.widen_bands();  // samples may lie outside the triangle
   parts[0].source = {p, triangle.attributes, {}};
+  set_up_vertices(p);
   return Fate::drawn;
+}
+
+void GridCoverage::set_up_vertices(const std::array<glm::vec4, 3>& positions) {
+  vertex_count_ = 0;
+  for (const glm::vec4& p : positions) {
+    if (!(p.w > 0)) continue;
+    const auto at = [&p](const GridAxis& axis, float coordinate) {
+      return (axis.slope * coordinate / p.w + axis.origin + axis.size) / 2;
+    };
+    vertices_[vertex_count_++] = {at(grid_.x, p.x), at(grid_.y, p.y)};
+  }
+}
+
+/// The samples of a row that may lie exactly at a vertex of the clip positions. Positions near
+/// samples are below 2^15 pixels, and three roundings in double change them by less than 2^-35.
+Mask GridCoverage::samples_at_vertices(const SampleOffset& offset, int y, int first) const {
+  constexpr double kNear = 0x1p-20;
+  Mask at_vertex = 0;
+  for (std::size_t i = 0; i < vertex_count_; ++i) {
+    const double column = vertices_[i].x - offset.x - first;
+    const bool is_near = std::abs(vertices_[i].y - offset.y - y) <= kNear && column > -kNear &&
+                         column < kBlockSize - 1 + kNear &&
+                         std::abs(column - std::round(column)) <= kNear;
+    if (is_near) at_vertex |= Mask{1} << static_cast<int>(std::round(column));
+  }
+  return at_vertex;
 }
 
 void GridCoverage::set_up_pieces(const InputTriangle& triangle,
@@ -101,6 +129,10 @@ CoveredBlock GridCoverage::cover(std::size_t sample, int y, int first, int /*cou
   for (std::size_t k = 0; k < drawn_pieces_; ++k) {
     piece_masks_[k] &= block.covered & ~taken;
     taken |= piece_masks_[k];
+  }
+  if (!has_parts_of_pieces_) {
+    block.at_vertex = samples_at_vertices(offset, y, first) & block.covered;
+    return block;
   }
   for (const GridCorner& corner : polygon_.corners) {
     const GridPoint at_first = grid_sample(first, y, offset, bits_);

@@ -10,6 +10,9 @@
 // triangle of the clip positions is a line that snapping turns into a triangle, it has no values of
 // its own, and values come from the pieces.
 
+#include <array>
+#include <cstddef>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "rasterizer/internal/coverage.h"
@@ -45,6 +48,8 @@ class GridCoverage {
   PieceCorners corners_of(const GridPiece& piece) const;
   std::size_t piece_at(double u, double v) const;
   void set_up_pieces(const InputTriangle& triangle, std::vector<DrawnPart>& parts) const;
+  void set_up_vertices(const std::array<glm::vec4, 3>& positions);
+  Mask samples_at_vertices(const SampleOffset& offset, int y, int first) const;
 
   const DrawSetting& setting_;
   int bits_;
@@ -59,6 +64,9 @@ class GridCoverage {
   std::size_t drawn_pieces_ = 0;   ///< number of pieces that turn like the whole polygon
   PixelBox box_;
   bool has_parts_of_pieces_ = false;
+  /// If values come from the clip positions: the window positions of the vertices with w > 0.
+  std::array<SampleOffset, 3> vertices_{};
+  std::size_t vertex_count_ = 0;
   std::vector<Mask> piece_masks_;  ///< for the last block
 };
 

@@ -24,6 +24,12 @@ Fate set_up_parts(const State& state, const Mesh& mesh, std::size_t index, bool 
   const Fate fate = coverage.set_up(*triangle, parts);
   if (fate != Fate::drawn) return fate;
   for (DrawnPart& part : parts) {
+    if (part.is_flat) {
+      set_up_flat_values(state, part.source, part.values);
+      part.derivatives = {};
+      part.derivatives.attributes.resize(state.attributes.size());
+      continue;
+    }
     set_up_values(state, part.source, part.weights, part.values);
     if (!has_derivatives) continue;
     set_up_derivatives(state, part.source, part.weights, part.values, part.derivatives);

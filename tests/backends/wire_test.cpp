@@ -44,6 +44,8 @@ cases::Contract full_contract() {
   contract.coverage = cases::Snapping{4, cases::Rounding::floor, 0.5F, cases::Rounding::ceil, 3};
   contract.basis = cases::Basis::unspecified;
   contract.tie_rule = cases::TieRule::unspecified;
+  contract.conservative = cases::Conservative{cases::ConservativeKind::inner, 0.5F, 0.25F,
+                                              cases::ConservativeCorners::edges, true};
   contract.guard_band = 100;
   contract.guard_beyond_viewport = 7.0F;
   contract.culls_instead_of_clipping = true;
@@ -151,10 +153,10 @@ TEST(Wire, RefusesEveryPart) {
 // culled and whether instead of clipping, depth format, depth function, side of depths, five
 // promises, and whether each of five optional bounds, a guard band about the viewport and a sample
 // position exist. Four are the bytes of subpixel_bits, three of odd_steps (255 is possible), 11 of
-// the sample position (in 255 parts, it is possible). 33 are the last bytes of numbers, which become
-// negative: position error, two guard bands, least area, clip tolerance, clip error, viewport
-// error, 15 numbers of bounds, four optional bounds, five numbers for textures, and two magnitudes.
-// Eight are the bytes of the number of per-triangle promises.
+// the sample position (in 255 parts, it is possible). 33 are the last bytes of numbers, which
+// become negative: position error, two guard bands, least area, clip tolerance, clip error,
+// viewport error, 15 numbers of bounds, four optional bounds, five numbers for textures, and two
+// magnitudes. Eight are the bytes of the number of per-triangle promises.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -177,6 +179,11 @@ TEST(Wire, RefusesContractsOfNoNumbers) {
   EXPECT_FALSE(unpack_contract(pack(contract)));
   contract = full_contract();
   contract.coverage->subpixel_bits = 1000;
+  EXPECT_FALSE(unpack_contract(pack(contract)));
+  contract = full_contract();
+  contract.conservative->error = kNoNumber;
+  EXPECT_FALSE(unpack_contract(pack(contract)));
+  contract.conservative->error = 2 * cases::kMaxConservativeReach;
   EXPECT_FALSE(unpack_contract(pack(contract)));
   // The vertices that clipping makes may be anywhere.
   contract = full_contract();

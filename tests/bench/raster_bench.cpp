@@ -62,6 +62,11 @@ void add(const std::string& name, const Scene& scene) {
   state.precision = rasterizer::Precision::float32;
   add("float32/" + name, state, scene, "");
   state.precision = rasterizer::Precision::float64;
+  state.conservative = rasterizer::Conservative::outer;
+  add("outer/" + name, state, scene, "");
+  state.conservative = rasterizer::Conservative::inner;
+  add("inner/" + name, state, scene, "");
+  state.conservative = rasterizer::Conservative::off;
   state.snapping = rasterizer::Snapping{8};
   state.basis = rasterizer::Basis::snapped;
   add("snapped/" + name, state, scene, "");

@@ -31,6 +31,8 @@ ContractTerms all_terms() {
   terms.is_on_grid = false;
   terms.basis.emplace(Basis::unspecified);
   terms.tie_rule.emplace(TieRule::unspecified);
+  terms.conservative =
+      Conservative{ConservativeKind::outer, 0x1p-9F, 0.75F, ConservativeCorners::edges, true};
   terms.guard_band = 16384.5F;
   terms.culls_instead_of_clipping = true;
   terms.culls = Winding::counter_clockwise;
@@ -158,6 +160,7 @@ TEST(ContractJson, DistinguishesAsAskedFromAbsentTerms) {
   terms.tie_rule.emplace(AsAsked{});
   terms.derivative_bound = std::optional<float>();
   terms.quad_share = std::optional<float>();
+  terms.conservative = std::optional<Conservative>();
   const Result<ContractTerms> again = parse_contract(to_json(terms), "c.json");
   ASSERT_TRUE(again.has_value()) << to_string(again.error());
   EXPECT_EQ(*again, terms);
@@ -182,6 +185,28 @@ TEST(ContractJson, HasGridsOfTheCaseRoundedInOneWay) {
             Coverage(Snapping{5, Rounding::unspecified, 0.25F}));
   c.coverage.reset();
   EXPECT_EQ(with_terms(Contract(), terms, c).coverage, Coverage());
+}
+
+TEST(ContractJson, HasConservativeCoverageOfItsKindAlone) {
+  const Result<ContractTerms> terms = parse(R"("conservative": {"kind": "inner"})");
+  ASSERT_TRUE(terms.has_value());
+  EXPECT_EQ(terms->conservative, Conservative{.kind = ConservativeKind::inner});
+}
+
+// Kills: values that contradict each other, accepted.
+TEST(ContractJson, RefusesConservativeCoverageThatContradictsItself) {
+  EXPECT_EQ(refusal(R"("conservative": {"kind": "inner", "growth": 0.5})"),
+            "c.json: /conservative/growth: must be 0 for inner coverage, which never grows");
+  EXPECT_EQ(refusal(R"("conservative": {"kind": "inner", "corners": "edges"})"),
+            "c.json: /conservative/corners: must be \"square\" for inner coverage");
+  EXPECT_EQ(refusal(R"("conservative": {"kind": "inner", "covers_degenerates": true})"),
+            "c.json: /conservative/covers_degenerates: must be false for inner coverage: no pixel "
+            "lies in a triangle without area");
+  EXPECT_EQ(refusal(R"("conservative": "outer")"),
+            "c.json: /conservative: must be \"none\" or an object with a kind");
+  EXPECT_THAT(refusal(R"("conservative": {"kind": "outer", "error": -1})"),
+              HasSubstr("/conservative/error"));
+  EXPECT_THAT(refusal(R"("conservative": {"error": 1})"), HasSubstr("/conservative"));
 }
 
 TEST(ContractJson, RefusesWhatNoContractHas) {
@@ -211,6 +236,8 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   expected.coverage = Snapping{4, Rounding::unspecified, 0.1F};
   expected.basis = Basis::unspecified;
   expected.tie_rule = TieRule::unspecified;
+  expected.conservative =
+      Conservative{ConservativeKind::outer, 0x1p-9F, 0.75F, ConservativeCorners::edges, true};
   expected.guard_band = 16384.5F;
   expected.culls_instead_of_clipping = true;
   expected.culls = Winding::counter_clockwise;

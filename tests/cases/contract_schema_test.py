@@ -34,6 +34,13 @@ FULL_CONTRACT = {
     "is_on_grid": False,
     "basis": "snapped",
     "tie_rule": "bottom_left",
+    "conservative": {
+        "kind": "outer",
+        "error": 0.5,
+        "growth": "0x1p-2",
+        "corners": "edges",
+        "covers_degenerates": True,
+    },
     "guard_band": 16384,
     "culls_instead_of_clipping": True,
     "culls": "clockwise",
@@ -68,6 +75,7 @@ WORDS_CONTRACT = {
     "basis": "as_asked",
     "tie_rule": "unspecified",
     "derivative_bound": 1,
+    "conservative": "none",
 }
 # Names one law, so that only this law is checked, and has nothing to draw.
 CASE = {
@@ -119,6 +127,14 @@ def reader_only(contract):
     depth = contract.get("bounds", {}).get("depth", {})
     if any(number(value) != 0 for key, value in depth.items() if key not in ("constant", "absolute")):
         return "a bound of depth varies"
+    conservative = contract.get("conservative")
+    if isinstance(conservative, dict) and conservative.get("kind") == "inner":
+        if number(conservative.get("growth", 0)) != 0:
+            return "inner coverage grows"
+        if conservative.get("corners") == "edges":
+            return "inner coverage has shifted edges"
+        if conservative.get("covers_degenerates"):
+            return "inner coverage of triangles without area"
     return contradiction(contract)
 
 
@@ -146,7 +162,7 @@ def is_fraction(text):
     return int(part) < int(parts) <= 256
 
 
-READER_ONLY_RULES = 7  # the reasons above
+READER_ONLY_RULES = 10  # the reasons above
 
 
 def mutations(base):
@@ -160,6 +176,10 @@ def mutations(base):
                  {"coverage": {"subpixel_bits": 1, "rounding": {"x": "floor", "y": "unspecified"}}},
                  {"sample_position": ["3/3", 0]}):
         yield f"{keys}", {**copy.deepcopy(base), **keys}
+    for key, value in (("growth", 1), ("corners", "edges"), ("covers_degenerates", True)):
+        changed = copy.deepcopy(base)
+        changed["conservative"] = {"kind": "inner", key: value}
+        yield f"inner coverage with {key}", changed
 
 
 def main(arguments):
