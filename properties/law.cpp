@@ -117,6 +117,14 @@ bool covers_touched_pixels(backends::Backend& backend) {
 
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
                         std::uint64_t index) {
+  const bool is_excluded = (law.needs_samples && covers_pixels(backend)) ||
+                           (law.excludes_outer && covers_touched_pixels(backend));
+  if (is_excluded) {
+    Check none;
+    none.is_applicable = false;
+    none.why_not = why_unpromised(law, backend);
+    return none;
+  }
   if (law.check_given != nullptr) return law.check_given(c, backend, index);
   const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());

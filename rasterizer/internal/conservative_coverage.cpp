@@ -32,6 +32,8 @@ int compare(const WindowAxis& axis, float coordinate, float w, double at) {
 struct Whole {
   double floor = 0;
   double ceil = 0;
+  double position = 0;  ///< within `error` of the exact one
+  double error = 0;
 };
 
 Whole whole_of(const WindowAxis& axis, float coordinate, float w) {
@@ -41,14 +43,14 @@ Whole whole_of(const WindowAxis& axis, float coordinate, float w) {
   // Beyond every framebuffer, by more than all errors: those are below 2^-50 of the terms.
   constexpr double kFar = 0x1p16;
   const double error = 0x1p-50 * (std::abs(middle) + std::abs(away));
-  if (!(std::abs(position) + error < kFar)) return {position, position};
+  if (!(std::abs(position) + error < kFar)) return {position, position, position, error};
   double floor = std::floor(position - error);
   if (floor == std::floor(position + error)) {
     const bool may_be_whole = floor >= position - error;
-    if (!may_be_whole) return {floor, floor + 1};
+    if (!may_be_whole) return {floor, floor + 1, position, error};
   }
   while (compare(axis, coordinate, w, floor + 1) >= 0) ++floor;
-  return {floor, compare(axis, coordinate, w, floor) == 0 ? floor : floor + 1};
+  return {floor, compare(axis, coordinate, w, floor) == 0 ? floor : floor + 1, position, error};
 }
 
 /// Pixels from `begin` on, and before `end`; both whole or infinite.
@@ -99,13 +101,13 @@ void ConservativeCoverage::find_box(const InputTriangle& triangle) {
   vertex_count_ = 0;
   for (const glm::vec4& a : p) {
     if (a.w <= 0) continue;
-    std::array<double, 2>& pixel = vertices_[vertex_count_++];
+    std::array<NearPosition, 2>& near = vertices_[vertex_count_++];
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const auto index = static_cast<glm::length_t>(axis);
       const Whole at = whole_of(axes[axis], a[index], a.w);
       ends[axis].floor = std::min(ends[axis].floor, at.floor);
       ends[axis].ceil = std::max(ends[axis].ceil, at.ceil);
-      pixel[axis] = at.floor;
+      near[axis] = {at.position, at.error};
       for (const glm::vec4& b : p) {
         if (b.w > 0) continue;
         // The sign of a difference of two exact products is certain.
@@ -127,7 +129,8 @@ Fate ConservativeCoverage::set_up(const InputTriangle& triangle, std::vector<Dra
   const SampleFrame& frame = setting_.frame;
   edges_ = is_flat_ ? EdgeFunctions() : edge_functions(p, turn_, frame, setting_.tie_sign);
   set_corners();
-  can_meet_ = !is_outer_ || cut_.set_up(p, clips_);
+  is_cut_set_up_ = false;
+  positions_ = p;
   parts.resize(1);
   parts[0].is_flat = is_flat_;
   parts[0].source = {p, triangle.attributes, {}};
@@ -245,7 +248,11 @@ bool ConservativeCoverage::is_visible(int x, int y) {
     if (side < 0) return false;
     is_cut = is_cut || side == 0;
   }
-  return !is_cut || cut_.meets(x, y);
+  if (!is_cut) return true;
+  // Few triangles get here, and preparing the cuts takes as long as drawing a small triangle.
+  if (!is_cut_set_up_) can_meet_ = cut_.set_up(positions_, clips_);
+  is_cut_set_up_ = true;
+  return can_meet_ && cut_.meets(x, y);
 }
 
 /// True if a pixel lies inside all clip planes: where all four corners are inside, boundary
@@ -266,19 +273,23 @@ bool ConservativeCoverage::is_inside_planes(int x, int y) const {
   });
 }
 
-/// The pixels where samples may lie exactly at a vertex.
-Mask ConservativeCoverage::pixels_at_vertices(int y, int first) const {
+/// The pixels whose sample may lie exactly at a vertex.
+Mask ConservativeCoverage::pixels_at_vertices(std::size_t sample, int y, int first) const {
+  const SampleOffset& offset = setting_.pattern[sample];
   Mask near = 0;
   for (std::size_t i = 0; i < vertex_count_; ++i) {
     const auto& [u, v] = vertices_[i];
-    if (std::abs(v - y) > 1 || !(std::abs(u - first) < 2 * kBlockSize)) continue;
-    const int column = static_cast<int>(u);
-    near |= columns_mask({column - 1, column + 2}, first);
+    if (std::abs(v.at - (y + offset.y)) > v.error) continue;
+    const double column = std::round(u.at - offset.x);
+    if (std::abs(u.at - (column + offset.x)) > u.error) continue;
+    if (column >= first && column < first + kBlockSize) {
+      near |= Mask{1} << static_cast<int>(column - first);
+    }
   }
   return near;
 }
 
-CoveredBlock ConservativeCoverage::cover(std::size_t /*sample*/, int y, int first, int count,
+CoveredBlock ConservativeCoverage::cover(std::size_t sample, int y, int first, int count,
                                          BlockWeights& weights) {
   if (y_ != y || first_ != first || count_ != count) {
     y_ = y;
@@ -286,7 +297,7 @@ CoveredBlock ConservativeCoverage::cover(std::size_t /*sample*/, int y, int firs
     count_ = count;
     const PixelRange columns = intersection(box_.columns, {first, first + count});
     covered_ = columns_mask(columns, first);
-    if (!box_.rows.contains(y) || !can_meet_) covered_ = 0;
+    if (!box_.rows.contains(y)) covered_ = 0;
     if (!is_flat_ && covered_ != 0) covered_ &= pixels_of_edges(y, first, count, weights);
     const DrawBounds& bounds = setting_.bounds;
     Mask open = covered_;
@@ -302,7 +313,7 @@ CoveredBlock ConservativeCoverage::cover(std::size_t /*sample*/, int y, int firs
   }
   CoveredBlock block;
   block.covered = covered_;
-  block.at_vertex = is_flat_ ? 0 : covered_ & pixels_at_vertices(y, first);
+  block.at_vertex = is_flat_ ? 0 : covered_ & pixels_at_vertices(sample, y, first);
   return block;
 }
 

@@ -80,20 +80,27 @@ class ConservativeCoverage {
   bool is_visible(int x, int y);
   bool is_inside_planes(int x, int y) const;
   int side_of_plane(const ClipFunctional& functional, int x, int y) const;
-  Mask pixels_at_vertices(int y, int first) const;
+  Mask pixels_at_vertices(std::size_t sample, int y, int first) const;
 
   const DrawSetting& setting_;
   bool is_outer_;
   PixelCut cut_;
+  bool is_cut_set_up_ = false;
   bool can_meet_ = true;  ///< PixelCut::set_up()
+  std::array<glm::vec4, 3> positions_;
   bool is_flat_ = false;  ///< the triangle has no area
   int turn_ = 0;          ///< the orientation in clip space
   EdgeFunctions edges_;
   std::array<DecisiveCorner, 3> decisive_;
   ClipFunctionals clips_;  ///< those with a negative distance
   PixelBox box_;
-  /// The pixels with the visible vertices.
-  std::array<std::array<double, 2>, 3> vertices_{};
+  /// A window coordinate of a vertex, within `error` of the exact one.
+  struct NearPosition {
+    double at = 0;
+    double error = 0;
+  };
+  /// The visible vertices.
+  std::array<std::array<NearPosition, 2>, 3> vertices_{};
   std::size_t vertex_count_ = 0;
   // The last answer.
   int y_ = -1;

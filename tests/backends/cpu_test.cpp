@@ -224,6 +224,20 @@ TEST(Cpu, SaysWhatItsOptionsAre) {
   EXPECT_TRUE(make_backend("cpu:threads=2,output=framebuffer"));
 }
 
+// Whatever grid a case asks for.
+TEST(Cpu, PromisesExactConservativeCoverage) {
+  cases::Case c;
+  c.coverage = cases::Snapping{4};
+  const auto outer = make_backend("cpu:conservative=outer").value()->contract(c);
+  EXPECT_EQ(outer.conservative, cases::Conservative{.covers_degenerates = true});
+  EXPECT_EQ(outer.coverage, cases::Coverage());
+  const auto inner = make_backend("cpu:conservative=inner,output=framebuffer").value();
+  EXPECT_EQ(inner->contract(c).conservative,
+            cases::Conservative{.kind = cases::ConservativeKind::inner});
+  EXPECT_EQ(inner->tracer(), nullptr);
+  EXPECT_FALSE(make_backend("cpu:conservative=both"));
+}
+
 // Every kind of vectors that this machine supports draws what `cpu` draws. The other kinds are
 // listed with a reason.
 TEST(Cpu, DrawsTheSameOnAllVectors) {

@@ -179,6 +179,23 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
            "values-at-vertices-come-back"}));
 }
 
+// Kills: a law about samples, or about triangles with an area, that is held against whole pixels.
+TEST(Laws, AboutSamplesSayNothingOfWholePixels) {
+  const auto outer = backends::make_backend("cpu:conservative=outer").value();
+  const auto inner = backends::make_backend("cpu:conservative=inner").value();
+  const Law& shared_edge = *find_law("a-shared-edge-covers-each-sample-once");
+  const Law& range = *find_law("values-stay-in-the-range-of-their-vertices");
+  const Law& judged = *find_law("coverage-obeys-the-contract");
+  EXPECT_FALSE(is_promised(shared_edge, *outer));
+  EXPECT_FALSE(is_promised(shared_edge, *inner));
+  EXPECT_FALSE(is_promised(range, *outer));
+  EXPECT_TRUE(is_promised(range, *inner));
+  EXPECT_TRUE(is_promised(judged, *outer));
+  EXPECT_EQ(why_unpromised(shared_edge, *inner), "the backend covers whole pixels, not samples");
+  EXPECT_FALSE(check_law(shared_edge, square(), *outer, 0).value().is_applicable);
+  EXPECT_FALSE(check_law(range, square(), *outer, 0).value().is_applicable);
+}
+
 TEST(Laws, PassOnWhatABackendCannotDraw) {
   class Refuses : public DamagedBackend {
    public:

@@ -27,8 +27,8 @@
 namespace rastercheck::properties::laws_hold_test {
 namespace {
 
-constexpr std::array<const char*, 3> kBackends{"cpu", "cpu:precision=float32",
-                                               "cpu:output=framebuffer,threads=3"};
+constexpr std::array kBackends{"cpu", "cpu:precision=float32", "cpu:output=framebuffer,threads=3",
+                               "cpu:conservative=outer", "cpu:conservative=inner"};
 /// Backends for laws about things that `cpu` does not have.
 constexpr std::array<const char*, 2> kOthers{"method:screen-linear", "method:scanline-linear"};
 
