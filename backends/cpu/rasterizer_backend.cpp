@@ -10,6 +10,7 @@
 #include "backends/cpu/fragments.h"
 #include "backends/cpu/framebuffer_drawing.h"
 #include "backends/cpu/geometry.h"
+#include "backends/cpu/occlusion.h"
 #include "backends/cpu/picture.h"
 #include "backends/cpu/stage_trace.h"
 #include "rasterizer/rasterizer.h"
@@ -99,11 +100,14 @@ class RasterizerBackend : public Backend,
                           private PictureDrawer,
                           private Assembler,
                           private VertexStage,
-                          private Tracer {
+                          private Tracer,
+                          private OcclusionCuller {
  public:
   explicit RasterizerBackend(RasterizerOptions options) : options_(std::move(options)) {}
 
-  About about() const override { return {.same_as = variants(options_)}; }
+  About about() const override {
+    return {.same_as = variants(options_), .answers_occlusion_queries = true};
+  }
   cases::Contract promise(const cases::Case& c) const override {
     cases::Contract contract = production_contract(c, options_.precision);
     if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // not stored
@@ -116,6 +120,7 @@ class RasterizerBackend : public Backend,
   Assembler* assembler() override { return this; }
   VertexStage* vertex_stage() override { return this; }
   Tracer* tracer() override { return this; }
+  OcclusionCuller* occlusion_culler() override { return this; }
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
@@ -148,6 +153,10 @@ class RasterizerBackend : public Backend,
     state.precision = options_.precision;
     const CaseMesh memory(c);
     return traced_sample(ras::trace_sample(state, memory.mesh(), target_size(c), sample_place(at)));
+  }
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override {
+    return is_hidden_in_depth_buffer(
+        c, occluders, [this](const cases::Case& part) { return draw_fragments(part); });
   }
   Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices) override {

@@ -4,11 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/internal/float_ulp.h"
-#include "oracle/internal/next_double.h"
-#include "oracle/internal/rational_number.h"
+#include "oracle/internal/compared_depth.h"
 #include "oracle/internal/scene.h"
-#include "oracle/ulp.h"
 
 namespace rastercheck::oracle {
 namespace {
@@ -19,28 +16,6 @@ using records::Verdict;
 
 constexpr double kFarthest = std::numeric_limits<double>::infinity();
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
-
-/// The largest difference between a compared depth and the exact one, in units of depth. It is the
-/// contract's bound plus one step of the format, because the depth may be rounded to either
-/// neighbour.
-double near_depth_slack(const TriangleSetup& triangle) {
-  const cases::Viewport& viewport = triangle.scene->source().viewport;
-  const float largest = std::max(viewport.min_depth, viewport.max_depth);
-  // Exact, because it is a float32 times a power of 2.
-  const double bound =
-      std::ldexp(double{triangle.promise.bounds.depth.constant}, ulp_exponent(largest));
-  const double step = cases::depth_step(triangle.scene->contract().depth_format);
-  return step == 0 ? bound : (bound + step) * (1 + 0x1p-50);
-}
-
-/// Like near_depth_slack(), but exact.
-Field depth_slack(const TriangleSetup& triangle) {
-  const Scene& scene = *triangle.scene;
-  const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
-  const Rational unit = ulp(to_rational(largest));
-  return exact_field(triangle.promise.bounds.depth.constant) * to_field(unit) +
-         Field(cases::depth_step(scene.contract().depth_format));
-}
 
 /// The least initial value of the depth buffer. The buffer's format may round the case's value by
 /// up to a step, except 1, which every format represents exactly.
@@ -125,7 +100,7 @@ Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
     if (!exact) return {kNoDepth, kNoDepth};
     depth = {exact->lo.enclosure().lo, exact->hi.enclosure().hi};
   }
-  return {next_below(depth->lo - slack), next_above(depth->hi + slack)};
+  return widened_depths(*depth, slack);
 }
 
 void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
@@ -205,11 +180,7 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
   std::vector<Rival> rivals;
   for (const Covering& covering : sample.coverings) {
     const auto truth = triangles_->of(covering.triangle).truth;
-    rivals.push_back({&covering, std::nullopt, kept_plane(truth->setup())});
-    if (truth->is_value_free(std::nullopt)) continue;
-    const auto depth = truth->depth(x, y, s);
-    const Field slack = depth_slack(truth->setup());
-    if (depth) rivals.back().depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
+    rivals.push_back({&covering, compared_depths(*truth, x, y, s), kept_plane(truth->setup())});
   }
   for (const Rival& a : rivals) {
     const bool is_drawn = a.is_surely_nearer_than(clear_depth_);

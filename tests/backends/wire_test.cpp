@@ -85,6 +85,31 @@ TEST(Wire, BringsEveryMemberOfACase) {
   }
 }
 
+TEST(Wire, BringsOcclusionQueriesAndAnswers) {
+  cases::Case c = full_case();
+  const auto triangles = static_cast<std::uint64_t>(c.triangles.size());
+  const Request query{Question::occlusion, c, std::nullopt, triangles - 1};
+  const auto request = unpack_request(pack(query));
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->question, Question::occlusion);
+  EXPECT_EQ(request->source, c);
+  EXPECT_EQ(request->occluders, triangles - 1);
+  // A query about no triangle.
+  EXPECT_FALSE(unpack_request(pack(Request{Question::occlusion, c, std::nullopt, triangles})));
+  EXPECT_TRUE(unpack_request(pack(Request{Question::drawing, c, std::nullopt, triangles})));
+
+  for (const bool is_occluded : {false, true}) {
+    const auto answer = unpack_occlusion(pack(OcclusionAnswer{is_occluded, std::nullopt}));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->is_occluded, is_occluded);
+    EXPECT_FALSE(answer->problem);
+  }
+  const auto failed = unpack_occlusion(pack(OcclusionAnswer{false, Error{"a", "b", "c"}}));
+  ASSERT_TRUE(failed && failed->problem);
+  EXPECT_EQ(to_string(*failed->problem), "a: b: c");
+  EXPECT_FALSE(unpack_occlusion(std::string(2, '\2')));
+}
+
 TEST(Wire, BringsEveryMemberOfAContract) {
   for (const cases::Contract& contract : {full_contract(), cases::Contract()}) {
     EXPECT_EQ(unpack_contract(pack(contract)), contract);
@@ -119,7 +144,8 @@ TEST(Wire, BringsDrawingsAndErrors) {
                     .api = ApiLimits{8, true, 3},
                     .has_limits = true,
                     .capabilities = capabilities,
-                    .same_as = {"another", "and another"}};
+                    .same_as = {"another", "and another"},
+                    .answers_occlusion_queries = true};
   const auto greeting = unpack_greeting(pack(Greeting{about, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->about, about);
