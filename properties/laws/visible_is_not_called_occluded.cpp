@@ -136,7 +136,9 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &is_promised,
      .unpromised = "the backend answers no occlusion queries",
-     .covers = {cover(90, "occluders")}});
+     .covers = {cover(50, "occluders"), cover_decided(18, "visible"), cover_decided(12, "hidden"),
+                cover_decided(7, "partly hidden"), cover_decided(1, "narrow gap"),
+                cover(5, "occluder behind the eye"), cover(11, "several samples")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::visible_is_not_called_occluded_law

@@ -322,7 +322,6 @@ RC_GTEST_PROP(OcclusionTruth, LevelsGiveTheVerdictsOfEachSample, ()) {
     }
   }
   for (const auto& [place, verdict] : all) {
-    RC_TAG(std::string(records::to_string(verdict)));
     if (verdict != Verdict::required) continue;
     const OcclusionDepths depths = truth.depths(place);
     RC_ASSERT(depths.occludee < depths.occluders);

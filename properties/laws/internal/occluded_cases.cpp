@@ -152,14 +152,16 @@ void add_occludee(Draw& draw, cases::Case& c) {
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
-/// An occludee in the plane of the last occluder, or within few floats of it.
+/// An occludee in the plane of the last occluder, or some floats before or behind it: as many as
+/// rounding explains, or as many as a step of a depth buffer of 16 bits.
 void add_occludee_of_equal_depth(Draw& draw, cases::Case& c) {
   const cases::Triangle like = c.triangles.back();
-  const int floats = draw.between(-2, 2);
+  const int floats = draw.pick(std::array{0, 1, 2, 5, 20, 100, 400});
+  const int steps = draw.one_in(3) ? floats : -floats;
   std::array<ClipVertex, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
     corners[i] = c.positions[like[(i + 1) % 3]];
-    corners[i].z = stepped(corners[i].z, floats);
+    corners[i].z = stepped(corners[i].z, steps);
   }
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
