@@ -60,8 +60,8 @@ TEST(VisibleIsNotCalledOccluded, CatchesTheContrary) {
   EXPECT_EQ(violation.actual, "called occluded");
   // cpu's bound for depths is 0.51 ULP of 1.
   EXPECT_EQ(violation.exact,
-            "required: its depth is at most 0.5000000607967377, that of occluders at least "
-            "0.7499999392032623");
+            "required: its depth is at most 0.5000000607967365, that of occluders at least "
+            "0.7499999392032635");
   EXPECT_EQ(violation.note,
             "the last triangle is visible, but was called occluded; triangle 0 is "
             "the nearest occluder there");
