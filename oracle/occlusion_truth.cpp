@@ -24,8 +24,8 @@ constexpr double kAnyDepth = std::numeric_limits<double>::quiet_NaN();
 /// The depths that a backend may compare; empty if any is right.
 using Depths = std::optional<FieldRange>;
 
-bool surely_nearer(const Depths& a, const Depths& b) { return a && b && a->hi < b->lo; }
-bool surely_not_nearer(const Depths& a, const Depths& b) { return a && b && a->lo >= b->hi; }
+bool is_surely_before(const Depths& a, const Depths& b) { return a && b && a->hi < b->lo; }
+bool is_surely_not_before(const Depths& a, const Depths& b) { return a && b && a->lo >= b->hi; }
 
 /// The initial values that the depth buffer may have. Its format may round the case's value by up
 /// to a step, except 1, which every format represents exactly.
@@ -182,8 +182,8 @@ class OcclusionTruth::Band {
     }
     const Depths exact = compared_depths(*occluder.truth, seen.x, seen.y, seen.sample);
     const Depths& own = exact_depths(seen);
-    seen.is_required = seen.is_required && surely_nearer(own, exact);
-    seen.is_hidden = must_cover && surely_not_nearer(own, exact);
+    seen.is_required = seen.is_required && is_surely_before(own, exact);
+    seen.is_hidden = must_cover && is_surely_not_before(own, exact);
   }
 
   const OcclusionTruth* truth_;
@@ -253,10 +253,10 @@ Verdict OcclusionTruth::judge(const cases::SamplePlace& place) const {
     const Verdict verdict = occluder.judge(x, y, s).verdict;
     if (verdict == Verdict::forbidden) continue;
     const Depths hiding = compared_depths(occluder, x, y, s);
-    if (verdict == Verdict::required && surely_not_nearer(depths, hiding)) {
+    if (verdict == Verdict::required && is_surely_not_before(depths, hiding)) {
       return Verdict::forbidden;
     }
-    is_required = is_required && surely_nearer(depths, hiding);
+    is_required = is_required && is_surely_before(depths, hiding);
   }
   return is_required ? Verdict::required : Verdict::permitted;
 }
