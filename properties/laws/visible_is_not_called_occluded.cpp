@@ -58,7 +58,7 @@ records::Violation wrong_answer(const oracle::OcclusionTruth& truth,
       violation_at(place, FragmentClass::missing,
                    fmt::format("required: its depth is at most {}, that of occluders at least {}",
                                depths.occludee.enclosure().hi, depths.occluders.enclosure().lo),
-                   "the last triangle is visible, but was called occluded; " + behind);
+                   behind);
   violation.actual = "called occluded";
   return violation;
 }

@@ -8,6 +8,7 @@
 
 #include <map>
 
+#include "oracle/referee.h"
 #include "tests/oracle/random_case.h"
 #include "tests/oracle/small_case.h"
 
@@ -325,6 +326,39 @@ RC_GTEST_PROP(OcclusionTruth, LevelsGiveTheVerdictsOfEachSample, ()) {
     if (verdict != Verdict::required) continue;
     const OcclusionDepths depths = truth.depths(place);
     RC_ASSERT(depths.occludee < depths.occluders);
+  }
+}
+
+/// True if the second oracle finds the triangle's fragment nearer than the cleared depth and all
+/// fragments of triangles before it.
+bool is_seen_by_referee(const cases::Case& c, const RefereeFragment& own, const SamplePlace& at) {
+  if (!(own.depth < Rational(double{c.depth_clear.value_or(1)}))) return false;
+  for (std::size_t t = 0; t < at.triangle; ++t) {
+    const auto other =
+        referee(c, t, static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.sample));
+    if (other && !(own.depth < other->depth)) return false;
+  }
+  return true;
+}
+
+// Exact depths and coverage leave nothing open, except samples on the viewport's far border and
+// depths of 1 before a buffer that may begin there.
+RC_GTEST_PROP(OcclusionTruth, IsTheRefereesWhereNothingIsOpen, ()) {
+  const cases::Case c = random_scene();
+  const SceneTruth scene(c, exact_depths(c));
+  const std::size_t occluders = c.triangles.size() - 1;
+  const TriangleTruth occludee(scene, occluders);
+  for (const auto& [place, verdict] : verdicts(OcclusionTruth(scene, occluders))) {
+    const auto x = static_cast<int>(place.x);
+    const auto y = static_cast<int>(place.y);
+    const auto s = static_cast<int>(place.sample);
+    if (occludee.judge(x, y, s).verdict == Verdict::permitted) continue;
+    const auto own = referee(c, occluders, x, y, s);
+    RC_ASSERT(own.has_value());
+    const bool is_seen = is_seen_by_referee(c, *own, place);
+    RC_ASSERT((verdict == Verdict::required) == is_seen);
+    const bool is_farthest = !c.depth_clear && own->depth == Rational(1);
+    RC_ASSERT(is_seen || is_farthest || verdict == Verdict::forbidden);
   }
 }
 
