@@ -1,9 +1,10 @@
 #pragma once
 
 // The interface of everything that can draw a case. Abilities that only some backends have
-// (pictures, strips and fans, a vertex stage, traces) are separate interfaces.
+// (pictures, strips and fans, a vertex stage, traces, occlusion queries) are separate interfaces.
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -63,6 +64,8 @@ struct About {
   std::vector<std::string> same_as = {};
   /// The ways that WaysOfDrawing offers; empty if the backend does not implement it.
   std::vector<cases::DrawBy> ways = {};
+  /// True if the backend implements OcclusionCuller.
+  bool answers_occlusion_queries = false;
   bool operator==(const About&) const = default;
 };
 
@@ -154,6 +157,18 @@ class WaysOfDrawing {
   ~WaysOfDrawing() = default;
 };
 
+/// Answers occlusion queries: whether anything of some triangles is visible behind others.
+class OcclusionCuller {
+ public:
+  /// True if the culler calls the occludee occluded. The occluders are the case's triangles before
+  /// index `occluders`, and the occludee is all others, at least one. Depths are compared whether
+  /// or not the case has a depth test; attributes are ignored. The case must have no camera.
+  virtual Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) = 0;
+
+ protected:
+  ~OcclusionCuller() = default;
+};
+
 class Backend {
  public:
   Backend() = default;
@@ -176,6 +191,7 @@ class Backend {
   virtual VertexStage* vertex_stage() { return nullptr; }
   virtual Tracer* tracer() { return nullptr; }
   virtual WaysOfDrawing* ways_of_drawing() { return nullptr; }
+  virtual OcclusionCuller* occlusion_culler() { return nullptr; }
 
   /// From now on, these terms override the backend's promise, as a contract file does; nullopt
   /// removes the override.

@@ -22,7 +22,7 @@ bool fits(const cases::Contract& contract, const cases::Case& c) {
 }
 
 /// Stands in for a backend in another process.
-class IsolatedBackend : public Backend, public WaysOfDrawing {
+class IsolatedBackend : public Backend, public WaysOfDrawing, public OcclusionCuller {
  public:
   IsolatedBackend(std::string specification, const Isolation& isolation, WorkerProcess process)
       : specification_(std::move(specification)),
@@ -36,6 +36,19 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   std::vector<cases::DrawBy> ways() const override { return greeting_.about.ways; }
   Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override {
     return draw_in(c, way);
+  }
+
+  OcclusionCuller* occlusion_culler() override {
+    return greeting_.about.answers_occlusion_queries ? this : nullptr;
+  }
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override {
+    const Result<std::string> answer = ask_once_promised({Question::occlusion, c, {}, occluders});
+    if (!answer) return tl::unexpected(answer.error());
+    const std::optional<OcclusionAnswer> said = unpack_occlusion(*answer);
+    if (!said) return tl::unexpected(nonsense());
+    if (said->problem) return tl::unexpected(counted(*said->problem));
+    crashes_ = 0;
+    return said->is_occluded;
   }
 
   std::optional<Error> is_lost() const override {
@@ -63,11 +76,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   }
 
   Result<cases::Fragments> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
-    if (const auto withheld = std::exchange(withheld_, std::nullopt);
-        withheld && withheld->first == c) {
-      return tl::unexpected(withheld->second);
-    }
-    const Result<std::string> answer = ask({Question::drawing, c, way});
+    const Result<std::string> answer = ask_once_promised({Question::drawing, c, way});
     if (!answer) return tl::unexpected(answer.error());
     std::optional<DrawingAnswer> drawing = unpack_drawing(*answer);
     if (!drawing || (!drawing->problem && !fits(drawing->drawn.contract, c))) {
@@ -103,6 +112,15 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
     withheld_.reset();
     remembered_ = {c, *said};
     return *said;
+  }
+
+  /// Like ask(), but fails at once if asking for the promise of the same case has just failed.
+  Result<std::string> ask_once_promised(const Request& request) const {
+    if (const auto withheld = std::exchange(withheld_, std::nullopt);
+        withheld && withheld->first == request.source) {
+      return tl::unexpected(withheld->second);
+    }
+    return ask(request);
   }
 
   /// Returns the process's answer. Starts a new process if the last one has ended.

@@ -73,8 +73,9 @@ std::size_t memory_in_use() {
   return info.uordblks + info.hblkhd;
 }
 
-/// Draws cases. Draws the first, second, fourth, … case again, if that was quick, to check for
-/// memory leaks. In a replay, the saved case is drawn first, so the check covers it as well.
+/// Draws cases and answers queries. Draws the first, second, fourth, … case again, if that was
+/// quick, to check for memory leaks. In a replay, the saved case is drawn first, so the check
+/// covers it as well.
 class WatchedDrawer {
  public:
   WatchedDrawer(Backend& backend, double seconds)
@@ -84,15 +85,24 @@ class WatchedDrawer {
         longest_together_(seconds / 2) {}
 
   Result<Drawn> draw(const cases::Case& c, std::optional<cases::DrawBy> way) {
-    const auto start = std::chrono::steady_clock::now();
-    Result<Drawn> drawn = draw_in(c, way);
-    if (!drawn || !std::has_single_bit(++drawings_)) return drawn;
-    if (std::chrono::steady_clock::now() - start > longest_) return drawn;
-    if (const Result<void> kept = check_memory(c, way); !kept) return tl::unexpected(kept.error());
-    return drawn;
+    return watched([&] { return draw_in(c, way); });
+  }
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) {
+    return watched([&] { return backend_->occlusion_culler()->is_occluded(c, occluders); });
   }
 
  private:
+  /// Draws by `draw()`, and again if memory is to be checked.
+  template <typename DrawOnce>
+  auto watched(const DrawOnce& draw) -> decltype(draw()) {
+    const auto start = std::chrono::steady_clock::now();
+    auto drawn = draw();
+    if (!drawn || !std::has_single_bit(++drawings_)) return drawn;
+    if (std::chrono::steady_clock::now() - start > longest_) return drawn;
+    if (const Result<void> kept = check_memory(draw); !kept) return tl::unexpected(kept.error());
+    return drawn;
+  }
+
   /// Draws in the given way, if any; fails if that way cannot draw the case. Leaves out a driver's
   /// contract, which the parent process computes.
   Result<Drawn> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
@@ -118,7 +128,8 @@ class WatchedDrawer {
   /// that the repetitions fit into that limit. Scenes take longer and are not checked.
   static constexpr double kShareOfTime = 200;
 
-  Result<void> check_memory(const cases::Case& c, std::optional<cases::DrawBy> way) {
+  template <typename DrawOnce>
+  Result<void> check_memory(const DrawOnce& draw) {
     const auto start = std::chrono::steady_clock::now();
     const auto may_go_on = [&](int growing) {
       return growing >= kSuspected && growing < kLeaking &&
@@ -128,7 +139,7 @@ class WatchedDrawer {
     std::size_t growth = 0;
     int growing = 0;
     for (int i = 0; i < kRepetitions || may_go_on(growing); ++i) {
-      if (const auto again = draw_in(c, way); !again) return tl::unexpected(again.error());
+      if (const auto again = draw(); !again) return tl::unexpected(again.error());
       const std::size_t after = memory_in_use();
       growing = after > before ? growing + 1 : 0;
       growth = after - before;
@@ -150,6 +161,11 @@ class WatchedDrawer {
 
 std::string answer_to(const Request& request, const Backend& backend, WatchedDrawer& drawer) {
   if (request.question == Question::promise) return pack(backend.promise(request.source));
+  if (request.question == Question::occlusion) {
+    const Result<bool> occluded = drawer.is_occluded(request.source, request.occluders);
+    if (!occluded) return pack(OcclusionAnswer{false, occluded.error()});
+    return pack(OcclusionAnswer{*occluded, std::nullopt});
+  }
   Result<Drawn> drawn = drawer.draw(request.source, request.way);
   if (!drawn) return pack(DrawingAnswer{{}, drawn.error()});
   return pack(DrawingAnswer{*std::move(drawn), std::nullopt});

@@ -44,6 +44,13 @@ Error no_promise() {
   return {"", "", "values outside the range the backend promises to handle", Failure::unsupported};
 }
 
+Result<void> check_depth_range(const cases::Case& c, const backends::Backend& backend) {
+  if (cases::promises_depth_range_of(backend.contract(c), c)) return {};
+  return tl::unexpected(Error{"", "",
+                              "depth range outside the range the backend promises to handle",
+                              Failure::unsupported});
+}
+
 /// Runs `call()`, which draws a case without a camera, and checks its result and the floating-point
 /// modes.
 template <typename Call>
@@ -74,10 +81,8 @@ Result<backends::Drawn> drawn_by(const cases::Case& c, backends::Backend& backen
 }  // namespace
 
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
-  if (!cases::promises_depth_range_of(backend.contract(c), c)) {
-    return tl::unexpected(Error{"", "",
-                                "depth range outside the range the backend promises to handle",
-                                Failure::unsupported});
+  if (Result<void> promised = check_depth_range(c, backend); !promised) {
+    return tl::unexpected(promised.error());
   }
   return drawn_by(c, backend);
 }
@@ -143,6 +148,17 @@ Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& bac
                                 "attributes, or the lengths of its arrays are wrong"});
   }
   return picture;
+}
+
+Result<bool> is_occluded(const cases::Case& c, std::size_t occluders, backends::Backend& backend) {
+  assert(!c.camera);
+  if (Result<void> promised = check_depth_range(c, backend); !promised) {
+    return tl::unexpected(promised.error());
+  }
+  const backends::FloatingPointModes modes;
+  Result<bool> answer = backend.occlusion_culler()->is_occluded(c, occluders);
+  if (modes.have_changed()) return tl::unexpected(left_other_modes());
+  return answer;
 }
 
 }  // namespace rastercheck::properties

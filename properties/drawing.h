@@ -47,4 +47,8 @@ Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model
 Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& backend,
                                     const cases::Pipeline& pipeline);
 
+/// Asks whether the triangles from index `occluders` on are occluded by those before; checked as in
+/// draw(). The backend must have an occlusion culler.
+Result<bool> is_occluded(const cases::Case& c, std::size_t occluders, backends::Backend& backend);
+
 }  // namespace rastercheck::properties

@@ -61,6 +61,11 @@ bool is_tie(const Violation& violation) {
 std::string coverage_fault(const Violation& violation) {
   switch (violation.fragment_class) {
     case FragmentClass::missing:
+      // Answers to occlusion queries have this text in place of "not drawn".
+      if (violation.actual == "called occluded") {
+        return fmt::format("the triangle is called occluded, but the sample is visible ({})",
+                           reason_of(violation.exact));
+      }
       if (is_tie(violation) && violation.exact == "required: tie") {
         return "the sample is not drawn and must be: it lies exactly on an edge, and the fill rule "
                "gives it to this triangle";

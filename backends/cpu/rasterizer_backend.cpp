@@ -10,6 +10,7 @@
 #include "backends/cpu/fragments.h"
 #include "backends/cpu/framebuffer_drawing.h"
 #include "backends/cpu/geometry.h"
+#include "backends/cpu/occlusion.h"
 #include "backends/cpu/picture.h"
 #include "backends/cpu/stage_trace.h"
 #include "rasterizer/rasterizer.h"
@@ -117,11 +118,14 @@ class RasterizerBackend : public Backend,
                           private PictureDrawer,
                           private Assembler,
                           private VertexStage,
-                          private Tracer {
+                          private Tracer,
+                          private OcclusionCuller {
  public:
   explicit RasterizerBackend(RasterizerOptions options) : options_(std::move(options)) {}
 
-  About about() const override { return {.same_as = variants(options_)}; }
+  About about() const override {
+    return {.same_as = variants(options_), .answers_occlusion_queries = true};
+  }
   cases::Contract promise(const cases::Case& c) const override {
     cases::Contract contract = production_contract(c, options_.precision);
     if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // not stored
@@ -140,6 +144,7 @@ class RasterizerBackend : public Backend,
   VertexStage* vertex_stage() override { return this; }
   /// The stages of a trace say whether a sample is covered, not a pixel.
   Tracer* tracer() override { return is_conservative() || options_.rounds_down ? nullptr : this; }
+  OcclusionCuller* occlusion_culler() override { return this; }
 
  private:
   bool is_conservative() const { return options_.conservative != ras::Conservative::off; }
@@ -179,6 +184,10 @@ class RasterizerBackend : public Backend,
     state.precision = options_.precision;
     const CaseMesh memory(c);
     return traced_sample(ras::trace_sample(state, memory.mesh(), target_size(c), sample_place(at)));
+  }
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override {
+    return is_hidden_in_depth_buffer(
+        c, occluders, [this](const cases::Case& part) { return draw_fragments(part); });
   }
   Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices) override {

@@ -116,6 +116,7 @@ About drawn_about(About promiser) {
   promiser.driver.reset();
   promiser.same_as.clear();
   promiser.ways.clear();
+  promiser.answers_occlusion_queries = false;
   promiser.has_limits = true;
   return promiser;
 }

@@ -22,7 +22,7 @@ constexpr std::size_t count_of(cases::DepthError /*type*/) { return 3; }
 constexpr std::size_t count_of(cases::KeptDepth /*type*/) { return 4; }
 constexpr std::size_t count_of(cases::Claim /*type*/) { return 2; }
 constexpr std::size_t count_of(Failure /*type*/) { return 5; }
-constexpr std::size_t count_of(Question /*type*/) { return 2; }
+constexpr std::size_t count_of(Question /*type*/) { return 3; }
 
 /// True for arithmetic types except bool, and for aggregates of such types, whose bytes are copied
 /// as they are.
@@ -98,7 +98,7 @@ void members(Archive& archive, T& f) {
 }
 template <typename Archive, cases::Either<Request> T>
 void members(Archive& archive, T& r) {
-  archive(r.question, r.source, r.way);
+  archive(r.question, r.source, r.way, r.occluders);
 }
 template <typename Archive, cases::Either<Driver> T>
 void members(Archive& archive, T& d) {
@@ -115,7 +115,8 @@ void members(Archive& archive, T& c) {
 }
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
-  archive(a.description, a.driver, a.api, a.has_limits, a.capabilities, a.same_as, a.ways);
+  archive(a.description, a.driver, a.api, a.has_limits, a.capabilities, a.same_as, a.ways,
+          a.answers_occlusion_queries);
 }
 template <typename Archive, cases::Either<Greeting> T>
 void members(Archive& archive, T& g) {
@@ -128,6 +129,10 @@ void members(Archive& archive, T& d) {
 template <typename Archive, cases::Either<DrawingAnswer> T>
 void members(Archive& archive, T& d) {
   archive(d.drawn, d.problem);
+}
+template <typename Archive, cases::Either<OcclusionAnswer> T>
+void members(Archive& archive, T& a) {
+  archive(a.is_occluded, a.problem);
 }
 
 class Packer {
@@ -331,8 +336,14 @@ std::string pack(const Request& request) { return packed(request); }
 std::string pack(const Greeting& greeting) { return packed(greeting); }
 std::string pack(const DrawingAnswer& drawing) { return packed(drawing); }
 std::string pack(const cases::Contract& contract) { return packed(contract); }
+std::string pack(const OcclusionAnswer& answer) { return packed(answer); }
 
-std::optional<Request> unpack_request(std::string_view bytes) { return unpacked<Request>(bytes); }
+std::optional<Request> unpack_request(std::string_view bytes) {
+  std::optional<Request> request = unpacked<Request>(bytes);
+  const bool is_query = request && request->question == Question::occlusion;
+  if (is_query && request->occluders >= request->source.triangles.size()) return std::nullopt;
+  return request;
+}
 std::optional<Greeting> unpack_greeting(std::string_view bytes) {
   std::optional<Greeting> greeting = unpacked<Greeting>(bytes);
   if (greeting && !has_meaning(greeting->about.capabilities)) return std::nullopt;
@@ -347,6 +358,10 @@ std::optional<cases::Contract> unpack_contract(std::string_view bytes) {
   std::optional<cases::Contract> contract = unpacked<cases::Contract>(bytes);
   if (contract && !has_meaning(*contract)) return std::nullopt;
   return contract;
+}
+
+std::optional<OcclusionAnswer> unpack_occlusion(std::string_view bytes) {
+  return unpacked<OcclusionAnswer>(bytes);
 }
 
 }  // namespace rastercheck::backends

@@ -17,12 +17,13 @@
 namespace rastercheck::backends {
 
 /// The questions that one process asks the other about a case.
-enum class Question : std::uint8_t { promise, drawing };
+enum class Question : std::uint8_t { promise, drawing, occlusion };
 
 struct Request {
   Question question = Question::drawing;
   cases::Case source;
   std::optional<cases::DrawBy> way = std::nullopt;  ///< the way of drawing that was asked for
+  std::uint64_t occluders = 0;                      ///< for Question::occlusion
 };
 
 /// The first message of a process: describes its backend, or says why it has none.
@@ -37,16 +38,25 @@ struct DrawingAnswer {
   std::optional<Error> problem;
 };
 
+/// The answer to an occlusion query.
+struct OcclusionAnswer {
+  bool is_occluded = false;
+  std::optional<Error> problem = std::nullopt;
+};
+
 std::string pack(const Request& request);
 std::string pack(const Greeting& greeting);
 std::string pack(const DrawingAnswer& drawing);
 std::string pack(const cases::Contract& contract);
+std::string pack(const OcclusionAnswer& answer);
 
 /// Decode bytes. The result is empty unless the bytes are exactly one whole value: decoding fails
-/// for unknown enumerators, for lengths beyond the end, and for numbers that no contract has.
+/// for unknown enumerators, for lengths beyond the end, for numbers that no contract has, and for
+/// an occlusion query that is about no triangle.
 std::optional<Request> unpack_request(std::string_view bytes);
 std::optional<Greeting> unpack_greeting(std::string_view bytes);
 std::optional<DrawingAnswer> unpack_drawing(std::string_view bytes);
 std::optional<cases::Contract> unpack_contract(std::string_view bytes);
+std::optional<OcclusionAnswer> unpack_occlusion(std::string_view bytes);
 
 }  // namespace rastercheck::backends

@@ -198,7 +198,7 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
   constexpr std::size_t kWithDepthClear =
       offsetof(rastercheck_contract, depth_format) + sizeof(rastercheck_contract::depth_format);
   if (all->contract->size < kWithDepthClear) promised.lacks |= RASTERCHECK_LACKS_DEPTH_CLEAR;
-  return Plugin{*name, *version, promised, all->draw};
+  return Plugin{*name, *version, promised, all->draw, all->query};
 }
 
 namespace {

@@ -15,6 +15,8 @@ struct Plugin {
   std::string version;
   rastercheck_contract contract{};
   uint32_t (*draw)(const rastercheck_draw*, rastercheck_output*) = nullptr;
+  uint32_t (*query)(const rastercheck_query*,
+                    rastercheck_answer*) = nullptr;  ///< null if it has none
 };
 
 /// Loads a shared library and gets its plugin. Fails as `refused` if the file does not exist, and

@@ -5,21 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <exception>
 #include <limits>
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "backends/factory.h"
-#include "backends/floating_point_modes.h"
 #include "backends/plugin/draw_state.h"
+#include "backends/plugin/foreign_call.h"
 #include "backends/plugin/guarded_array.h"
 #include "backends/plugin/library.h"
-#include "cases/json.h"
+#include "backends/plugin/occlusion_query.h"
 
 namespace rastercheck::backends::plugin_registration {
 namespace {
@@ -28,7 +26,6 @@ namespace {
 /// a whole for each draw. In larger framebuffers, both steps cover only the rectangle that the
 /// plugin reports.
 constexpr std::size_t kSearchedWhole = std::size_t{1} << 16U;
-constexpr std::size_t kMessageSize = 256;
 
 template <typename T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -58,23 +55,28 @@ struct Rectangle {
   std::uint32_t max_y = 0;
 };
 
-class PluginBackend : public Backend {
+class PluginBackend : public Backend, private OcclusionCuller {
  public:
   PluginBackend(std::string path, Plugin plugin)
-      : path_(std::move(path)), plugin_(std::move(plugin)) {}
+      : path_(std::move(path)), plugin_(std::move(plugin)), query_(path_) {}
 
   About about() const override {
     // has_limits is set because the plugin may answer any draw with RASTERCHECK_UNSUPPORTED.
     return {.description = describe(plugin_),
             .has_limits = true,
-            .capabilities = capabilities_of(plugin_.contract)};
+            .capabilities = capabilities_of(plugin_.contract),
+            .answers_occlusion_queries = plugin_.query != nullptr};
   }
+  OcclusionCuller* occlusion_culler() override { return plugin_.query != nullptr ? this : nullptr; }
   cases::Contract promise(const cases::Case& c) const override {
     return contract_of(plugin_.contract, c);
   }
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override {
+    return query_.ask(plugin_, c, occluders);
+  }
   Result<void> hand_over(const cases::Case& c);
   Result<void> append(std::uint32_t first, std::uint32_t count, cases::Fragments& drawn);
   Result<void> call();
@@ -125,6 +127,7 @@ class PluginBackend : public Backend {
 
   std::string path_;
   Plugin plugin_;
+  OcclusionQuery query_;
   Arrays arrays_;
   rastercheck_draw draw_{};
   rastercheck_output output_{};
@@ -251,35 +254,13 @@ Result<void> PluginBackend::call() {
   // rectangle that the plugin reports is copied back.
   const rastercheck_draw draw = draw_;
   rastercheck_output output = output_;
-  const FloatingPointModes modes;
-  std::uint32_t status = RASTERCHECK_FAILED;
-  try {
-    status = plugin_.draw(&draw, &output);
-  } catch (const std::exception& problem) {
-    return fail(std::string("draw() threw an exception: ") + cases::printable(problem.what()));
-  } catch (...) {
-    return fail("draw() threw an exception");
-  }
-  if (Result<void> whole = check_fronts(); !whole) return whole;
-  if (modes.have_changed()) {
-    return fail("draw() changed the rounding mode or the treatment of subnormal numbers");
-  }
+  const Result<void> called = ForeignCall{path_, "draw", &arrays_.message}(
+      [&] { return plugin_.draw(&draw, &output); }, [this] { return check_fronts(); });
   output_.min_x = output.min_x;
   output_.min_y = output.min_y;
   output_.max_x = output.max_x;
   output_.max_y = output.max_y;
-  if (status == RASTERCHECK_OK) return {};
-  const auto* const text = arrays_.message.as<const char>();
-  std::string message = cases::one_line(std::string_view(text, ::strnlen(text, kMessageSize)));
-  if (message.empty()) message = "(no message)";
-  if (status == RASTERCHECK_UNSUPPORTED) {
-    return fail("draw() reported unsupported: " + message, Failure::unsupported);
-  }
-  if (status == RASTERCHECK_FAILED) return fail("draw() reported failed: " + message);
-  return fail(
-      fmt::format("draw() returned {}, which is not RASTERCHECK_OK, RASTERCHECK_UNSUPPORTED or "
-                  "RASTERCHECK_FAILED; its message: {}",
-                  status, message));
+  return called;
 }
 
 Result<void> PluginBackend::check_fronts() const {

@@ -406,6 +406,37 @@ enum {
 };
 
 /* ------------------------------------------------------------------------------------------------
+ * Occlusion queries, for occlusion cullers: is anything of these triangles visible behind those?
+ *
+ * The answer OCCLUDED is wrong if some sample of the occludee must be visible: if the occludee must
+ * cover it, and its depth there, as far as the contract lets it be off, is less than the depth of
+ * every occluder that may cover the sample, and less than depth_clear. `coverage`, `tie_rule`, the
+ * bound `depth`, `depth_format` and the limits of the contract count, as they do for draw(). The
+ * answer VISIBLE is never wrong, but is counted where nothing can be visible.
+ */
+
+/* rastercheck_answer.visibility */
+enum { RASTERCHECK_VISIBLE = 0, RASTERCHECK_OCCLUDED = 1 };
+
+/* Two draws with the same state and vertices: only triangle_count and indices differ. They have
+ * depth_test 1 and no attributes. All arrays are the caller's, as those of draw(). */
+typedef struct rastercheck_query {
+  uint32_t size;
+  uint32_t reserved;                 /* 0 */
+  const rastercheck_draw* occluders; /* may have no triangles; `indices` is null then */
+  const rastercheck_draw* occludee;  /* has a triangle or more */
+} rastercheck_query;
+
+typedef struct rastercheck_answer {
+  uint32_t size;
+  uint32_t visibility; /* initially RASTERCHECK_VISIBLE */
+  /* [message_size]: as rastercheck_output.message */
+  char* message;
+  uint32_t message_size;
+  uint32_t reserved; /* 0 */
+} rastercheck_answer;
+
+/* ------------------------------------------------------------------------------------------------
  * What rastercheck_plugin_get() returns. The struct, its texts and its contract belong to the
  * plugin and must stay unchanged until the process ends.
  */
@@ -418,6 +449,10 @@ typedef struct rastercheck_plugin {
   /* Draws. Neither pointer is null. Must write `output` and change no other state that lasts: the
    * same draw must give the same output, whatever was drawn before. */
   uint32_t (*draw)(const rastercheck_draw* draw, rastercheck_output* output);
+  /* Answers an occlusion query; may be null. Neither pointer is null. Returns what draw() may
+   * return, and keeps no state that changes a later answer. A culler that draws nothing has a
+   * draw() that returns RASTERCHECK_UNSUPPORTED. */
+  uint32_t (*query)(const rastercheck_query* query, rastercheck_answer* answer);
 } rastercheck_plugin;
 
 #if defined(_WIN32)

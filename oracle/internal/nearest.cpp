@@ -4,11 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/internal/float_ulp.h"
-#include "oracle/internal/next_double.h"
-#include "oracle/internal/rational_number.h"
+#include "oracle/internal/compared_depth.h"
 #include "oracle/internal/scene.h"
-#include "oracle/ulp.h"
 
 namespace rastercheck::oracle {
 namespace {
@@ -20,53 +17,10 @@ using records::Verdict;
 constexpr double kFarthest = std::numeric_limits<double>::infinity();
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 
-/// The largest difference between a compared depth and the exact one, in units of depth. It is the
-/// contract's bound plus one step of the format, because the depth may be rounded to either
-/// neighbour.
-double near_depth_slack(const TriangleSetup& triangle) {
-  const cases::Viewport& viewport = triangle.scene->source().viewport;
-  const float largest = std::max(viewport.min_depth, viewport.max_depth);
-  // Exact, because it is a float32 times a power of 2.
-  const cases::ValueBound& promised = triangle.promise.bounds.depth;
-  const double bound = std::ldexp(double{promised.constant}, ulp_exponent(largest));
-  const double step =
-      cases::depth_step(triangle.scene->contract().depth_format) + double{promised.absolute};
-  return step == 0 ? bound : (bound + step) * (1 + 0x1p-50);
-}
-
-/// Like near_depth_slack(), but exact.
-Field depth_slack(const TriangleSetup& triangle) {
-  const Scene& scene = *triangle.scene;
-  const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
-  const Rational unit = ulp(to_rational(largest));
-  const cases::ValueBound& bound = triangle.promise.bounds.depth;
-  return exact_field(bound.constant) * to_field(unit) + exact_field(bound.absolute) +
-         Field(cases::depth_step(scene.contract().depth_format));
-}
-
-// If the contract reverses depth, all depths here are negated, so that less is nearer.
-
-double directed(const SceneTruth& scene, double depth) {
-  return scene.contract().is_depth_reversed() ? -depth : depth;
-}
-
-Enclosure directed(const SceneTruth& scene, const Enclosure& depth) {
-  return scene.contract().is_depth_reversed() ? Enclosure{-depth.hi, -depth.lo} : depth;
-}
-
-FieldRange directed(const SceneTruth& scene, const FieldRange& depth) {
-  return scene.contract().is_depth_reversed() ? FieldRange{-depth.hi, -depth.lo} : depth;
-}
-
-/// The depth buffer's initial value.
-double clear_depth(const SceneTruth& scene) {
-  return directed(scene, double{scene.contract().depth_beginning(scene.source().depth_clear)});
-}
-
 /// The least initial value of the depth buffer. The buffer's format may round the case's value by
 /// up to a step, except 0 and 1, which every format represents exactly.
 double nearest_clear_depth(const SceneTruth& scene) {
-  const double clear = clear_depth(scene);
+  const double clear = initial_depth(scene);
   const bool is_exact = clear == 0 || std::abs(clear) == 1;
   return is_exact ? clear : clear - cases::depth_step(scene.contract().depth_format);
 }
@@ -130,7 +84,7 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
   // If the case does not name the buffer's initial value, it may lie beyond all depths.
   double horizon = kFarthest;
   if (scene.source().depth_clear) {
-    horizon = clear_depth(scene);
+    horizon = initial_depth(scene);
     if (!scene.contract().keeps_last_of_equals()) horizon = std::nextafter(horizon, -kFarthest);
   }
   const cases::FramebufferSize& size = scene.source().framebuffer;
@@ -140,8 +94,8 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
 }
 
 Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
-                                const DepthFilter& filter, double slack, int x, int y,
-                                int s) const {
+                                const DepthFilter& filter, const DepthSlack<double>& slack, int x,
+                                int y, int s) const {
   const auto pattern = scene_->scene().pattern();
   std::optional<Enclosure> depth = filter.at(x, y, pattern[static_cast<std::size_t>(s)]);
   if (!depth) {
@@ -149,7 +103,7 @@ Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
     if (!exact) return {kNoDepth, kNoDepth};
     depth = {exact->lo.enclosure().lo, exact->hi.enclosure().hi};
   }
-  return directed(*scene_, Enclosure{next_below(depth->lo - slack), next_above(depth->hi + slack)});
+  return widened_depths(*scene_, *depth, slack);
 }
 
 void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
@@ -157,8 +111,9 @@ void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
   if (prepared.filter->is_empty()) return;
   const TriangleSetup& setup = prepared.truth->setup();
   const DepthFilter& depths = prepared.depths();
-  const double slack =
-      prepared.truth->is_value_free(std::nullopt) ? kNoDepth : near_depth_slack(setup);
+  const DepthSlack<double> slack = prepared.truth->is_value_free(std::nullopt)
+                                       ? DepthSlack<double>{kNoDepth, kNoDepth}
+                                       : near_depth_slack(setup);
   const cases::FramebufferSize& size = scene_->source().framebuffer;
   const PixelBox& box = prepared.filter->box();
   for (int y = std::max(y0_, box.y0); y < std::min(y1_, box.y1); ++y) {
@@ -230,21 +185,16 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
   std::vector<Rival> rivals;
   for (const Covering& covering : sample.coverings) {
     const auto truth = triangles_->of(covering.triangle).truth;
-    rivals.push_back({&covering, std::nullopt, kept_plane(truth->setup())});
-    if (truth->is_value_free(std::nullopt)) continue;
-    const auto depth = truth->depth(x, y, s);
-    const Field slack = depth_slack(truth->setup());
+    rivals.push_back({&covering, compared_depths(*truth, x, y, s), kept_plane(truth->setup())});
     // Conservatively covered samples without a depth may have any, in a plane of equal depth, too.
-    if (!depth && scene_->contract().conservative) rivals.back().plane.reset();
-    if (!depth) continue;
-    rivals.back().depth =
-        directed(*scene_, FieldRange{to_field(depth->lo) - slack, to_field(depth->hi) + slack});
+    const bool is_open = !rivals.back().depth && scene_->contract().conservative;
+    if (is_open) rivals.back().plane.reset();
   }
   const bool keeps_last = scene_->contract().keeps_last_of_equals();
   for (const Rival& a : rivals) {
     const bool is_drawn = a.is_surely_nearer_than(clear_depth_);
     if (scene_->source().depth_clear && a.depth) {
-      const Field clear(clear_depth(*scene_));
+      const Field clear(initial_depth(*scene_));
       const bool is_beyond = keeps_last ? a.depth->lo > clear : a.depth->lo >= clear;
       if (is_beyond) continue;
     }

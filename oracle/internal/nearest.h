@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "oracle/internal/compared_depth.h"
 #include "oracle/internal/coverage_row.h"
 #include "oracle/internal/depth_filter.h"
 #include "oracle/internal/triangle_filter.h"
@@ -107,7 +108,8 @@ class NearestBand {
 
   void add(Sample& sample, const Covering& covering) const;
   records::Enclosure depth_of(const PreparedTriangles::Prepared& triangle,
-                              const DepthFilter& filter, double slack, int x, int y, int s) const;
+                              const DepthFilter& filter, const DepthSlack<double>& slack, int x,
+                              int y, int s) const;
   /// Returns true if some triangle must be drawn at the sample.
   bool resolve(const Sample& sample, int y, int x, int s, std::vector<Candidate>& candidates);
 

@@ -210,6 +210,44 @@ TEST(Cpu, DrawsWhatIsNearerThanTheBeginningOfTheDepthBuffer) {
   }
 }
 
+// Kills: an occludee that is hidden by its own triangles, or by occluders at other samples; a depth
+// that is compared by "less or equal" or with another clear depth.
+TEST(Cpu, AnswersOcclusionQueries) {
+  cases::Case c;
+  c.framebuffer = {4, 4, 1};
+  c.viewport = {0, 0, 4, 4, 0, 1};
+  c.positions = {{-1, -1, 0.5F, 1},  {1, -1, 0.5F, 1},  {-1, 1, 0.5F, 1},   // six pixels
+                 {-1, -1, 0.75F, 1}, {0, -1, 0.75F, 1}, {-1, 0, 0.75F, 1},  // one of them
+                 {0, 0, 0.75F, 1},   {1, 0, 0.75F, 1},  {0, 1, 0.75F, 1}};  // another one
+  c.triangles = {{0, 1, 2}, {3, 4, 5}};
+  for (const char* const name : {"cpu", "cpu:output=framebuffer", "cpu:precision=float32"}) {
+    const auto backend = make_backend(name).value();
+    EXPECT_TRUE(backend->about().answers_occlusion_queries);
+    ASSERT_NE(backend->occlusion_culler(), nullptr);
+    const auto is_occluded = [&](std::size_t occluders) {
+      return backend->occlusion_culler()->is_occluded(c, occluders).value();
+    };
+    c.triangles = {{0, 1, 2}, {3, 4, 5}};
+    EXPECT_TRUE(is_occluded(1)) << name;
+    EXPECT_FALSE(is_occluded(0)) << name;  // no occluder at all
+    c.triangles = {{3, 4, 5}, {0, 1, 2}};
+    EXPECT_FALSE(is_occluded(1)) << name;
+    c.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+    EXPECT_FALSE(is_occluded(1)) << name;
+    c.triangles = {{0, 1, 2}, {6, 7, 8}};
+    EXPECT_FALSE(is_occluded(1)) << name;
+    c.triangles = {{0, 1, 2}, {0, 1, 2}};
+    EXPECT_TRUE(is_occluded(1)) << name;
+    c.triangles = {{3, 4, 5}};
+    c.depth_clear = 0.75F;
+    EXPECT_TRUE(is_occluded(0)) << name;
+    c.depth_clear = 0.875F;
+    EXPECT_FALSE(is_occluded(0)) << name;
+    c.depth_clear.reset();
+  }
+  EXPECT_EQ(make_backend("method:rational-linear").value()->occlusion_culler(), nullptr);
+}
+
 TEST(Cpu, SaysWhatItsOptionsAre) {
   for (const char* bad : {"threads=0", "threads=257", "threads=-1", "threads=2x", "threads=",
                           "output=framebuffer,threads=0", "simd", "simd=", "simd=mmx"}) {

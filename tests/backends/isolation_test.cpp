@@ -68,6 +68,28 @@ TEST(Isolation, DrawsTheSameBitsAndPromisesTheSame) {
   EXPECT_GT(fragments, 8000);
 }
 
+TEST(Isolation, AnswersOcclusionQueriesAlike) {
+  const auto direct = make_backend("cpu").value();
+  const auto isolated = make_isolated_backend("cpu", isolation()).value();
+  ASSERT_NE(isolated->occlusion_culler(), nullptr);
+  int occluded = 0;
+  int visible = 0;
+  for (const cases::Case& c : corpus()) {
+    if (c.triangles.empty()) continue;
+    const std::size_t occluders = c.triangles.size() - 1;
+    const auto expected = direct->occlusion_culler()->is_occluded(c, occluders);
+    const auto answer = isolated->occlusion_culler()->is_occluded(c, occluders);
+    ASSERT_EQ(answer.has_value(), expected.has_value()) << c.name;
+    if (!answer) continue;
+    EXPECT_EQ(*answer, *expected) << c.name;
+    ++(*answer ? occluded : visible);
+  }
+  EXPECT_GT(occluded, 5);
+  EXPECT_GT(visible, 20);
+  const auto method = make_isolated_backend("method:rational-linear", isolation()).value();
+  EXPECT_EQ(method->occlusion_culler(), nullptr);
+}
+
 TEST(Isolation, HasTheBackendsOwnErrors) {
   const auto none = make_isolated_backend("cpu:magic=1", isolation());
   ASSERT_FALSE(none);

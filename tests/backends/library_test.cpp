@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -322,7 +323,7 @@ TEST(Plugin, MayHaveMoreMembersButNotFewer) {
   const auto checked = checked_plugin(&structs.plugin, "x.so");
   ASSERT_TRUE(checked) << to_string(checked.error());
   EXPECT_EQ(checked->contract.max_attributes, 7U);
-  structs.plugin.size = sizeof(rastercheck_plugin) - 8;
+  structs.plugin.size = offsetof(rastercheck_plugin, query) - 8;
   EXPECT_EQ(structs.problem(),
             "plugin:x.so: the first member of its rastercheck_plugin, `size`, is not "
             "sizeof(rastercheck_plugin)");
@@ -383,6 +384,20 @@ TEST(Plugin, IsRefusedIfItsContractContradictsItself) {
               c.size_multiple = 8;
             }),
             "size_multiple contradicts max_size, which is less");
+}
+
+uint32_t answer_nothing(const rastercheck_query* /*query*/, rastercheck_answer* /*answer*/) {
+  return RASTERCHECK_OK;
+}
+
+// Kills: a pointer read beyond the struct of a plugin from before there were queries.
+TEST(Plugin, AnswersQueriesIfItSaysHow) {
+  Structs structs;
+  EXPECT_EQ(checked_plugin(&structs.plugin, "x.so").value().query, nullptr);
+  structs.plugin.query = &answer_nothing;
+  EXPECT_EQ(checked_plugin(&structs.plugin, "x.so").value().query, &answer_nothing);
+  structs.plugin.size = offsetof(rastercheck_plugin, query);
+  EXPECT_EQ(checked_plugin(&structs.plugin, "x.so").value().query, nullptr);
 }
 
 TEST(Plugin, SaysWhatCanBeSaid) {

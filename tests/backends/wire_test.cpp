@@ -94,6 +94,31 @@ TEST(Wire, BringsEveryMemberOfACase) {
   }
 }
 
+TEST(Wire, BringsOcclusionQueriesAndAnswers) {
+  cases::Case c = full_case();
+  const auto triangles = static_cast<std::uint64_t>(c.triangles.size());
+  const Request query{Question::occlusion, c, std::nullopt, triangles - 1};
+  const auto request = unpack_request(pack(query));
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->question, Question::occlusion);
+  EXPECT_EQ(request->source, c);
+  EXPECT_EQ(request->occluders, triangles - 1);
+  // A query about no triangle.
+  EXPECT_FALSE(unpack_request(pack(Request{Question::occlusion, c, std::nullopt, triangles})));
+  EXPECT_TRUE(unpack_request(pack(Request{Question::drawing, c, std::nullopt, triangles})));
+
+  for (const bool is_occluded : {false, true}) {
+    const auto answer = unpack_occlusion(pack(OcclusionAnswer{is_occluded, std::nullopt}));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->is_occluded, is_occluded);
+    EXPECT_FALSE(answer->problem);
+  }
+  const auto failed = unpack_occlusion(pack(OcclusionAnswer{false, Error{"a", "b", "c"}}));
+  ASSERT_TRUE(failed && failed->problem);
+  EXPECT_EQ(to_string(*failed->problem), "a: b: c");
+  EXPECT_FALSE(unpack_occlusion(std::string(2, '\2')));
+}
+
 TEST(Wire, BringsEveryMemberOfAContract) {
   for (const cases::Contract& contract : {full_contract(), cases::Contract()}) {
     EXPECT_EQ(unpack_contract(pack(contract)), contract);
@@ -128,7 +153,8 @@ TEST(Wire, BringsDrawingsAndErrors) {
                     .api = ApiLimits{8, true, 3},
                     .has_limits = true,
                     .capabilities = capabilities,
-                    .same_as = {"another", "and another"}};
+                    .same_as = {"another", "and another"},
+                    .answers_occlusion_queries = true};
   const auto greeting = unpack_greeting(pack(Greeting{about, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->about, about);
@@ -148,15 +174,17 @@ TEST(Wire, RefusesEveryPart) {
   }
 }
 
-// Sets each byte to 255 in turn. 25 of the refused bytes are flags and enumerators: whether there
+// Sets each byte to 255 in turn. 29 of the refused bytes are flags and enumerators: whether there
 // is a coverage, its roundings and whether there are two, basis, tie rule, grid, claim, what is
 // culled and whether instead of clipping, depth format, depth function, side of depths, five
-// promises, and whether each of five optional bounds, a guard band about the viewport and a sample
-// position exist. Four are the bytes of subpixel_bits, three of odd_steps (255 is possible), 11 of
-// the sample position (in 255 parts, it is possible). 33 are the last bytes of numbers, which
-// become negative: position error, two guard bands, least area, clip tolerance, clip error,
-// viewport error, 15 numbers of bounds, four optional bounds, five numbers for textures, and two
-// magnitudes. Eight are the bytes of the number of per-triangle promises.
+// promises, whether each of five optional bounds, a guard band about the viewport and a sample
+// position exist; whether coverage is conservative, its kind, its corners, and whether triangles
+// without area are covered. Four are the bytes of subpixel_bits, three of odd_steps (255 is
+// possible), 11 of the sample position (in 255 parts, it is possible). 35 are the last bytes of
+// numbers, which become negative: position error, error and growth of conservative coverage, two
+// guard bands, least area, clip tolerance, clip error, viewport error, 15 numbers of bounds, four
+// optional bounds, five numbers for textures, and two magnitudes. Eight are the bytes of the number
+// of per-triangle promises.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -165,7 +193,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 25 + 4 + 3 + 11 + 33 + 8);
+  EXPECT_EQ(refused, 29 + 4 + 3 + 11 + 35 + 8);
 }
 
 // Kills: a comparison that is true for NaN.

@@ -154,6 +154,14 @@ Result<Fragments> OverlaidBackend::draw_assembled(const cases::Case& c, cases::T
       &overlay_fragments);
 }
 
+Result<bool> OverlaidBackend::is_occluded(const cases::Case& c, std::size_t occluders) {
+  return overlaid(
+      [&](backends::Backend& of) { return of.occlusion_culler()->is_occluded(c, occluders); },
+      [](bool right, bool damaged, bool& answer) {
+        if (damaged != right) answer = damaged;
+      });
+}
+
 Result<std::vector<cases::ClipVertex>> OverlaidBackend::transform(const cases::Case& c) {
   return overlaid([&c](backends::Backend& of) { return of.vertex_stage()->transform(c); },
                   &overlay_vectors<std::vector<cases::ClipVertex>>);

@@ -18,7 +18,8 @@ namespace rastercheck::mutants {
 class OverlaidBackend : public backends::Backend,
                         backends::PictureDrawer,
                         backends::Assembler,
-                        backends::VertexStage {
+                        backends::VertexStage,
+                        backends::OcclusionCuller {
  public:
   OverlaidBackend(std::unique_ptr<backends::Backend> unharmed,
                   std::vector<std::unique_ptr<backends::Backend>> damaged);
@@ -28,6 +29,7 @@ class OverlaidBackend : public backends::Backend,
   backends::PictureDrawer* picture_drawer() override { return this; }
   backends::Assembler* assembler() override { return this; }
   backends::VertexStage* vertex_stage() override { return this; }
+  backends::OcclusionCuller* occlusion_culler() override { return this; }
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
@@ -37,6 +39,7 @@ class OverlaidBackend : public backends::Backend,
                          cases::Picture& picture) override;
   Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices) override;
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override;
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override;
   Result<std::vector<cases::Normal>> transform_normals(
       const cases::Matrix4& model, std::span<const cases::Normal> normals) override;

@@ -193,6 +193,15 @@ backends::WaysOfDrawing* RecordingBackend::ways_of_drawing() {
   return asked([](Backend& b) { return b.ways_of_drawing() != nullptr; }) ? this : nullptr;
 }
 
+backends::OcclusionCuller* RecordingBackend::occlusion_culler() {
+  return asked([](Backend& b) { return b.occlusion_culler() != nullptr; }) ? this : nullptr;
+}
+
+Result<bool> RecordingBackend::is_occluded(const cases::Case& c, std::size_t occluders) {
+  return asked(
+      [c, occluders](Backend& b) { return b.occlusion_culler()->is_occluded(c, occluders); });
+}
+
 std::vector<cases::DrawBy> RecordingBackend::ways() const {
   return asked([](Backend& b) { return b.ways_of_drawing()->ways(); });
 }

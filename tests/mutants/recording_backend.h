@@ -21,7 +21,8 @@ class RecordingBackend : public backends::Backend,
                          backends::Assembler,
                          backends::VertexStage,
                          backends::Tracer,
-                         backends::WaysOfDrawing {
+                         backends::WaysOfDrawing,
+                         backends::OcclusionCuller {
  public:
   /// `answering` must outlive this object.
   explicit RecordingBackend(backends::Backend& answering) : answering_(&answering) {}
@@ -38,6 +39,7 @@ class RecordingBackend : public backends::Backend,
   backends::VertexStage* vertex_stage() override;
   backends::Tracer* tracer() override;
   backends::WaysOfDrawing* ways_of_drawing() override;
+  backends::OcclusionCuller* occlusion_culler() override;
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
@@ -51,6 +53,7 @@ class RecordingBackend : public backends::Backend,
                          cases::Picture& picture) override;
   Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices) override;
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override;
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override;
   Result<std::vector<cases::Normal>> transform_normals(
       const cases::Matrix4& model, std::span<const cases::Normal> normals) override;

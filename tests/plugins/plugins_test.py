@@ -21,6 +21,7 @@ SOURCE, RASTERCHECK, CMAKE, CC, CXX, PATCH, CASES = pathlib.Path(), "", "", "", 
 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 COVERAGE, VALUES = "coverage-obeys-the-contract", "values-stay-within-the-bound"
+OCCLUSION = "what-is-visible-is-not-called-occluded"
 VERTEX_ORDER = "vertex-order-changes-nothing-beyond-the-bound"
 # A pattern that matches exactly these three laws.
 THREE_LAWS = "[cv]*-the-[bc]o*"
@@ -178,6 +179,50 @@ class Little(PluginTest):
                           self.rastercheck(code, "replay", file, "--backend", plugin))
 
 
+class Culler(PluginTest):
+    def occlusion(self):
+        return self.build(SOURCE / "docs/examples/plugin/occlusion.c", "occlusion")
+
+    def test_holds_what_it_promises(self):
+        plugin = self.occlusion()
+        table = self.rastercheck(0, "run", "--backend", plugin, "--property", OCCLUSION, "--seed", 1,
+                                 "--cases", CASES, "--all", "--keep-cases")
+        self.assertIn(" held", table)
+        self.assertNotIn("Not reached", table)
+        self.assertGreater(self.rows("rastercheck-out")[OCCLUSION, plugin]["checked"], CASES)
+
+    def test_says_that_it_draws_nothing(self):
+        plugin = self.occlusion()
+        self.assertIn("draw() reported unsupported: an occlusion culler draws nothing",
+                      self.rastercheck(2, "render", "corpus/wide.json", "--backend", plugin))
+        self.assertIn(f"{COVERAGE}, {plugin}: not applicable",
+                      self.rastercheck(0, "replay", "corpus/wide.json", "--backend", plugin))
+
+    def test_faults_of_a_query_are_found(self):
+        """The fault, what replaces the end of the query, and what is said of it."""
+        for name, code, verdict, message in (
+                ("crash", "free(NULL); *(volatile int*)0 = 1;", "crash", "Segmentation fault"),
+                ("fails", "strncpy(answer->message, \"too wide\", answer->message_size - 1); return RASTERCHECK_FAILED;",
+                 "failed", "query() reported failed: too wide"),
+                ("neither", "answer->visibility = 7; return RASTERCHECK_OK;", "failed",
+                 "query() wrote 7 to answer->visibility"),
+                ("leak", "if (malloc(100) == NULL) return RASTERCHECK_FAILED;", "failed", "it leaks memory"),
+                ("writes_input", "((float*)(size_t)draw->positions)[0] = 1;", "crash",
+                 "the plugin wrote to query->occludee->positions, which it may only read"),
+                ("message", "answer->message[answer->message_size] = 1;", "crash",
+                 "the plugin touched answer->message beyond its end, by 1 byte")):
+            with self.subTest(name):
+                whole = (SOURCE / "docs/examples/plugin/occlusion.c").read_text(encoding="utf-8")
+                self.assertEqual(whole.count("  free(b.depth);\n"), 1)
+                source = self.write(f"{name}.c", whole.replace("  free(b.depth);\n", f"  free(b.depth);\n  {code}\n"))
+                plugin = self.build(source, name)
+                said = self.rastercheck(1, "run", "--backend", plugin, "--property", OCCLUSION, "--seed", 1,
+                                        "--corpus", "corpus", "--cases", RANDOM_CASES, "--shrink-tries", 40,
+                                        "--output", name)
+                self.assertIn(message, said)
+                self.assertIn(verdict, {one["verdict"] for one in self.counterexamples(name).values()})
+
+
 # What a plugin that breaks its one promise is caught by.
 BROKEN = {
     "clipped_at_viewport": None,  # these four have no such promise of their own
@@ -329,9 +374,10 @@ class Mutants(PluginTest):
                 header = dict(re.findall(r"^(Defect|Killed by|Stage): (.*)$", patch.read_text(encoding="utf-8"),
                                          re.MULTILINE))
                 stages.add(header["Stage"])
-                source = self.folder / "docs/examples/plugin/little.c"
+                name = re.search(r"^--- a/(.*)$", patch.read_text(encoding="utf-8"), re.MULTILINE)[1]
+                source = self.folder / name
                 source.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(SOURCE / "docs/examples/plugin/little.c", source)
+                shutil.copy(SOURCE / name, source)
                 done = self.run_command(PATCH, "--fuzz=0", "-p1", "--batch", "--input", patch)
                 self.assertEqual(done.returncode, 0, done.stdout)
                 plugin = self.build(source, patch.stem)
@@ -347,13 +393,13 @@ class Mutants(PluginTest):
                     self.assertLessEqual(len(c["triangles"]), 4)
                     self.assertIn("(as found)", self.rastercheck(1, "replay", file))
                     # The undamaged rasterizer does not have the fault.
-                    self.assertIn(": held", self.rastercheck(0, "replay", file, "--backend", self.whole()))
+                    self.assertIn(": held", self.rastercheck(0, "replay", file, "--backend", self.whole(source.stem)))
         self.assertGreaterEqual(len(stages), 8)
 
-    def whole(self):
-        if not (self.folder / "whole.so").exists():
-            self.build(SOURCE / "docs/examples/plugin/little.c", "whole")
-        return "plugin:./whole.so"
+    def whole(self, plugin):
+        if not (self.folder / f"whole-{plugin}.so").exists():
+            self.build(SOURCE / f"docs/examples/plugin/{plugin}.c", f"whole-{plugin}")
+        return f"plugin:./whole-{plugin}.so"
 
 
 def find(test, program):

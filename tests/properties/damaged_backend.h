@@ -37,6 +37,9 @@ using PictureDamage = std::function<void(const cases::Pipeline& asked_for, cases
 /// Damages what another way of drawing draws, or makes this way report that it cannot draw the
 /// case.
 using WayDamage = std::function<void(const cases::Case&, Result<cases::Fragments>&)>;
+/// Damages the answer to an occlusion query.
+using OcclusionDamage =
+    std::function<void(const cases::Case&, std::size_t occluders, bool& is_occluded)>;
 using TraceDamage =
     std::function<void(const cases::SamplePlace&, std::optional<records::SampleTrace>&)>;
 
@@ -45,7 +48,8 @@ class DamagedBackend : public backends::Backend,
                        protected backends::Assembler,
                        protected backends::VertexStage,
                        protected backends::Tracer,
-                       protected backends::WaysOfDrawing {
+                       protected backends::WaysOfDrawing,
+                       protected backends::OcclusionCuller {
  public:
   explicit DamagedBackend(Damage damage = {},
                           const std::string& specification = "method:rational-linear")
@@ -68,7 +72,12 @@ class DamagedBackend : public backends::Backend,
     return way_damage || inner_->ways_of_drawing() ? this : nullptr;
   }
 
+  backends::OcclusionCuller* occlusion_culler() override {
+    return inner_->occlusion_culler() ? this : nullptr;
+  }
+
   std::optional<cases::Contract> promised;
+  OcclusionDamage occlusion_damage;
   TraceDamage trace_damage;
   TransformDamage transform_damage;
   /// If set, there are two ways of drawing, and this damages the second.
@@ -102,6 +111,12 @@ class DamagedBackend : public backends::Backend,
     auto traced = inner_->tracer()->trace(c, at);
     if (traced && trace_damage) trace_damage(at, *traced);
     return traced;
+  }
+
+  Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override {
+    Result<bool> answer = inner_->occlusion_culler()->is_occluded(c, occluders);
+    if (answer && occlusion_damage) occlusion_damage(c, occluders, *answer);
+    return answer;
   }
 
   Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,

@@ -104,6 +104,18 @@ TEST(FindingText, NamesWhatIsNoNumber) {
             "attribute 'u' was drawn as 1 and must be nan");
 }
 
+TEST(FindingText, SaysWhatIsCalledOccluded) {
+  Violation v;
+  v.fragment_class = FragmentClass::missing;
+  v.place = {1, 5, 3, 0};
+  v.exact = "required: its depth is at most 0.5, that of occluders at least 1";
+  v.actual = "called occluded";
+  EXPECT_EQ(
+      finding_text(v, simple_case()),
+      "pixel (3, 5) of triangle 1: the triangle is called occluded, but the sample is visible "
+      "(its depth is at most 0.5, that of occluders at least 1)");
+}
+
 TEST(FindingText, SaysWhetherASampleMustBeDrawn) {
   Violation v;
   v.fragment_class = FragmentClass::missing;

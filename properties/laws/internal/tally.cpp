@@ -49,6 +49,13 @@ void Tally::add_part(AttributeKind kind, records::Stratum stratum, const records
   check_.judgement.errors[kind].stages[stratum][part.stage].add(records::magnitude(part.error));
 }
 
+void Tally::add_levels(const records::LevelCounts& samples) {
+  records::LevelCounts& all = check_.judgement.levels.samples;
+  all.filter += samples.filter;
+  all.interval += samples.interval;
+  all.exact += samples.exact;
+}
+
 Check Tally::finish() {
   add_state_labels(*case_, triangles_, labels_);
   check_.labels.assign(labels_.begin(), labels_.end());

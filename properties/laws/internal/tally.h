@@ -42,6 +42,9 @@ class Tally {
   void add_part(records::AttributeKind kind, records::Stratum stratum,
                 const records::StagePart& part);
 
+  /// Adds the levels of the oracle's cascade that decided samples.
+  void add_levels(const records::LevelCounts& samples);
+
   /// Returns the check with all labels, including those of the state.
   Check finish();
 
