@@ -4,7 +4,7 @@
  *
  * A plugin is a shared library that exports one function, rastercheck_plugin_get(). The function
  * returns what the rasterizer promises (rastercheck_contract) and a function that draws (from a
- * rastercheck_draw to a rastercheck_output).
+ * rastercheck_draw to a rastercheck_output); for occlusion cullers, also one that answers queries.
  *
  * Versions. Every struct begins with its size in bytes, as compiled by whoever fills it in, except
  * rastercheck_bound and rastercheck_attribute, which never grow. Members are only ever added at the

@@ -63,7 +63,7 @@ TEST(VisibleIsNotCalledOccluded, CatchesTheContrary) {
             "required: its depth is at most 0.5000000607967365, that of occluders at least "
             "0.7499999392032635");
   EXPECT_EQ(violation.note,
-            "the last triangle is visible, but was called occluded; triangle 0 is "
+            "triangle 0 is "
             "the nearest occluder there");
 }
 
