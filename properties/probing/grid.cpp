@@ -9,8 +9,6 @@
 namespace rastercheck::properties {
 namespace {
 
-constexpr std::int64_t kPixel = std::int64_t{1} << kFineBits;
-constexpr int kSide = 64;
 /// Triangles per case; there is one case per size of move.
 constexpr int kTriangles = 64;
 
@@ -36,8 +34,8 @@ const char* name_of(GridRounding rounding) {
 /// A triangle with an edge through a sample, whose vertices are then moved by a few units of 2^-k
 /// pixels; not moved if k is 0.
 FineTriangle near_sample(Draw& draw, int k) {
-  const std::int64_t sample_x = draw.between(20, 43) * kPixel + kPixel / 2;
-  const std::int64_t sample_y = draw.between(20, 43) * kPixel + kPixel / 2;
+  const std::int64_t sample_x = draw.between(20, 43) * kFinePixel + kFinePixel / 2;
+  const std::int64_t sample_y = draw.between(20, 43) * kFinePixel + kFinePixel / 2;
   // A quarter of the edges are vertical or horizontal: ties on such edges are a special case.
   const bool is_along = draw.one_in(4);
   const bool is_level = draw.one_in(2);
@@ -50,11 +48,11 @@ FineTriangle near_sample(Draw& draw, int k) {
   const std::int64_t away = draw.one_in(2) ? 1 : -1;
   const std::int64_t slide = draw.between(-3, 3);
   FineTriangle triangle;
-  triangle.x = {sample_x + before * along_x * kPixel, sample_x - beyond * along_x * kPixel,
-                sample_x + (slide - 2 * away * along_y) * kPixel};
-  triangle.y = {sample_y + before * along_y * kPixel, sample_y - beyond * along_y * kPixel,
-                sample_y + (slide + 2 * away * along_x) * kPixel};
-  const std::int64_t unit = k == 0 ? 0 : kPixel >> k;
+  triangle.x = {sample_x + before * along_x * kFinePixel, sample_x - beyond * along_x * kFinePixel,
+                sample_x + (slide - 2 * away * along_y) * kFinePixel};
+  triangle.y = {sample_y + before * along_y * kFinePixel, sample_y - beyond * along_y * kFinePixel,
+                sample_y + (slide + 2 * away * along_x) * kFinePixel};
+  const std::int64_t unit = k == 0 ? 0 : kFinePixel >> k;
   for (std::size_t i = 0; i < 3; ++i) {
     triangle.x[i] += draw.between(-7, 7) * unit;
     triangle.y[i] += draw.between(-7, 7) * unit;
@@ -62,56 +60,27 @@ FineTriangle near_sample(Draw& draw, int k) {
   return triangle;
 }
 
-/// An edge function over samples, oriented inwards.
-struct FineEdge {
-  std::int64_t a = 0;  ///< change per fine unit of x
-  std::int64_t b = 0;  ///< change per fine unit of y
-  std::int64_t x = 0;  ///< a point on the edge
-  std::int64_t y = 0;
-  std::int64_t at(int pixel_x, int pixel_y) const {
-    return a * (pixel_x * kPixel + kPixel / 2 - x) + b * (pixel_y * kPixel + kPixel / 2 - y);
-  }
-};
-
-std::array<FineEdge, 3> edges_of(const FineTriangle& t) {
-  const std::int64_t sign = area_of(t) < 0 ? -1 : 1;
-  std::array<FineEdge, 3> edges;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    edges[i] = {-sign * (t.y[j] - t.y[i]), sign * (t.x[j] - t.x[i]), t.x[i], t.y[i]};
-  }
-  return edges;
-}
-
-/// Returns the pixels whose samples may be inside: lo <= pixel < hi.
-std::pair<int, int> pixel_range(const std::array<std::int64_t, 3>& coordinates) {
-  const auto [least, most] = std::minmax_element(coordinates.begin(), coordinates.end());
-  const auto lo = static_cast<int>(*least / kPixel) - 1;
-  const auto hi = static_cast<int>(*most / kPixel) + 2;
-  return {std::clamp(lo, 0, kSide), std::clamp(hi, 0, kSide)};
-}
-
 /// Returns how far an edge has to move for the sample's answer to change, in pixels per axis.
-double move_of(const std::array<FineEdge, 3>& edges, int x, int y, bool is_drawn) {
+double move_of(const FineEdges& edges, int x, int y, bool is_drawn) {
   double outside = 0;
   double inside = std::numeric_limits<double>::max();
   for (const FineEdge& edge : edges) {
     const auto slope = static_cast<double>(std::abs(edge.a) + std::abs(edge.b));
     if (slope == 0) continue;
     const double distance =
-        static_cast<double>(edge.at(x, y)) / slope / static_cast<double>(kPixel);
+        static_cast<double>(edge.at(x, y)) / slope / static_cast<double>(kFinePixel);
     outside = std::max(outside, -distance);
     inside = std::min(inside, distance);
   }
   return is_drawn ? outside : inside;
 }
 
-void compare(const FineTriangle& placed, const std::array<std::uint64_t, 64>& rows, GridFit& fit) {
+void compare(const FineTriangle& placed, const FineRows& rows, GridFit& fit) {
   const bool is_flat = area_of(placed) == 0;
-  const std::array<FineEdge, 3> edges = edges_of(placed);
+  const FineEdges edges = edges_of(placed);
   const auto [x0, x1] = pixel_range(placed.x);
   const auto [y0, y1] = pixel_range(placed.y);
-  for (int y = 0; y < kSide; ++y) {
+  for (int y = 0; y < kFineSide; ++y) {
     const std::uint64_t row = rows[static_cast<std::size_t>(y)];
     if (y < y0 || y >= y1) {
       fit.mismatches += row == 0 ? 0 : 1;
@@ -168,53 +137,6 @@ FineTriangle rounded(const FineTriangle& triangle, const MeasuredGrid& grid) {
     placed.y[i] = rounded(triangle.y[i], grid.bits, grid.y);
   }
   return placed;
-}
-
-std::int64_t area_of(const FineTriangle& t) {
-  return (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.y[1] - t.y[0]) * (t.x[2] - t.x[0]);
-}
-
-FinePlace place_in(const FineTriangle& triangle, int x, int y) {
-  FinePlace place;
-  if (area_of(triangle) == 0) return place;
-  place.is_inside = true;
-  for (const FineEdge& edge : edges_of(triangle)) {
-    const std::int64_t value = edge.at(x, y);
-    if (value < 0) place.is_inside = false;
-    if (value != 0) continue;
-    ++place.zero_edges;
-    place.normal_x = edge.a;
-    place.normal_y = edge.b;
-  }
-  return place;
-}
-
-cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth) {
-  const auto pixels = [](std::int64_t fine) {
-    return static_cast<double>(fine) / static_cast<double>(kPixel);
-  };
-  return at_window(c, {pixels(x), pixels(y)}, depth, 1);
-}
-
-std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTriangle>& triangles) {
-  cases::Case c = subject.base();
-  for (const FineTriangle& t : triangles) {
-    add_triangle(c, fine_vertex(c, t.x[0], t.y[0], 0.5F), fine_vertex(c, t.x[1], t.y[1], 0.5F),
-                 fine_vertex(c, t.x[2], t.y[2], 0.5F));
-  }
-  std::optional<DrawnCase> drawn = subject.drawn(std::move(c));
-  if (!drawn) return std::nullopt;
-  FineDrawing drawing{triangles, {}, *std::move(drawn)};
-  drawing.rows.resize(triangles.size());
-  const cases::Fragments& fragments = drawing.drawn.fragments;
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    if (fragments.triangle[i] >= triangles.size() || fragments.x[i] >= kSide ||
-        fragments.y[i] >= kSide) {
-      continue;
-    }
-    drawing.rows[fragments.triangle[i]][fragments.y[i]] |= std::uint64_t{1} << fragments.x[i];
-  }
-  return drawing;
 }
 
 std::vector<FineDrawing> draw_grid_cases(Subject& subject) {

@@ -11,16 +11,13 @@
 // with all drawings. Samples on an edge are left out here: ties_measure.cpp finds out who owns
 // them, from drawings of the same triangles.
 
-#include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
-#include "properties/probing/subject.h"
+#include "properties/probing/fine_triangle.h"
 
 namespace rastercheck::properties {
-
-/// Positions in 2^-kFineBits pixels.
-inline constexpr int kFineBits = 18;
 
 /// Rounding of a coordinate to the grid; `down` and `up` are towards −∞ and +∞.
 enum class GridRounding { nearest_even, half_up, half_down, down, up };
@@ -37,37 +34,7 @@ struct MeasuredGrid {
 /// Rounds a fine coordinate to the grid; the result is in fine units.
 std::int64_t rounded(std::int64_t fine, int bits, GridRounding rounding);
 
-/// Window positions, in fine units.
-struct FineTriangle {
-  std::array<std::int64_t, 3> x{};
-  std::array<std::int64_t, 3> y{};
-};
 FineTriangle rounded(const FineTriangle& triangle, const MeasuredGrid& grid);
-/// Returns twice the area in window coordinates, with its sign.
-std::int64_t area_of(const FineTriangle& triangle);
-
-/// A sample's place relative to a triangle's edges.
-struct FinePlace {
-  bool is_inside = false;     ///< inside or on every edge
-  int zero_edges = 0;         ///< number of edges through the sample
-  std::int64_t normal_x = 0;  ///< inward normal of the last zero edge
-  std::int64_t normal_y = 0;
-};
-FinePlace place_in(const FineTriangle& triangle, int x, int y);
-
-/// Drawings whose positions are known in fine units.
-struct FineDrawing {
-  std::vector<FineTriangle> triangles;
-  /// [triangle][row]: bit x is set where pixel x was drawn.
-  std::vector<std::array<std::uint64_t, 64>> rows;
-  DrawnCase drawn;
-};
-
-/// Draws the triangles in a 64×64 case; empty if the backend does not draw it.
-std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTriangle>& triangles);
-
-/// Returns the clip position of a fine window position in a base() case.
-cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth);
 
 struct GridFit {
   MeasuredGrid grid;

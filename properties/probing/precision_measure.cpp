@@ -73,14 +73,13 @@ std::optional<cases::ValueBound>& bound_of(cases::ContractTerms& terms, Attribut
 /// The drawn random cases for which the contract promises something.
 using DrawnByGenerator = std::map<std::string, std::vector<DrawnCase>>;
 
-DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
+DrawnByGenerator draw_all(Subject& subject) {
   DrawnByGenerator all;
   const AskedDrawing asked = subject.asked();
   subject.ask(subject.options().asked);
-  std::uint64_t done = 0;
   for (const Generator& generator : generators()) {
     const std::string name(generator.name);
-    for (int i = 0; i < subject.options().cases; ++i) {
+    for (int i = 0; i < subject.options().cases && !subject.is_time_up(); ++i) {
       MeasureDraw draw(subject, name, static_cast<std::uint64_t>(i));
       cases::Case c = generator.make(draw);
       subject.ask_of(c);
@@ -91,7 +90,6 @@ DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
       if (!drawn && std::exchange(c.rules, rules) != rules) drawn = subject.drawn(std::move(c));
       if (drawn) all[name].push_back(*std::move(drawn));
     }
-    if (progress) progress(++done, generators().size());
   }
   subject.ask(asked);
   return all;
@@ -213,8 +211,8 @@ void measure_coverage(Subject& subject, const DrawnByGenerator& drawn) {
 
 }  // namespace
 
-void measure_precision(Subject& subject, const Progress& progress) {
-  const DrawnByGenerator drawn = draw_all(subject, progress);
+void measure_precision(Subject& subject) {
+  const DrawnByGenerator drawn = draw_all(subject);
   cases::ContractTerms lax = subject.result.terms;
   for (const AttributeKind kind : kKinds) bound_of(lax, kind) = cases::ValueBound{kUnbounded};
   WorstByKind all;

@@ -37,7 +37,7 @@ RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
   backend.hold_to(asked);
   const cases::Capabilities capabilities = capabilities_of(backend);
   const int wanted = kCasesEach * subject.options().cases;
-  for (int i = 0; i < wanted; ++i) {
+  for (int i = 0; i < wanted && !subject.is_time_up(); ++i) {
     Draw draw(subject.options().seed, "probe: " + std::string(law_name),
               static_cast<std::uint64_t>(i), capabilities);
     Generated generated = law->generate(draw);

@@ -18,6 +18,7 @@
 #include "backends/factory.h"
 #include "properties/probing/grid.h"
 #include "properties/probing/probe.h"
+#include "tests/properties/probing/bent.h"
 
 namespace rastercheck::properties::probing_test {
 namespace {
@@ -175,32 +176,6 @@ TEST(Probe, FindsThatFloatsAreLessPrecise) {
 }
 
 // ---- cpu, bent.
-
-struct Bending {
-  /// The case that is drawn in place of the given one; nullopt if none is drawn.
-  std::function<std::optional<Case>(Case)> before = [](Case c) { return c; };
-  std::function<void(Fragments&)> after = [](Fragments& /*drawn*/) {};
-};
-
-class Bent : public backends::Backend {
- public:
-  explicit Bent(Bending bending)
-      : bending_(std::move(bending)), cpu_(*backends::make_backend("cpu")) {}
-  cases::Contract promise(const Case& c) const override { return cases::contract_of(c); }
-
- private:
-  Result<Fragments> draw_fragments(const Case& c) override {
-    const std::optional<Case> bent = bending_.before(c);
-    if (!bent) return tl::unexpected(Error{"", "", "not that", Failure::unsupported});
-    Result<backends::Drawn> drawn = cpu_->draw(*bent);
-    if (!drawn) return tl::unexpected(drawn.error());
-    bending_.after(drawn->fragments);
-    return std::move(drawn->fragments);
-  }
-
-  Bending bending_;
-  std::unique_ptr<backends::Backend> cpu_;
-};
 
 records::Probe probe_of(const Bending& bending, const AskedDrawing& asked) {
   Bent backend(bending);
