@@ -262,6 +262,11 @@ std::optional<Basis> read_basis(Subject& subject, const MeasuredGrid& grid,
 void measure_basis(Subject& subject, const Sight& sight) {
   const MeasuredGrid& grid = sight.fit.grid;
   cases::ContractTerms& terms = subject.result.terms;
+  if (!sight.fit.is_explained || sight.fit.samples == 0) {
+    subject.add("basis", kNotDeclared, "not measured", "no grid is known");
+    terms.basis = Basis::unspecified;
+    return;
+  }
   if (grid.is_none()) {
     subject.add("basis", kNotDeclared, "no grid, so there is only one basis");
     const bool is_exact = terms.coverage == cases::CoverageTerm(cases::Coverage());

@@ -7,9 +7,13 @@
 // own grid moves them. An edge is laid exactly through a sample, and its ends are then moved by a
 // few units of 2^-k pixels, k = 1…18. Whether the sample is drawn shows to which places the ends
 // were rounded; drawings with k near the grid's own bits tell the most. Integer arithmetic predicts
-// each triangle's drawing for every grid and for none; the measured grid is the one that agrees
-// with all drawings. Samples on an edge are left out here: ties_measure.cpp finds out who owns
-// them, from drawings of the same triangles.
+// each triangle's drawing for every grid and for none, also for positions that are all moved by the
+// same before they are rounded. Samples on an edge are left out here: ties_measure.cpp finds out
+// who owns them, from drawings of the same triangles.
+//
+// The finest explanation is taken, and "none" is the finest of all: a coarser grid has to explain
+// much more of the samples about which the two disagree. A grid is named only if it is right about
+// (nearly) all samples about which it disagrees with "none".
 
 #include <cstdint>
 #include <string>
@@ -27,6 +31,9 @@ struct MeasuredGrid {
   int bits = kFineBits;
   GridRounding x = GridRounding::nearest_even;
   GridRounding y = GridRounding::nearest_even;
+  std::int64_t move_x = 0;  ///< fine units by which all positions are moved before rounding
+  std::int64_t move_y = 0;
+  bool is_moved() const { return move_x != 0 || move_y != 0; }
   bool is_none() const { return bits == kFineBits; }
   bool operator==(const MeasuredGrid&) const = default;
 };
@@ -40,15 +47,23 @@ struct GridFit {
   MeasuredGrid grid;
   std::uint64_t samples = 0;     ///< decisive samples
   std::uint64_t mismatches = 0;  ///< decisive samples that were not drawn as predicted
+  std::uint64_t ties = 0;        ///< samples on edges
   double farthest = 0;  ///< distance that an edge must move to explain the worst mismatch, pixels
+  /// The greatest edge function, in pixels², that must have come out with the wrong sign to explain
+  /// a mismatch.
+  double most_wrong = 0;
+  /// False if no grid explains the drawings, nor do unrounded positions; `grid` is none then.
+  bool is_explained = true;
 };
 
 /// Makes drawings that distinguish grids.
 std::vector<FineDrawing> draw_grid_cases(Subject& subject);
-/// Returns the grid that agrees best.
-GridFit fit_grid(const std::vector<FineDrawing>& drawings);
+/// Returns the finest grid that explains the drawings. Ends early if the subject's time is up.
+GridFit fit_grid(const Subject& subject, const std::vector<FineDrawing>& drawings);
 
 /// Returns text such as "8 bits, nearest_even" or "none".
-std::string to_string(const MeasuredGrid& grid);
+std::string to_string(const GridFit& fit);
+/// How sure the fit is.
+records::Sureness sureness_of(const GridFit& fit);
 
 }  // namespace rastercheck::properties

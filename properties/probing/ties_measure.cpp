@@ -108,13 +108,19 @@ std::string declared_tie_rule(TieRule rule) {
 }  // namespace
 
 void measure_ties(Subject& subject, const Sight& sight) {
+  // If no grid is known, ties are known only of vertices in the middle of pixels, which most grids
+  // have points for: those of the first drawing.
+  const auto known = [&sight](std::vector<FineDrawing> drawings) {
+    if (!sight.fit.is_explained && drawings.size() > 1) drawings.resize(1);
+    return drawings;
+  };
   const AskedDrawing said = subject.asked();
   const bool is_y_up = subject.base().rules == cases::Rules::opengl;
   const auto reading_of = [&](TieRule rule) {
     AskedDrawing asked = said;
     asked.fill_rule = rule;
     subject.ask(asked);
-    return read(directions_of(sight.fit.grid, draw_grid_cases(subject)), is_y_up);
+    return read(directions_of(sight.fit.grid, known(draw_grid_cases(subject))), is_y_up);
   };
   const auto declared = [&subject] { return subject.declared().tie_rule; };
   const auto add = [&subject](const char* what, TieRule rule, const TieReading& reading) {
@@ -123,7 +129,7 @@ void measure_ties(Subject& subject, const Sight& sight) {
   };
   cases::ContractTerms& terms = subject.result.terms;
   if (said.fill_rule) {
-    const TieReading reading = read(directions_of(sight.fit.grid, sight.drawings), is_y_up);
+    const TieReading reading = read(directions_of(sight.fit.grid, known(sight.drawings)), is_y_up);
     add("tie rule", declared(), reading);
     terms.tie_rule = reading.rule.value_or(TieRule::unspecified);
     return;

@@ -52,6 +52,54 @@ TEST(Probe, PrintsJson) {
   EXPECT_EQ(document.at("contract").at("coverage").at("subpixel_bits"), 8);
 }
 
+// Kills: a contract for a backend that draws upside down, and a probe that does not end.
+TEST(Probe, EndsWithOneSentenceForAFault) {
+  const TemporaryFolder folder;
+  const std::string contract = folder.path("contract.json");
+  constexpr const char* kSentence = "The picture is upside down: NDC y = -1 belongs to row 0.";
+  const Outcome probe =
+      run_damaged_program({"probe", "damaged:flipped", "--contract-out", contract});
+  EXPECT_EQ(probe.code, 1) << probe;
+  EXPECT_THAT(probe.out, AllOf(HasSubstr(kSentence), HasSubstr("no contract is written")));
+  EXPECT_FALSE(std::filesystem::exists(contract));
+  const Outcome quiet = run_damaged_program({"probe", "damaged:flipped", "-q"});
+  EXPECT_EQ(quiet.code, 1) << quiet;
+  EXPECT_EQ(quiet.out, std::string(kSentence) + "\n");
+  const Outcome as_json = run_damaged_program({"probe", "damaged:flipped", "--json"});
+  EXPECT_EQ(as_json.code, 1) << as_json;
+  const json document = json::parse(as_json.out);
+  ASSERT_EQ(document.at("faults").size(), 1U);
+  EXPECT_EQ(document.at("faults")[0].at("id"), "upside-down");
+  EXPECT_EQ(document.at("faults")[0].at("sentence"), kSentence);
+  EXPECT_EQ(document.at("faults")[0].at("sureness").at("against"), 0);
+  EXPECT_TRUE(document.at("measured").empty());
+  EXPECT_TRUE(document.at("contract").is_null());
+}
+
+TEST(Probe, SaysWhatItHadNoTimeFor) {
+  const TemporaryFolder folder;
+  const std::string contract = folder.path("contract.json");
+  const Outcome probe =
+      run_program(quick({"cpu", "--seconds", "0.001", "--contract-out", contract}));
+  EXPECT_EQ(probe.code, 5) << probe;
+  EXPECT_THAT(probe.out, AllOf(HasSubstr("Not measured within 0.001 s (--seconds): subpixel grid "
+                                         "and position error, tie rule, basis"),
+                               HasSubstr("errors of values")));
+  EXPECT_FALSE(std::filesystem::exists(contract));
+  const json document =
+      json::parse(run_program(quick({"cpu", "--seconds", "0.001", "--json"})).out);
+  EXPECT_EQ(document.at("not_measured").size(), 9U);
+  EXPECT_EQ(document.at("not_measured")[1].at("what"), "tie rule");
+  EXPECT_EQ(document.at("not_measured")[1].at("keys"), json::array({"tie_rule"}));
+  EXPECT_TRUE(document.at("contract").is_null());
+}
+
+TEST(Probe, RefusesATimeThatIsNone) {
+  for (const char* seconds : {"0", "-1", "1e9", "long"}) {
+    EXPECT_TRUE(is_failure(run_program({"probe", "cpu", "--seconds", seconds}), 2)) << seconds;
+  }
+}
+
 TEST(Probe, IsTheSameForTheSameSeed) {
   const Outcome first = run_program(quick({"cpu", "-q"}));
   EXPECT_EQ(first.code, 0) << first;

@@ -55,7 +55,7 @@ TEST(TimeLimit, KeepsWholeMeasuresOnly) {
   const std::vector<std::string> names = names_of(ended_after(0).unmeasured);
   ASSERT_EQ(names.size(), 9U);
   std::vector<std::size_t> left;
-  constexpr std::uint64_t kSteps = 24;
+  constexpr std::uint64_t kSteps = 12;
   for (std::uint64_t i = 1; i < kSteps; ++i) {
     const records::Probe part = ended_after(all * i / kSteps);
     ASSERT_LE(part.rows.size(), whole.rows.size());
