@@ -142,14 +142,33 @@ void print_json(const records::Probe& probe) {
   fmt::print("{}\n", document.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
+/// Says how sure a finding is: "all 120 samples, 3 undecided", "118 of 120 samples".
+std::string words_of(const records::Sureness& sureness) {
+  if (sureness.unit.empty()) return "";
+  const std::uint64_t all = sureness.in_favour + sureness.against;
+  std::string text;
+  if (all == 0) {
+    text = fmt::format("no {}", sureness.unit);
+  } else if (sureness.against == 0) {
+    text = fmt::format("all {} {}", all, sureness.unit);
+  } else {
+    text = fmt::format("{} of {} {}", sureness.in_favour, all, sureness.unit);
+  }
+  if (sureness.undecided > 0) text += fmt::format(", {} undecided", sureness.undecided);
+  return text;
+}
+
+/// Says where a row comes from.
+std::string from_of(const records::Measured& row) {
+  const std::string words = words_of(row.sureness);
+  return words + (words.empty() || row.detail.empty() ? "" : "; ") + row.detail;
+}
+
 void print_faults(const records::Probe& probe, bool quiet) {
   if (!quiet && !probe.description.empty()) fmt::print("{}\n", cases::one_line(probe.description));
   for (const records::DrawingFault& fault : probe.faults) {
-    const records::Sureness& sure = fault.sureness;
     fmt::print("{}{}\n", fault.sentence,
-               quiet ? ""
-                     : fmt::format(" ({} of {} {})", sure.in_favour, sure.in_favour + sure.against,
-                                   sure.unit));
+               quiet ? "" : fmt::format(" ({})", words_of(fault.sureness)));
   }
   if (!quiet) {
     fmt::print("\nNothing else was measured, and no contract is written: mend this first.\n");
@@ -193,7 +212,7 @@ void print_table(const records::Probe& probe, bool quiet) {
   }
   for (const records::Measured& row : rows) {
     cells.push_back(
-        {(row.contradicts ? "! " : "") + row.what, row.declared, row.measured, row.detail});
+        {(row.contradicts ? "! " : "") + row.what, row.declared, row.measured, from_of(row)});
   }
   fmt::print("{}", reports::text_table(cells, quiet ? std::nullopt : terminal_columns()));
   if (quiet) return;

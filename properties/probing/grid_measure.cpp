@@ -169,9 +169,13 @@ void measure_position_error(Subject& subject, const Sight& sight) {
     terms.coverage = cases::Coverage();
     terms.tie_rule = cases::TieRule::unspecified;
     CoverageTally tally;
-    for (const auto& [name, drawn] : sorts) tally += subject.tally(drawn, terms);
+    records::Sureness sureness = sure_of("cases", 0);
+    for (const auto& [name, drawn] : sorts) {
+      tally += subject.tally(drawn, terms);
+      sureness.in_favour += drawn.size();
+    }
     if (tally.holds()) {
-      subject.add("position error", kNotDeclared, "none");
+      subject.add("position error", kNotDeclared, "none", "", sureness);
       return;
     }
   }
@@ -183,7 +187,9 @@ void measure_position_error(Subject& subject, const Sight& sight) {
       continue;
     }
     const std::optional<Snapping> least = least_holding(subject, drawn, grid);
-    subject.add("position error", kNotDeclared, snapping_text(least), name);
+    const auto holding = least ? drawn.size() : 0;
+    subject.add("position error", kNotDeclared, snapping_text(least), name,
+                sure_of("cases", holding, drawn.size() - holding));
     is_bounded = is_bounded && least;
     if (least) widest = wider_of(least.value(), widest);
   }
@@ -205,16 +211,21 @@ void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
     return fit_grid(subject, draw_grid_cases(subject));
   };
   std::string others;
+  int honoured = 0;
   for (int bits = 0; bits <= cases::kMaxSubpixelBits; ++bits) {
     const int drawn = grid_asked({bits, Rounding::nearest_even, 0}).grid.bits;
+    honoured += drawn == bits ? 1 : 0;
     if (drawn != bits)
       others += fmt::format("{}{} instead of {}", others.empty() ? "" : ", ", drawn, bits);
   }
   subject.add("bits requested", kNotDeclared,
-              others.empty() ? "0 to 16, all honoured" : "0 to 16, except " + others);
+              others.empty() ? "0 to 16, all honoured" : "0 to 16, except " + others, "",
+              sure_of("grids", honoured, cases::kMaxSubpixelBits + 1 - honoured));
   const GridFit half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
   const cases::Coverage declared = subject.declared().coverage;
-  subject.add("grid if half_up is requested", declared_of(declared), to_string(half_up))
+  subject
+      .add("grid if half_up is requested", declared_of(declared), to_string(half_up), "",
+           sureness_of(half_up))
       .contradicts = contradicts(declared, half_up);
   subject.ask(as_before);
 
@@ -256,7 +267,9 @@ void measure_grid(Subject& subject, Sight& sight) {
     subject.ask(asked);
     sight.drawings = draw_grid_cases(subject);
     sight.fit = fit_grid(subject, sight.drawings);
-    subject.add("grid if exact is requested", declared_of(declared), to_string(unasked))
+    subject
+        .add("grid if exact is requested", declared_of(declared), to_string(unasked), "",
+             sureness_of(unasked))
         .contradicts = contradicts(declared, unasked);
   } else {
     subject.ask(said);
@@ -266,13 +279,11 @@ void measure_grid(Subject& subject, Sight& sight) {
   const std::string what = sight.follows_coverage
                                ? fmt::format("grid if {} bits are requested", kAskedBits)
                                : "subpixel grid";
-  std::string detail = fmt::format("{} samples", fit.samples);
-  if (fit.mismatches > 0) {
-    detail += fmt::format(", {} drawn differently, by at most {:.2g} pixels", fit.mismatches,
-                          fit.farthest);
-  }
-  subject.add(what, declared_of(on), to_string(fit), detail).contradicts = contradicts(on, fit);
-  subject.result.rows.back().sureness = sureness_of(fit);
+  const std::string detail =
+      fit.mismatches == 0 ? ""
+                          : fmt::format("drawn otherwise by up to {:.2g} pixels", fit.farthest);
+  subject.add(what, declared_of(on), to_string(fit), detail, sureness_of(fit)).contradicts =
+      contradicts(on, fit);
   if (sight.drawings.empty()) return;
   measure_position_error(subject, sight);
   if (sight.follows_coverage) measure_what_is_followed(subject, asked);

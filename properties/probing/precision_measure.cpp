@@ -186,8 +186,8 @@ void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKin
   // contradicted by the largest error.
   subject
       .add(fmt::format("bound of {}", records::to_string(kind)), bound_text(declared),
-           bound_text(bound),
-           fmt::format("{} values, {:.4g} ULP beyond at most", all.values, all.excess))
+           bound_text(bound), fmt::format("{:.4g} ULP beyond at most", all.excess),
+           sure_of("values", all.values, all.no_numbers))
       .contradicts = declared.is_constant() && all.excess > declared.constant;
 }
 
@@ -206,7 +206,7 @@ void measure_coverage(Subject& subject, const DrawnByGenerator& drawn) {
   subject.add("coverage as measured", kNotDeclared,
               violated == 0 ? fmt::format("holds in {} random cases", checked)
                             : fmt::format("violated in {} of {} random cases", violated, checked),
-              generators);
+              generators, sure_of("cases", checked - violated, violated));
 }
 
 }  // namespace
@@ -241,8 +241,8 @@ void measure_precision(Subject& subject) {
       const auto found = shown.find(std::string(generator));
       if (found == shown.end() || found->second[kind].values == 0) continue;
       subject.add(fmt::format("worst error of {}, {}", records::to_string(kind), generator),
-                  kNotDeclared, bound_text(found->second[kind]),
-                  fmt::format("{} values", found->second[kind].values));
+                  kNotDeclared, bound_text(found->second[kind]), "",
+                  sure_of("values", found->second[kind].values, found->second[kind].no_numbers));
     }
   }
   const cases::ValueBounds declared = subject.declared().bounds;

@@ -148,9 +148,9 @@ records::Judgement Subject::judgement(const DrawnCase& drawn,
 }
 
 records::Measured& Subject::add(std::string what, std::string declared, std::string measured,
-                                std::string detail) {
-  result.rows.push_back(
-      {std::move(what), std::move(declared), std::move(measured), std::move(detail)});
+                                std::string detail, records::Sureness sureness) {
+  result.rows.push_back({std::move(what), std::move(declared), std::move(measured),
+                         std::move(detail), false, std::move(sureness)});
   return result.rows.back();
 }
 

@@ -83,7 +83,7 @@ class Subject {
 
   /// Adds a row and returns it.
   records::Measured& add(std::string what, std::string declared, std::string measured,
-                         std::string detail = "");
+                         std::string detail = "", records::Sureness sureness = {});
 
   records::Probe result;  ///< rows and terms measured so far
 
@@ -95,6 +95,13 @@ class Subject {
   mutable bool was_cut_short_ = false;
   cases::Rules rules_ = cases::Rules::vulkan;
 };
+
+/// A sureness of counts that may be of any integer type.
+template <typename A, typename B = int, typename C = int>
+records::Sureness sure_of(const char* unit, A in_favour, B against = 0, C undecided = 0) {
+  return {unit, static_cast<std::uint64_t>(in_favour), static_cast<std::uint64_t>(against),
+          static_cast<std::uint64_t>(undecided)};
+}
 
 /// A stream of random choices for one measure.
 class MeasureDraw : public Draw {

@@ -48,6 +48,13 @@ TEST(Probe, PrintsJson) {
   EXPECT_EQ(document.at("measured").at(0).at("what"), "subpixel grid");
   EXPECT_EQ(document.at("measured").at(0).at("measured"), "8 bits, nearest_even");
   EXPECT_EQ(document.at("measured").at(0).at("contradicts"), false);
+  const json& sureness = document.at("measured").at(0).at("sureness");
+  EXPECT_EQ(sureness.at("of"), "samples");
+  EXPECT_GT(sureness.at("for"), 10000);
+  EXPECT_EQ(sureness.at("against"), 0);
+  EXPECT_GT(sureness.at("undecided"), 0);
+  EXPECT_TRUE(document.at("faults").empty());
+  EXPECT_TRUE(document.at("not_measured").empty());
   EXPECT_EQ(document.at("contract").at("format"), "rastercheck-contract");
   EXPECT_EQ(document.at("contract").at("coverage").at("subpixel_bits"), 8);
 }
@@ -103,6 +110,8 @@ TEST(Probe, RefusesATimeThatIsNone) {
 TEST(Probe, IsTheSameForTheSameSeed) {
   const Outcome first = run_program(quick({"cpu", "-q"}));
   EXPECT_EQ(first.code, 0) << first;
+  EXPECT_THAT(first.out,
+              testing::ContainsRegex("subpixel grid .*all [0-9]+ samples, [0-9]+ undecided"));
   EXPECT_EQ(first.out, run_program(quick({"cpu", "-q"})).out);
 }
 
