@@ -55,6 +55,7 @@ struct Probe {
   /// If not empty, the probe ended before its first measure: there are neither rows nor terms.
   std::vector<DrawingFault> faults;
   std::vector<Measured> rows;
+  std::uint64_t measures = 0;  ///< measures made
   std::vector<Unmeasured> unmeasured;
   std::uint64_t drawings = 0;     ///< cases drawn
   std::uint64_t unsupported = 0;  ///< cases that the backend reports as unsupported

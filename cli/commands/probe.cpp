@@ -92,7 +92,7 @@ Result<properties::ProbeOptions> read_options(const Options& options) {
 
 /// True if the probe found out anything that a contract can say.
 bool has_contract(const records::Probe& probe) {
-  return probe.faults.empty() && !probe.rows.empty();
+  return probe.faults.empty() && probe.measures > 0;
 }
 
 ordered_json json_of(const records::Sureness& sureness) {

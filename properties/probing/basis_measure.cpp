@@ -57,7 +57,8 @@ struct Shares {
     return *found == Basis::unspecified ? "neither" : std::string(name_of(*found));
   }
   std::string detail() const {
-    return all == 0 ? "" : fmt::format("{} ideal, {} snapped", ideal, snapped);
+    if (all == std::max(ideal, snapped)) return "";
+    return fmt::format("{} ideal, {} snapped", ideal, snapped);
   }
   /// Counts for the basis found, or for either if neither was.
   records::Sureness sureness(const char* unit) const {

@@ -100,9 +100,7 @@ std::optional<FirstDrawing> draw_first(Subject& subject) {
 
 // --- Places --------------------------------------------------------------------------------------
 
-std::string pixels_of(int halves) {
-  return std::abs(halves) == 1 ? "half a pixel" : fmt::format("{} pixel", std::abs(halves) / 2);
-}
+const char* pixels_of(int halves) { return std::abs(halves) == 1 ? "half a pixel" : "a pixel"; }
 
 /// The direction of a move along the window's y axis, as displayed.
 const char* vertical(int move, bool is_y_up) { return (move > 0) == is_y_up ? "up" : "down"; }

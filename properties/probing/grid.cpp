@@ -339,11 +339,12 @@ GridFit fit_grid(const Subject& subject, const std::vector<FineDrawing>& drawing
   // A move can explain a drawing as well as fine grids do, but not one that a coarse grid explains
   // wholly.
   constexpr int kFineGrid = 14;
-  const bool is_whole = least.mismatches == 0 && least.grid.bits < kFineGrid &&
-                        grid_votes(least.grid, {}, drawings).are_nearly_all();
-  if (is_whole) return least;
+  const bool is_whole =
+      least.mismatches == 0 && grid_votes(least.grid, {}, drawings).are_nearly_all();
+  if (is_whole && least.grid.bits < kFineGrid) return least;
   const GridFit none = fit_of_none(search, drawings);
   if (none.mismatches == 0) return none;
+  if (is_whole && grid_votes(least.grid, none.grid, drawings).are_for_it()) return least;
   GridFit best = none;
   for (int bits = cases::kMaxSubpixelBits; bits >= 0; --bits) {
     GridFit fit = search.best_rounding(bits);

@@ -52,7 +52,10 @@ void measure_all(Subject& subject, const ProbeProgress& progress) {
     const std::vector<records::Measured> rows = subject.result.rows;
     const cases::ContractTerms terms = subject.result.terms;
     if (!subject.is_time_up()) all[i].measure(subject, sight);
-    if (!subject.was_cut_short()) continue;
+    if (!subject.was_cut_short()) {
+      ++subject.result.measures;
+      continue;
+    }
     // Half of a measure may say the opposite of all of it.
     subject.result.rows = rows;
     subject.result.terms = terms;

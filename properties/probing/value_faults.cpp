@@ -12,7 +12,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "properties/probing/common_faults.h"
@@ -82,13 +81,14 @@ double mean_of(const std::array<float, 3>& values, const FragmentPlace& place) {
 
 /// Returns how far a value may be off. Colours of 8 bits round to 1/255 of the greatest value,
 /// which is at most 1 in the first drawing.
-double tolerance_of(const std::array<float, 3>& values, const FragmentPlace& place) {
+double value_tolerance(const std::array<float, 3>& values, const FragmentPlace& place) {
   constexpr double kByteRounding = 1.0 / 255;
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   return place.slack * (double{*most} - double{*least}) + kByteRounding;
 }
 
-/// A value's own name in a sentence is its index: attributes have no other that a backend sees.
+/// Where an attribute's values come from. Sentences name attributes by their index, because
+/// backends see no other name.
 struct AttributeSource {
   std::size_t attribute = 0;
   Permutation vertices{0, 1, 2};
@@ -115,7 +115,7 @@ Sureness votes_for_source(const FirstDrawing& first, const std::vector<FragmentP
     float value = drawn.fragments.attributes_of(place.fragment)[to];
     if (source.is_reversed) value = with_bytes_reversed(value);
     const bool is_explained =
-        std::abs(double{value} - mean_of(values, place)) <= tolerance_of(values, place);
+        std::abs(double{value} - mean_of(values, place)) <= value_tolerance(values, place);
     ++(is_explained ? votes.in_favour : votes.against);
   }
   return votes;
@@ -203,7 +203,7 @@ Sureness votes_for_depth(const FirstDrawing& first, const std::vector<FragmentPl
     float depth = first.drawing.drawn.fragments.depth[place.fragment];
     if (form.is_reversed_bytes) depth = with_bytes_reversed(depth);
     const bool is_explained =
-        std::abs(double{depth} - mean_of(values, place)) <= tolerance_of(values, place);
+        std::abs(double{depth} - mean_of(values, place)) <= value_tolerance(values, place);
     ++(is_explained ? votes.in_favour : votes.against);
   }
   return votes;

@@ -14,6 +14,9 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
+/// A time limit that no machine reaches.
+constexpr const char* kLong = "86400";
+
 /// Arguments of a quick probe: one case of each generator, and few requests to try.
 std::vector<std::string> quick(std::vector<std::string> more) {
   std::vector<std::string> arguments{"probe", "--cases",         "1",
@@ -27,7 +30,8 @@ std::vector<std::string> quick(std::vector<std::string> more) {
 TEST(Probe, WritesAContractThatHolds) {
   const TemporaryFolder folder;
   const std::string contract = folder.path("contract.json");
-  const Outcome probe = run_program({"probe", "cpu", "--cases", "4", "--contract-out", contract});
+  const Outcome probe =
+      run_program({"probe", "cpu", "--cases", "4", "--contract-out", contract, "--seconds", kLong});
   ASSERT_EQ(probe.code, 0) << probe;
   EXPECT_THAT(probe.out, AllOf(HasSubstr("declared"), HasSubstr("8 bits, nearest_even"),
                                HasSubstr("Contract: " + contract)));
@@ -39,7 +43,7 @@ TEST(Probe, WritesAContractThatHolds) {
 }
 
 TEST(Probe, PrintsJson) {
-  const Outcome probe = run_program(quick({"cpu", "--json"}));
+  const Outcome probe = run_program(quick({"cpu", "--json", "--seconds", kLong}));
   ASSERT_EQ(probe.code, 0) << probe;
   const json document = json::parse(probe.out);
   EXPECT_EQ(document.at("format"), "rastercheck-probe");
@@ -108,11 +112,11 @@ TEST(Probe, RefusesATimeThatIsNone) {
 }
 
 TEST(Probe, IsTheSameForTheSameSeed) {
-  const Outcome first = run_program(quick({"cpu", "-q"}));
+  const Outcome first = run_program(quick({"cpu", "-q", "--seconds", kLong}));
   EXPECT_EQ(first.code, 0) << first;
   EXPECT_THAT(first.out,
               testing::ContainsRegex("subpixel grid .*all [0-9]+ samples, [0-9]+ undecided"));
-  EXPECT_EQ(first.out, run_program(quick({"cpu", "-q"})).out);
+  EXPECT_EQ(first.out, run_program(quick({"cpu", "-q", "--seconds", kLong})).out);
 }
 
 TEST(Probe, RefusesWhatItCannotAskFor) {

@@ -47,7 +47,7 @@ class Terminal(unittest.TestCase):
         self.assertIn(ERASE + "Samples: ", text)
 
     def test_probe_erases_its_bar(self):
-        text = self.shown(["probe", "cpu"])
+        text = self.shown(["probe", "cpu", "--seconds", "86400"])
         self.assertIn("3 of 9 measures: planes and division", text)
         self.assertNotIn(" measures: ", text[text.rindex(ERASE):])
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -212,7 +213,7 @@ std::vector<Fault> all_faults() {
        "Everything is drawn half a pixel too far left and half a pixel too far up; samples lie at "
        "the centres of pixels."},
       {"moved", drawing([](Case& c) { c.viewport.y += 1; }),
-       "Everything is drawn 1 pixel too far down; samples lie at the centres of pixels."},
+       "Everything is drawn a pixel too far down; samples lie at the centres of pixels."},
       {"small-viewport", drawing([](Case& c) {
          c.viewport.width -= 1;
          c.viewport.height -= 1;

@@ -11,6 +11,7 @@
 #include <ostream>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "properties/probing/measures.h"
 #include "properties/probing/probe.h"

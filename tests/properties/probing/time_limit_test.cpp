@@ -63,6 +63,7 @@ TEST(TimeLimit, KeepsWholeMeasuresOnly) {
     const std::vector<std::string> lacking = names_of(part.unmeasured);
     EXPECT_TRUE(std::equal(lacking.rbegin(), lacking.rend(), names.rbegin()));
     EXPECT_FALSE(part.terms.smooth);  // measured last
+    EXPECT_EQ(part.measures + lacking.size(), names.size());
     left.push_back(lacking.size());
   }
   EXPECT_TRUE(std::is_sorted(left.rbegin(), left.rend()));
@@ -73,6 +74,7 @@ TEST(TimeLimit, KeepsWholeMeasuresOnly) {
 TEST(TimeLimit, LeavesTermsOutThatWereNotMeasured) {
   const records::Probe probe = ended_after(0);
   EXPECT_THAT(probe.rows, IsEmpty());
+  EXPECT_EQ(probe.measures, 0U);
   EXPECT_FALSE(probe.terms.coverage || probe.terms.tie_rule || probe.terms.basis);
   EXPECT_THAT(probe.unmeasured[0].keys, ElementsAre("coverage", "is_on_grid"));
   EXPECT_THAT(probe.unmeasured[1].keys, ElementsAre("tie_rule"));
