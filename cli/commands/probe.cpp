@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -36,9 +37,14 @@ struct Options {
   std::uint64_t seed = 1;
   int cases = properties::ProbeOptions().cases;
   double timeout = kDefaultTimeout;
+  double seconds = 60;
   bool json = false;
   bool quiet = false;
 };
+
+/// Limits of --seconds: a millisecond and a day.
+constexpr double kLeastSeconds = 0.001;
+constexpr double kMostSeconds = 86400;
 
 Error refused(const std::string& option, const std::string& reason) { return {option, "", reason}; }
 
@@ -84,28 +90,113 @@ Result<properties::ProbeOptions> read_options(const Options& options) {
   return read;
 }
 
+/// True if the probe found out anything that a contract can say.
+bool has_contract(const records::Probe& probe) {
+  return probe.faults.empty() && probe.measures > 0;
+}
+
+ordered_json json_of(const records::Sureness& sureness) {
+  if (sureness.unit.empty()) return nullptr;
+  return {{"of", sureness.unit},
+          {"for", sureness.in_favour},
+          {"against", sureness.against},
+          {"undecided", sureness.undecided}};
+}
+
 void print_json(const records::Probe& probe) {
+  ordered_json faults = ordered_json::array();
+  for (const records::DrawingFault& fault : probe.faults) {
+    faults.push_back(
+        {{"id", fault.id}, {"sentence", fault.sentence}, {"sureness", json_of(fault.sureness)}});
+  }
   ordered_json rows = ordered_json::array();
   for (const records::Measured& row : probe.rows) {
     rows.push_back({{"what", row.what},
                     {"declared", row.declared},
                     {"measured", row.measured},
                     {"detail", row.detail},
-                    {"contradicts", row.contradicts}});
+                    {"contradicts", row.contradicts},
+                    {"sureness", json_of(row.sureness)}});
   }
-  const auto contract = cases::parse_json(cases::to_json(probe.terms), "");
+  ordered_json unmeasured = ordered_json::array();
+  for (const records::Unmeasured& one : probe.unmeasured) {
+    unmeasured.push_back({{"what", one.what}, {"keys", one.keys}});
+  }
+  nlohmann::json contract;
+  if (has_contract(probe)) {
+    contract = cases::parse_json(cases::to_json(probe.terms), "").value_or(nlohmann::json());
+  }
   const ordered_json document{{"format", "rastercheck-probe"},
                               {"version", 1},
                               {"backend", probe.backend},
                               {"description", probe.description},
                               {"seed", probe.seed},
+                              {"faults", std::move(faults)},
                               {"measured", std::move(rows)},
+                              {"not_measured", std::move(unmeasured)},
                               {"drawings", probe.drawings},
                               {"unsupported", probe.unsupported},
                               {"failed", probe.failed},
                               {"failure", probe.failure},
-                              {"contract", contract.value_or(nlohmann::json())}};
+                              {"contract", std::move(contract)}};
   fmt::print("{}\n", document.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+/// Says how sure a finding is: "all 120 samples, 3 undecided", "118 of 120 samples".
+std::string words_of(const records::Sureness& sureness) {
+  if (sureness.unit.empty()) return "";
+  const std::uint64_t all = sureness.in_favour + sureness.against;
+  std::string text;
+  if (all == 0) {
+    text = fmt::format("no {}", sureness.unit);
+  } else if (sureness.against == 0) {
+    text = fmt::format("all {} {}", all, sureness.unit);
+  } else {
+    text = fmt::format("{} of {} {}", sureness.in_favour, all, sureness.unit);
+  }
+  if (sureness.undecided > 0) text += fmt::format(", {} undecided", sureness.undecided);
+  return text;
+}
+
+/// Says where a row comes from.
+std::string from_of(const records::Measured& row) {
+  const std::string words = words_of(row.sureness);
+  return words + (words.empty() || row.detail.empty() ? "" : "; ") + row.detail;
+}
+
+void print_faults(const records::Probe& probe, bool quiet) {
+  if (!quiet && !probe.description.empty()) fmt::print("{}\n", cases::one_line(probe.description));
+  for (const records::DrawingFault& fault : probe.faults) {
+    fmt::print("{}{}\n", fault.sentence,
+               quiet ? "" : fmt::format(" ({})", words_of(fault.sureness)));
+  }
+  if (!quiet) {
+    fmt::print("\nNothing else was measured, and no contract is written: mend this first.\n");
+  }
+}
+
+/// Returns "a, b and c".
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+/// Says what was not measured, and what the contract file lacks for it.
+void print_unmeasured(const records::Probe& probe, double seconds, bool has_file) {
+  if (probe.unmeasured.empty()) return;
+  std::vector<std::string> names;
+  std::vector<std::string> keys;
+  for (const records::Unmeasured& one : probe.unmeasured) {
+    names.push_back(one.what);
+    keys.insert(keys.end(), one.keys.begin(), one.keys.end());
+  }
+  fmt::print("\nNot measured within {:g} s (--seconds): {}.\n", seconds, listed(names));
+  if (!has_file || !has_contract(probe) || keys.empty()) return;
+  fmt::print("The contract file has no {}, so what the backend declares stands.\n", listed(keys));
 }
 
 void print_table(const records::Probe& probe, bool quiet) {
@@ -116,9 +207,12 @@ void print_table(const records::Probe& probe, bool quiet) {
   }
   std::vector<records::Measured> rows = probe.rows;
   std::stable_partition(rows.begin(), rows.end(), [](const auto& row) { return row.contradicts; });
+  for (const records::Unmeasured& one : probe.unmeasured) {
+    rows.push_back({one.what, "–", "not measured", "the time was up"});
+  }
   for (const records::Measured& row : rows) {
     cells.push_back(
-        {(row.contradicts ? "! " : "") + row.what, row.declared, row.measured, row.detail});
+        {(row.contradicts ? "! " : "") + row.what, row.declared, row.measured, from_of(row)});
   }
   fmt::print("{}", reports::text_table(cells, quiet ? std::nullopt : terminal_columns()));
   if (quiet) return;
@@ -126,7 +220,7 @@ void print_table(const records::Probe& probe, bool quiet) {
       std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.contradicts; });
   if (contradictions > 0) {
     fmt::print("\n! marks {} of {} measurements that contradict what the backend declares.\n",
-               contradictions, rows.size());
+               contradictions, probe.rows.size());
   }
   fmt::print("\n{} drawings, {} of unsupported cases, {} failed{}\n", probe.drawings,
              probe.unsupported, probe.failed,
@@ -140,6 +234,41 @@ Result<void> check_contract_out(const Options& options) {
   return check_output_file(options.contract_out, options.backend.substr(colon + 1));
 }
 
+/// Returns the options with a time limit that begins now.
+properties::ProbeOptions timed(properties::ProbeOptions options, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                      std::chrono::duration<double>(seconds));
+  options.is_time_up = [end] { return Clock::now() >= end; };
+  return options;
+}
+
+Result<void> write_contract(const records::Probe& probe, const Options& options) {
+  const Result<void> written = cases::write_file(options.contract_out, cases::to_json(probe.terms));
+  if (!written || options.json || options.quiet) return written;
+  fmt::print("Contract: {} (rastercheck run --backend {} --contract {})\n", options.contract_out,
+             options.backend, options.contract_out);
+  return {};
+}
+
+ExitCode report(const records::Probe& probe, const Options& options) {
+  if (options.json) {
+    print_json(probe);
+  } else if (!probe.faults.empty()) {
+    print_faults(probe, options.quiet);
+  } else {
+    print_table(probe, options.quiet);
+    if (!options.quiet) {
+      print_unmeasured(probe, options.seconds, !options.contract_out.empty());
+    }
+  }
+  if (!probe.faults.empty()) return ExitCode::violated;
+  if (!has_contract(probe)) return ExitCode::nothing_checked;
+  if (options.contract_out.empty()) return ExitCode::ok;
+  if (const auto written = write_contract(probe, options); !written) return fail(written.error());
+  return ExitCode::ok;
+}
+
 ExitCode run(const Options& options) {
   const Result<properties::ProbeOptions> read = read_options(options);
   if (!read) return fail(read.error());
@@ -147,30 +276,17 @@ ExitCode run(const Options& options) {
   const auto backend = backend_factory(options.timeout).make(options.backend);
   if (!backend) return fail_backend(backend.error());
   ProgressBar bar(options.quiet || options.json);
-  const auto progress = [&bar](std::uint64_t done, std::uint64_t all) {
-    bar.show(done, all, "generators");
+  const auto progress = [&bar](std::uint64_t done, std::uint64_t all, const std::string& what) {
+    bar.show(done, all, fmt::format("measures: {}", what).c_str());
   };
   const Result<records::Probe> probe =
-      properties::probe(options.backend, **backend, *read, progress);
+      properties::probe(options.backend, **backend, timed(*read, options.seconds), progress);
   bar.erase();
   if (!probe) {
     fail(probe.error());
     return ExitCode::backend_unavailable;
   }
-  if (options.json) {
-    print_json(*probe);
-  } else {
-    print_table(*probe, options.quiet);
-  }
-  if (options.contract_out.empty()) return ExitCode::ok;
-  const Result<void> written =
-      cases::write_file(options.contract_out, cases::to_json(probe->terms));
-  if (!written) return fail(written.error());
-  if (!options.json && !options.quiet) {
-    fmt::print("Contract: {} (rastercheck run --backend {} --contract {})\n", options.contract_out,
-               options.backend, options.contract_out);
-  }
-  return ExitCode::ok;
+  return report(*probe, options);
 }
 
 Action set_up(CLI::App& app) {
@@ -203,12 +319,21 @@ Action set_up(CLI::App& app) {
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
+  app.add_option("--seconds", options->seconds,
+                 "Stop measuring after this many seconds and report what was found until then")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds))
+      ->type_name("SECONDS")
+      ->capture_default_str();
   add_timeout(app, options->timeout);
   app.add_flag("--json", options->json, "Print the result as JSON");
   app.add_flag("-q,--quiet", options->quiet, "Print only the table's rows, and no progress bar");
   app.footer(
-      "Measures the subpixel grid, rounding, fill rule, guard band and errors, without judging "
-      "them. Exit code 0 if the backend was measured, 4 if it cannot run here or draws nothing.\n\n"
+      "First looks for faults after which no measurement would mean anything, such as a picture "
+      "upside down; if there are any, says which, and ends. Otherwise measures the subpixel grid, "
+      "rounding, fill rule, guard band and errors, without judging them.\n\n"
+      "Exit code 0 if the backend was measured, also if --seconds ended it; 1 if it has such a "
+      "fault, or draws nothing; 4 if it cannot run here, or refuses every case; 5 if the time was "
+      "up before anything was measured.\n\n"
       "Example:\n"
       "  rastercheck probe gl:llvmpipe --contract-out llvmpipe.json");
   return [options] { return run(*options); };

@@ -29,11 +29,15 @@ struct Shares {
   int ideal = 0;
   int snapped = 0;
   int all = 0;
+  int too_near = 0;  ///< samples whose two values are too near each other to tell
 
   void add(double value, double ideal_value, double snapped_value) {
     // The two values must differ by at least this much, or rounding of values hides the effect of
     // positions.
-    if (std::abs(snapped_value - ideal_value) < 0x1p-20) return;
+    if (std::abs(snapped_value - ideal_value) < 0x1p-20) {
+      ++too_near;
+      return;
+    }
     const double share = (value - ideal_value) / (snapped_value - ideal_value);
     ++all;
     ideal += std::abs(share) < 0.25 ? 1 : 0;
@@ -53,7 +57,17 @@ struct Shares {
     return *found == Basis::unspecified ? "neither" : std::string(name_of(*found));
   }
   std::string detail() const {
-    return fmt::format("{} of {} ideal, {} snapped", ideal, all, snapped);
+    if (all == std::max(ideal, snapped)) return "";
+    return fmt::format("{} ideal, {} snapped", ideal, snapped);
+  }
+  /// Counts for the basis found, or for either if neither was.
+  records::Sureness sureness(const char* unit) const {
+    const auto found = basis();
+    const int in_favour = !found                     ? 0
+                          : *found == Basis::ideal   ? ideal
+                          : *found == Basis::snapped ? snapped
+                                                     : all - std::max(ideal, snapped);
+    return sure_of(unit, in_favour, all - in_favour, too_near);
   }
 };
 
@@ -218,7 +232,10 @@ Shares facing_shares(Subject& subject, const MeasuredGrid& grid) {
   const std::vector<bool> back = drawn_with(cases::Cull::front);
   const bool is_y_up = c.rules == cases::Rules::opengl;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!all[t] || front[t] == back[t]) continue;
+    if (!all[t] || front[t] == back[t]) {
+      ++shares.too_near;
+      continue;
+    }
     // A front face is counter-clockwise as displayed: its area is positive if y points up.
     const bool is_front = (area_of(triangles[t]) > 0) == is_y_up;
     ++shares.all;
@@ -243,17 +260,17 @@ std::optional<Basis> read_basis(Subject& subject, const MeasuredGrid& grid,
   const ValueShares values = value_shares(subject, grid);
   const Shares facing = facing_shares(subject, grid);
   const Basis declared = subject.declared().basis;
-  const auto add = [&](const char* of, const Shares& shares) {
+  const auto add = [&](const char* of, const Shares& shares, const char* unit) {
     const auto basis = shares.basis();
     subject
         .add(fmt::format("basis of {}{}", of, where), std::string(name_of(declared)), shares.text(),
-             shares.detail())
+             shares.detail(), shares.sureness(unit))
         .contradicts = declared != Basis::unspecified && basis && *basis != declared;
   };
-  add("smooth attributes", values.smooth);
-  add("noperspective attributes", values.noperspective);
-  add("depth", values.depth);
-  add("facing", facing);
+  add("smooth attributes", values.smooth, "samples");
+  add("noperspective attributes", values.noperspective, "samples");
+  add("depth", values.depth, "samples");
+  add("facing", facing, "triangles");
   return common({values.smooth, values.noperspective, values.depth, facing});
 }
 
@@ -262,6 +279,11 @@ std::optional<Basis> read_basis(Subject& subject, const MeasuredGrid& grid,
 void measure_basis(Subject& subject, const Sight& sight) {
   const MeasuredGrid& grid = sight.fit.grid;
   cases::ContractTerms& terms = subject.result.terms;
+  if (!sight.fit.is_explained || sight.fit.samples == 0) {
+    subject.add("basis", kNotDeclared, "not measured", "no grid is known");
+    terms.basis = Basis::unspecified;
+    return;
+  }
   if (grid.is_none()) {
     subject.add("basis", kNotDeclared, "no grid, so there is only one basis");
     const bool is_exact = terms.coverage == cases::CoverageTerm(cases::Coverage());

@@ -88,15 +88,15 @@ std::optional<float> tolerance_of(const Subject& subject, const std::vector<Draw
   return std::nullopt;
 }
 
-/// Counts the triangles that stay within a tolerance of one grid unit, as rounding of new corners
-/// requires.
-std::string within_a_unit(const Subject& subject, const std::vector<DrawnCase>& drawn) {
+/// Counts for and against: triangles that stay within a tolerance of one grid unit, as rounding of
+/// new corners requires, and others.
+records::Sureness within_a_unit(const Subject& subject, const std::vector<DrawnCase>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 1.0F;
   const auto kept = std::count_if(drawn.begin(), drawn.end(), [&](const DrawnCase& one) {
     return subject.holds({one}, terms);
   });
-  return fmt::format("{} of {} triangles within 1", kept, drawn.size());
+  return sure_of("triangles", kept, static_cast<std::ptrdiff_t>(drawn.size()) - kept);
 }
 
 /// Returns the size of a pixel in grid units. A larger tolerance would permit any triangle.
@@ -117,6 +117,13 @@ struct ClippingOutcomes {
     if (left_out == 0 && wrong == 0) return "drawn right";
     if (right == 0 && wrong == 0) return "left out";
     return fmt::format("right {}, left out {}, wrong {}", right, left_out, wrong);
+  }
+
+  /// Counts for the commonest outcome; triangles that show nothing either way are undecided.
+  records::Sureness sureness() const {
+    const int most = std::max({right, left_out, wrong});
+    if (most == 0) return sure_of("triangles", empty);
+    return sure_of("triangles", most, right + left_out + wrong - most, empty);
   }
 };
 
@@ -162,7 +169,7 @@ void measure_clipping(Subject& subject) {
         .add(fmt::format("clip tolerance, {}", cut.name), units,
              tolerance ? fmt::format("{:g} grid units", *tolerance)
                        : fmt::format("more than {} grid units", 1 << kGreatestExponent),
-             within_a_unit(subject, drawn))
+             "within one grid unit", within_a_unit(subject, drawn))
         .contradicts = declared.coverage && !subject.holds(drawn, promised);
   }
   // The drawn triangles need not show the worst case, which for corners rounded to the grid is
@@ -177,8 +184,12 @@ void measure_clipping(Subject& subject) {
       Cut{"all zero but x and y", &at_eye, 3}};
   for (const Cut& cut : kBehind) {
     const std::vector<DrawnCase> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
-    subject.add(cut.name, kNotDeclared,
-                drawn.empty() ? "not drawn" : outcomes_of(subject, drawn).text());
+    if (drawn.empty()) {
+      subject.add(cut.name, kNotDeclared, "not drawn");
+      continue;
+    }
+    const ClippingOutcomes outcomes = outcomes_of(subject, drawn);
+    subject.add(cut.name, kNotDeclared, outcomes.text(), "", outcomes.sureness());
   }
 }
 

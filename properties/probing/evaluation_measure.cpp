@@ -132,13 +132,15 @@ void add_planes(Subject& subject, cases::Interpolation interpolation, const char
   const auto& forms = errors->of_forms;
   if (errors->drawn <= forms[0]) {
     subject.add(what, kNotDeclared, "about a point of the triangle, or better",
-                fmt::format("{:.3g} ULP at most; {:.3g} about a vertex", errors->drawn, forms[0]));
+                fmt::format("{:.3g} ULP at most; {:.3g} about a vertex", errors->drawn, forms[0]),
+                sure_of("samples", errors->samples));
     return;
   }
   const std::size_t form = nearest_form(*errors);
   subject.add(what, kNotDeclared, fmt::format("as about {}", kPlaneForms[form]),
               fmt::format("{:.3g} ULP at most; {:.3g} so, {:.3g} about a vertex", errors->drawn,
-                          forms[form], forms[0]));
+                          forms[form], forms[0]),
+              sure_of("samples", errors->samples));
 }
 
 // --- Division ------------------------------------------------------------------------------------
@@ -190,10 +192,10 @@ void measure_division(Subject& subject) {
     return;
   }
   const auto best = std::max_element(alike.begin(), alike.end());
-  const auto detail = fmt::format("{} of {} samples alike", *best, samples);
   const std::string name(kDivisions[static_cast<std::size_t>(best - alike.begin())].name);
   subject.add(kWhat, kNotDeclared, *best == samples ? name : "none of the forms tried",
-              *best == samples ? detail : fmt::format("{}: {}", name, detail));
+              *best == samples ? "" : fmt::format("best: {}", name),
+              sure_of("samples", *best, samples - *best));
 }
 
 }  // namespace

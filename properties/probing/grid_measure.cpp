@@ -41,8 +41,10 @@ Snapping named(const MeasuredGrid& grid) {
 /// True if drawings on the measured grid break the declared coverage. If the declared coverage has
 /// a position error, nothing is a contradiction here: the error may explain the difference, and is
 /// measured separately.
-bool contradicts(const cases::Coverage& declared, const MeasuredGrid& grid) {
-  if (!declared) return !grid.is_none();
+bool contradicts(const cases::Coverage& declared, const GridFit& fit) {
+  const MeasuredGrid& grid = fit.grid;
+  if (fit.samples == 0) return false;
+  if (!declared) return !grid.is_none() || !fit.is_explained || grid.is_moved();
   if (declared->position_error > 0) return false;
   if (grid.is_none() || grid.bits != declared->subpixel_bits) return true;
   return declared->rounding != Rounding::unspecified && named(grid).rounding != declared->rounding;
@@ -160,15 +162,20 @@ void measure_position_error(Subject& subject, const Sight& sight) {
       {{"of positions that floats can represent", exact},
        {"of others, 64 pixels", draw_inexact(subject, bits, 64)},
        {"of others, viewport of 8192", draw_inexact(subject, bits, 8192)}}};
-  const bool is_exact = sight.fit.grid.is_none() && sight.fit.mismatches == 0;
+  const bool is_exact =
+      sight.fit.grid.is_none() && sight.fit.mismatches == 0 && !sight.fit.grid.is_moved();
   cases::ContractTerms& terms = subject.result.terms;
   if (is_exact) {
     terms.coverage = cases::Coverage();
     terms.tie_rule = cases::TieRule::unspecified;
     CoverageTally tally;
-    for (const auto& [name, drawn] : sorts) tally += subject.tally(drawn, terms);
+    records::Sureness sureness = sure_of("cases", 0);
+    for (const auto& [name, drawn] : sorts) {
+      tally += subject.tally(drawn, terms);
+      sureness.in_favour += drawn.size();
+    }
     if (tally.holds()) {
-      subject.add("position error", kNotDeclared, "none");
+      subject.add("position error", kNotDeclared, "none", "", sureness);
       return;
     }
   }
@@ -180,7 +187,9 @@ void measure_position_error(Subject& subject, const Sight& sight) {
       continue;
     }
     const std::optional<Snapping> least = least_holding(subject, drawn, grid);
-    subject.add("position error", kNotDeclared, snapping_text(least), name);
+    const auto holding = least ? drawn.size() : 0;
+    subject.add("position error", kNotDeclared, snapping_text(least), name,
+                sure_of("cases", holding, drawn.size() - holding));
     is_bounded = is_bounded && least;
     if (least) widest = wider_of(least.value(), widest);
   }
@@ -199,19 +208,24 @@ void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   const auto grid_asked = [&](const Snapping& snapping) {
     asked.coverage = cases::Coverage(snapping);
     subject.ask(asked);
-    return fit_grid(draw_grid_cases(subject)).grid;
+    return fit_grid(subject, draw_grid_cases(subject));
   };
   std::string others;
+  int honoured = 0;
   for (int bits = 0; bits <= cases::kMaxSubpixelBits; ++bits) {
-    const int drawn = grid_asked({bits, Rounding::nearest_even, 0}).bits;
+    const int drawn = grid_asked({bits, Rounding::nearest_even, 0}).grid.bits;
+    honoured += drawn == bits ? 1 : 0;
     if (drawn != bits)
       others += fmt::format("{}{} instead of {}", others.empty() ? "" : ", ", drawn, bits);
   }
   subject.add("bits requested", kNotDeclared,
-              others.empty() ? "0 to 16, all honoured" : "0 to 16, except " + others);
-  const MeasuredGrid half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
+              others.empty() ? "0 to 16, all honoured" : "0 to 16, except " + others, "",
+              sure_of("grids", honoured, cases::kMaxSubpixelBits + 1 - honoured));
+  const GridFit half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
   const cases::Coverage declared = subject.declared().coverage;
-  subject.add("grid if half_up is requested", declared_of(declared), to_string(half_up))
+  subject
+      .add("grid if half_up is requested", declared_of(declared), to_string(half_up), "",
+           sureness_of(half_up))
       .contradicts = contradicts(declared, half_up);
   subject.ask(as_before);
 
@@ -224,7 +238,7 @@ void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   }
   const bool follows_rounding =
       measured == cases::Coverage(Snapping{kAskedBits}) &&
-      half_up == MeasuredGrid{kAskedBits, GridRounding::half_up, GridRounding::half_up};
+      half_up.grid == MeasuredGrid{kAskedBits, GridRounding::half_up, GridRounding::half_up};
   terms.coverage = cases::AskedGrid{measured->rounding, measured->position_error};
   if (follows_rounding) terms.coverage = cases::AsAsked{};
 }
@@ -239,21 +253,23 @@ void measure_grid(Subject& subject, Sight& sight) {
     subject.ask(asked);
   }
   sight.drawings = draw_grid_cases(subject);
-  sight.fit = fit_grid(sight.drawings);
-  const MeasuredGrid unasked = sight.fit.grid;
+  sight.fit = fit_grid(subject, sight.drawings);
+  const GridFit unasked = sight.fit;
   const cases::Coverage declared = subject.declared().coverage;
   if (!said.coverage) {
     asked.coverage = cases::Coverage(Snapping{kAskedBits - 1, Rounding::nearest_even, 0});
     subject.ask(asked);
-    const MeasuredGrid odd = fit_grid(draw_grid_cases(subject)).grid;
-    sight.follows_coverage = odd.bits == kAskedBits - 1 && odd != unasked;
+    const MeasuredGrid odd = fit_grid(subject, draw_grid_cases(subject)).grid;
+    sight.follows_coverage = odd.bits == kAskedBits - 1 && odd != unasked.grid;
   }
   if (sight.follows_coverage) {
     asked.coverage = cases::Coverage(Snapping{kAskedBits, Rounding::nearest_even, 0});
     subject.ask(asked);
     sight.drawings = draw_grid_cases(subject);
-    sight.fit = fit_grid(sight.drawings);
-    subject.add("grid if exact is requested", declared_of(declared), to_string(unasked))
+    sight.fit = fit_grid(subject, sight.drawings);
+    subject
+        .add("grid if exact is requested", declared_of(declared), to_string(unasked), "",
+             sureness_of(unasked))
         .contradicts = contradicts(declared, unasked);
   } else {
     subject.ask(said);
@@ -263,13 +279,12 @@ void measure_grid(Subject& subject, Sight& sight) {
   const std::string what = sight.follows_coverage
                                ? fmt::format("grid if {} bits are requested", kAskedBits)
                                : "subpixel grid";
-  std::string detail = fmt::format("{} samples", fit.samples);
-  if (fit.mismatches > 0) {
-    detail += fmt::format(", {} drawn differently, by at most {:.2g} pixels", fit.mismatches,
-                          fit.farthest);
-  }
-  subject.add(what, declared_of(on), to_string(fit.grid), detail).contradicts =
-      contradicts(on, fit.grid);
+  const std::string detail =
+      fit.mismatches == 0 ? ""
+                          : fmt::format("drawn otherwise by up to {:.2g} pixels", fit.farthest);
+  subject.add(what, declared_of(on), to_string(fit), detail, sureness_of(fit)).contradicts =
+      contradicts(on, fit);
+  if (sight.drawings.empty()) return;
   measure_position_error(subject, sight);
   if (sight.follows_coverage) measure_what_is_followed(subject, asked);
 }

@@ -40,6 +40,6 @@ void measure_numbers(Subject& subject);
 /// Measures whether the same case gives the same picture, and which values are returned exactly.
 void measure_repetition(Subject& subject);
 /// Measures errors of values, by generator, and whether coverage agrees with the earlier measures.
-void measure_precision(Subject& subject, const Progress& progress);
+void measure_precision(Subject& subject);
 
 }  // namespace rastercheck::properties

@@ -50,9 +50,15 @@ cases::Case short_numbers(const Subject& subject) {
 struct ExponentRange {
   int least = 1;  ///< exponents; greater than `greatest` if even 2^0 draws wrong
   int greatest = 0;
+  int tried = 1;  ///< scales drawn
 };
 
-ExponentRange range_of(const std::function<bool(int)>& holds) {
+ExponentRange range_of(const std::function<bool(int)>& is_right) {
+  int tried = 0;
+  const auto holds = [&](int e) {
+    ++tried;
+    return is_right(e);
+  };
   if (!holds(0)) return {};
   const auto last = [&holds](int end, int step) {
     int good = 0;
@@ -67,7 +73,9 @@ ExponentRange range_of(const std::function<bool(int)>& holds) {
     }
     return good;
   };
-  return {last(kLeast, -9), last(kGreatest, 9)};
+  const int least = last(kLeast, -9);
+  const int greatest = last(kGreatest, 9);
+  return {least, greatest, tried};
 }
 
 cases::Case with_scaled_positions(cases::Case c, int exponent) {
@@ -143,12 +151,18 @@ void measure_numbers(Subject& subject) {
   });
   const cases::MagnitudeRange declared = subject.declared().numbers;
   const std::string says = fmt::format("{:g} to {:g}", declared.least, declared.greatest);
-  subject.add("clip positions that draw right", says, range_text(positions, "")).contradicts =
-      loses_promised(declared, positions);
-  subject.add("attribute values that come back", says, range_text(values, "")).contradicts =
-      loses_promised(declared, values);
-  subject.add("subnormal clip positions", kNotDeclared, subnormal_text(positions));
-  subject.add("subnormal attribute values", kNotDeclared, subnormal_text(values));
+  subject
+      .add("clip positions that draw right", says, range_text(positions, ""), "",
+           sure_of("scales", positions.tried))
+      .contradicts = loses_promised(declared, positions);
+  subject
+      .add("attribute values that come back", says, range_text(values, ""), "",
+           sure_of("scales", values.tried))
+      .contradicts = loses_promised(declared, values);
+  subject.add("subnormal clip positions", kNotDeclared, subnormal_text(positions), "",
+              sure_of("scales", positions.tried));
+  subject.add("subnormal attribute values", kNotDeclared, subnormal_text(values), "",
+              sure_of("scales", values.tried));
   subject.add("infinities and NaN", kNotDeclared, "not measured",
               "cases contain finite numbers only");
   if (positions.least > positions.greatest || values.least > values.greatest) return;

@@ -73,14 +73,13 @@ std::optional<cases::ValueBound>& bound_of(cases::ContractTerms& terms, Attribut
 /// The drawn random cases for which the contract promises something.
 using DrawnByGenerator = std::map<std::string, std::vector<DrawnCase>>;
 
-DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
+DrawnByGenerator draw_all(Subject& subject) {
   DrawnByGenerator all;
   const AskedDrawing asked = subject.asked();
   subject.ask(subject.options().asked);
-  std::uint64_t done = 0;
   for (const Generator& generator : generators()) {
     const std::string name(generator.name);
-    for (int i = 0; i < subject.options().cases; ++i) {
+    for (int i = 0; i < subject.options().cases && !subject.is_time_up(); ++i) {
       MeasureDraw draw(subject, name, static_cast<std::uint64_t>(i));
       cases::Case c = generator.make(draw);
       subject.ask_of(c);
@@ -91,7 +90,6 @@ DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
       if (!drawn && std::exchange(c.rules, rules) != rules) drawn = subject.drawn(std::move(c));
       if (drawn) all[name].push_back(*std::move(drawn));
     }
-    if (progress) progress(++done, generators().size());
   }
   subject.ask(asked);
   return all;
@@ -188,8 +186,8 @@ void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKin
   // contradicted by the largest error.
   subject
       .add(fmt::format("bound of {}", records::to_string(kind)), bound_text(declared),
-           bound_text(bound),
-           fmt::format("{} values, {:.4g} ULP beyond at most", all.values, all.excess))
+           bound_text(bound), fmt::format("{:.4g} ULP beyond at most", all.excess),
+           sure_of("values", all.values, all.no_numbers))
       .contradicts = declared.is_constant() && all.excess > declared.constant;
 }
 
@@ -208,13 +206,13 @@ void measure_coverage(Subject& subject, const DrawnByGenerator& drawn) {
   subject.add("coverage as measured", kNotDeclared,
               violated == 0 ? fmt::format("holds in {} random cases", checked)
                             : fmt::format("violated in {} of {} random cases", violated, checked),
-              generators);
+              generators, sure_of("cases", checked - violated, violated));
 }
 
 }  // namespace
 
-void measure_precision(Subject& subject, const Progress& progress) {
-  const DrawnByGenerator drawn = draw_all(subject, progress);
+void measure_precision(Subject& subject) {
+  const DrawnByGenerator drawn = draw_all(subject);
   cases::ContractTerms lax = subject.result.terms;
   for (const AttributeKind kind : kKinds) bound_of(lax, kind) = cases::ValueBound{kUnbounded};
   WorstByKind all;
@@ -243,8 +241,8 @@ void measure_precision(Subject& subject, const Progress& progress) {
       const auto found = shown.find(std::string(generator));
       if (found == shown.end() || found->second[kind].values == 0) continue;
       subject.add(fmt::format("worst error of {}, {}", records::to_string(kind), generator),
-                  kNotDeclared, bound_text(found->second[kind]),
-                  fmt::format("{} values", found->second[kind].values));
+                  kNotDeclared, bound_text(found->second[kind]), "",
+                  sure_of("values", found->second[kind].values, found->second[kind].no_numbers));
     }
   }
   const cases::ValueBounds declared = subject.declared().bounds;

@@ -5,13 +5,13 @@
 // pictures.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/error.h"
-#include "properties/campaign/campaign_run.h"
 #include "records/probe.h"
 
 namespace rastercheck::properties {
@@ -28,11 +28,19 @@ struct ProbeOptions {
   std::uint64_t seed = 1;
   int cases = 20;  ///< random cases of each generator, at least 1
   AskedDrawing asked;
+  /// Returns true once the probe has to end; empty: never. Asked between measures and within them.
+  /// A measure that is cut short leaves no rows and no terms, and is listed in Probe::unmeasured.
+  std::function<bool()> is_time_up = {};
 };
 
-/// Measures the backend; `name` is its specification. Fails if the backend draws nothing at all or
-/// is lost on the way (Backend::is_lost).
+/// Called before each measure: `done` of `all` measures are made, and `what` comes next.
+using ProbeProgress =
+    std::function<void(std::uint64_t done, std::uint64_t all, const std::string& what)>;
+
+/// Measures the backend; `name` is its specification. Ends early if the backend has a common fault
+/// (Probe::faults). Fails if the backend refuses to draw anything or is lost on the way
+/// (Backend::is_lost).
 Result<records::Probe> probe(const std::string& name, backends::Backend& backend,
-                             const ProbeOptions& options, const Progress& progress);
+                             const ProbeOptions& options, const ProbeProgress& progress);
 
 }  // namespace rastercheck::properties

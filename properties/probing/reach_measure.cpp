@@ -88,6 +88,7 @@ class Reach {
   /// Returns the greatest distance tried up to which all drawings hold; 0 if none does.
   double greatest(const cases::ContractTerms& terms) {
     is_refused_ = false;
+    tried_ = 0;
     double good = 0;
     double bad = std::ldexp(1.0, kFarthest + 1);
     for (int e = kNearest; e <= kFarthest; ++e) {
@@ -108,6 +109,7 @@ class Reach {
 
   /// True if triangles with vertices that far out are drawn right.
   bool holds(double distance, const cases::ContractTerms& terms) {
+    ++tried_;
     const auto [at, is_new] = drawn_.try_emplace(distance);
     if (is_new) at->second = draw_far(*subject_, distance);
     if (at->second && subject_->holds({*at->second}, terms)) return true;
@@ -117,10 +119,13 @@ class Reach {
 
   /// True if the backend refused to draw farther out, instead of drawing wrongly.
   bool is_refused() const { return is_refused_; }
+  /// The number of distances that greatest() tried.
+  int tried() const { return tried_; }
 
  private:
   Subject* subject_;
   bool is_refused_ = false;
+  int tried_ = 0;
   std::map<double, std::optional<DrawnCase>> drawn_;
 };
 
@@ -150,7 +155,8 @@ void measure_reach(Subject& subject) {
                        double pixels) -> records::Measured& {
     const bool is_last = pixels > 0 && pixels < std::ldexp(1.0, kFarthest);
     return subject.add(what, says, reach_text(pixels),
-                       is_last && reach.is_refused() ? "nothing is drawn farther out" : "");
+                       is_last && reach.is_refused() ? "nothing is drawn farther out" : "",
+                       sure_of("distances", reach.tried()));
   };
   if (known) {
     cases::ContractTerms strict = placed;

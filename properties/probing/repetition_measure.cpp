@@ -22,7 +22,13 @@ constexpr int kCasesEach = 5;
 struct RepetitionCounts {
   int checked = 0;
   int violated = 0;
-  std::string detail() const { return fmt::format("{} of {} cases differ", violated, checked); }
+  int not_checked = 0;  ///< cases of which the property says nothing, or that are not drawn
+  /// Counts for a promise that is kept, or for one that is not.
+  records::Sureness sureness() const {
+    const int kept = checked - violated;
+    return violated == 0 ? sure_of("cases", kept, 0, not_checked)
+                         : sure_of("cases", violated, kept, not_checked);
+  }
 };
 
 RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
@@ -37,7 +43,7 @@ RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
   backend.hold_to(asked);
   const cases::Capabilities capabilities = capabilities_of(backend);
   const int wanted = kCasesEach * subject.options().cases;
-  for (int i = 0; i < wanted; ++i) {
+  for (int i = 0; i < wanted && !subject.is_time_up(); ++i) {
     Draw draw(subject.options().seed, "probe: " + std::string(law_name),
               static_cast<std::uint64_t>(i), capabilities);
     Generated generated = law->generate(draw);
@@ -48,7 +54,10 @@ RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
     subject.ask(back);
     const Result<Check> check = check_law(*law, generated.source, backend, 0);
     ++subject.result.drawings;
-    if (!check || !check->is_applicable || check->fault) continue;
+    if (!check || !check->is_applicable || check->fault) {
+      ++counts.not_checked;
+      continue;
+    }
     ++counts.checked;
     counts.violated += check->violation_count > 0 ? 1 : 0;
   }
@@ -64,8 +73,8 @@ void measure_repetition(Subject& subject) {
       count_repetitions(subject, "drawing-twice-draws-the-same-bits", terms);
   subject.add(
       "drawing twice", kNotDeclared,
-      twice.checked == 0 ? "not seen" : (twice.violated == 0 ? "the same bits" : "other bits"),
-      twice.detail());
+      twice.checked == 0 ? "not seen" : (twice.violated == 0 ? "the same bits" : "other bits"), "",
+      twice.sureness());
 
   const cases::Contract declared = subject.declared();
   const auto keep = [&](const char* what, const char* law, bool is_declared,
@@ -75,7 +84,7 @@ void measure_repetition(Subject& subject) {
     const RepetitionCounts counts = count_repetitions(subject, law, promised);
     const bool keeps = counts.checked > 0 && counts.violated == 0;
     const char* const measured = counts.checked == 0 ? "not seen" : keeps ? "kept" : "not kept";
-    subject.add(what, is_declared ? "kept" : "not promised", measured, counts.detail())
+    subject.add(what, is_declared ? "kept" : "not promised", measured, "", counts.sureness())
         .contradicts = is_declared && counts.violated > 0;
     terms.*term = keeps;
   };

@@ -5,6 +5,7 @@
 
 #include "oracle/judge.h"
 #include "properties/drawing.h"
+#include "properties/law.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -73,8 +74,13 @@ void Subject::ask_of(cases::Case& c) const {
   if (asked_.fill_rule) c.fill_rule = *asked_.fill_rule;
 }
 
+bool Subject::is_time_up() const {
+  if (!was_cut_short_ && options_.is_time_up) was_cut_short_ = options_.is_time_up();
+  return was_cut_short_;
+}
+
 std::optional<cases::Fragments> Subject::draw(const cases::Case& c) {
-  if (backend_->is_lost()) return std::nullopt;
+  if (backend_->is_lost() || is_time_up()) return std::nullopt;
   Result<backends::Drawn> drawn = draw_promised(c, *backend_);
   if (drawn) {
     ++result.drawings;
@@ -105,9 +111,12 @@ cases::Contract Subject::declared() const {
   return backend_->promise(c);
 }
 
+cases::Capabilities Subject::capabilities() const { return capabilities_of(*backend_); }
+
 bool Subject::holds(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const {
-  return std::all_of(drawn.begin(), drawn.end(),
-                     [&](const DrawnCase& one) { return tally({one}, terms).holds(); });
+  return std::all_of(drawn.begin(), drawn.end(), [&](const DrawnCase& one) {
+    return !is_time_up() && tally({one}, terms).holds();
+  });
 }
 
 CoverageTally Subject::tally(const std::vector<DrawnCase>& drawn,
@@ -117,6 +126,7 @@ CoverageTally Subject::tally(const std::vector<DrawnCase>& drawn,
   options.shows_ordinary = false;
   CoverageTally tally;
   for (const DrawnCase& one : drawn) {
+    if (is_time_up()) break;
     const oracle::SceneTruth scene(one.source, held(one.source, *backend_, terms));
     records::Judgement judged = oracle::judge(scene, one.fragments, options).judgement;
     const records::ClassCounts& classes = judged.errors[records::AttributeKind::coverage].classes;
@@ -132,14 +142,15 @@ records::Judgement Subject::judgement(const DrawnCase& drawn,
                                       const cases::ContractTerms& terms) const {
   oracle::JudgeOptions options;
   options.shows_ordinary = false;
+  if (is_time_up()) return {};
   const oracle::SceneTruth scene(drawn.source, held(drawn.source, *backend_, terms));
   return oracle::judge(scene, drawn.fragments, options).judgement;
 }
 
 records::Measured& Subject::add(std::string what, std::string declared, std::string measured,
-                                std::string detail) {
-  result.rows.push_back(
-      {std::move(what), std::move(declared), std::move(measured), std::move(detail)});
+                                std::string detail, records::Sureness sureness) {
+  result.rows.push_back({std::move(what), std::move(declared), std::move(measured),
+                         std::move(detail), false, std::move(sureness)});
   return result.rows.back();
 }
 

@@ -50,6 +50,8 @@ class Subject {
   backends::Backend& backend() { return *backend_; }
   /// The backend's contract for a triangle in the middle of a base() case.
   cases::Contract declared() const;
+  /// The cases that the backend draws.
+  cases::Capabilities capabilities() const;
   const ProbeOptions& options() const { return options_; }
 
   /// A case of 64×64 pixels without vertices, with the settings of asked().
@@ -60,7 +62,13 @@ class Subject {
   /// Applies the settings that are not empty to another case.
   void ask_of(cases::Case& c) const;
 
-  /// Returns the backend's drawing; empty if it does not draw the case.
+  /// True once the time is up (ProbeOptions::is_time_up). From then on nothing is drawn or judged
+  /// any more, so the running measure must be discarded.
+  bool is_time_up() const;
+  /// True if is_time_up() was ever true.
+  bool was_cut_short() const { return was_cut_short_; }
+
+  /// Returns the backend's drawing; empty if it does not draw the case, or if the time is up.
   std::optional<cases::Fragments> draw(const cases::Case& c);
   std::optional<DrawnCase> drawn(cases::Case c);
 
@@ -75,7 +83,7 @@ class Subject {
 
   /// Adds a row and returns it.
   records::Measured& add(std::string what, std::string declared, std::string measured,
-                         std::string detail = "");
+                         std::string detail = "", records::Sureness sureness = {});
 
   records::Probe result;  ///< rows and terms measured so far
 
@@ -84,8 +92,16 @@ class Subject {
   std::optional<cases::ContractTerms> terms_before_;
   ProbeOptions options_;
   AskedDrawing asked_;
+  mutable bool was_cut_short_ = false;
   cases::Rules rules_ = cases::Rules::vulkan;
 };
+
+/// A sureness of counts that may be of any integer type.
+template <typename A, typename B = int, typename C = int>
+records::Sureness sure_of(const char* unit, A in_favour, B against = 0, C undecided = 0) {
+  return {unit, static_cast<std::uint64_t>(in_favour), static_cast<std::uint64_t>(against),
+          static_cast<std::uint64_t>(undecided)};
+}
 
 /// A stream of random choices for one measure.
 class MeasureDraw : public Draw {

@@ -24,7 +24,7 @@ struct Owned {
   int seen = 0;
 };
 
-/// [1 + sign of the normal's x][1 + sign of the normal's y]
+/// [1 + sign of the normal's x][1 + sign of the normal's y]; [1][1] counts samples on two edges.
 using Directions = std::array<std::array<Owned, 3>, 3>;
 
 std::size_t index_of(std::int64_t number) {
@@ -39,6 +39,7 @@ Directions directions_of(const MeasuredGrid& grid, const std::vector<FineDrawing
       for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
           const FinePlace place = place_in(placed, x, y);
+          if (place.is_inside && place.zero_edges > 1) ++directions[1][1].seen;
           if (!place.is_inside || place.zero_edges != 1) continue;
           Owned& owned = directions[index_of(place.normal_x)][index_of(place.normal_y)];
           const std::uint64_t row = drawing.rows[i][static_cast<std::size_t>(y)];
@@ -62,7 +63,7 @@ struct TieReading {
   std::optional<TieRule> rule;  ///< empty if ties were not seen, or not all went by one rule
   bool is_seen = false;
   std::string text;
-  std::string detail;
+  records::Sureness sureness;
 };
 
 TieReading read(const Directions& directions, bool is_y_up) {
@@ -87,8 +88,7 @@ TieReading read(const Directions& directions, bool is_y_up) {
   }
   TieReading reading;
   reading.is_seen = seen > 0;
-  reading.detail = fmt::format("{} ties", seen);
-  if (against > 0) reading.detail += fmt::format(", {} the other way", against);
+  reading.sureness = sure_of("samples", seen - against, against, directions[1][1].seen);
   if (seen == 0) {
     reading.text = "not seen";
   } else if (keeps_top || keeps_bottom) {
@@ -108,22 +108,28 @@ std::string declared_tie_rule(TieRule rule) {
 }  // namespace
 
 void measure_ties(Subject& subject, const Sight& sight) {
+  // If no grid is known, ties are known only of vertices in the middle of pixels, which most grids
+  // have points for: those of the first drawing.
+  const auto known = [&sight](std::vector<FineDrawing> drawings) {
+    if (!sight.fit.is_explained && drawings.size() > 1) drawings.resize(1);
+    return drawings;
+  };
   const AskedDrawing said = subject.asked();
   const bool is_y_up = subject.base().rules == cases::Rules::opengl;
   const auto reading_of = [&](TieRule rule) {
     AskedDrawing asked = said;
     asked.fill_rule = rule;
     subject.ask(asked);
-    return read(directions_of(sight.fit.grid, draw_grid_cases(subject)), is_y_up);
+    return read(directions_of(sight.fit.grid, known(draw_grid_cases(subject))), is_y_up);
   };
   const auto declared = [&subject] { return subject.declared().tie_rule; };
   const auto add = [&subject](const char* what, TieRule rule, const TieReading& reading) {
-    subject.add(what, declared_tie_rule(rule), reading.text, reading.detail).contradicts =
+    subject.add(what, declared_tie_rule(rule), reading.text, "", reading.sureness).contradicts =
         rule != TieRule::unspecified && reading.is_seen && reading.rule != rule;
   };
   cases::ContractTerms& terms = subject.result.terms;
   if (said.fill_rule) {
-    const TieReading reading = read(directions_of(sight.fit.grid, sight.drawings), is_y_up);
+    const TieReading reading = read(directions_of(sight.fit.grid, known(sight.drawings)), is_y_up);
     add("tie rule", declared(), reading);
     terms.tie_rule = reading.rule.value_or(TieRule::unspecified);
     return;

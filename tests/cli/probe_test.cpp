@@ -14,6 +14,9 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
+/// A time limit that no machine reaches.
+constexpr const char* kLong = "86400";
+
 /// Arguments of a quick probe: one case of each generator, and few requests to try.
 std::vector<std::string> quick(std::vector<std::string> more) {
   std::vector<std::string> arguments{"probe", "--cases",         "1",
@@ -27,7 +30,8 @@ std::vector<std::string> quick(std::vector<std::string> more) {
 TEST(Probe, WritesAContractThatHolds) {
   const TemporaryFolder folder;
   const std::string contract = folder.path("contract.json");
-  const Outcome probe = run_program({"probe", "cpu", "--cases", "4", "--contract-out", contract});
+  const Outcome probe =
+      run_program({"probe", "cpu", "--cases", "4", "--contract-out", contract, "--seconds", kLong});
   ASSERT_EQ(probe.code, 0) << probe;
   EXPECT_THAT(probe.out, AllOf(HasSubstr("declared"), HasSubstr("8 bits, nearest_even"),
                                HasSubstr("Contract: " + contract)));
@@ -39,7 +43,7 @@ TEST(Probe, WritesAContractThatHolds) {
 }
 
 TEST(Probe, PrintsJson) {
-  const Outcome probe = run_program(quick({"cpu", "--json"}));
+  const Outcome probe = run_program(quick({"cpu", "--json", "--seconds", kLong}));
   ASSERT_EQ(probe.code, 0) << probe;
   const json document = json::parse(probe.out);
   EXPECT_EQ(document.at("format"), "rastercheck-probe");
@@ -48,14 +52,71 @@ TEST(Probe, PrintsJson) {
   EXPECT_EQ(document.at("measured").at(0).at("what"), "subpixel grid");
   EXPECT_EQ(document.at("measured").at(0).at("measured"), "8 bits, nearest_even");
   EXPECT_EQ(document.at("measured").at(0).at("contradicts"), false);
+  const json& sureness = document.at("measured").at(0).at("sureness");
+  EXPECT_EQ(sureness.at("of"), "samples");
+  EXPECT_GT(sureness.at("for"), 10000);
+  EXPECT_EQ(sureness.at("against"), 0);
+  EXPECT_GT(sureness.at("undecided"), 0);
+  EXPECT_TRUE(document.at("faults").empty());
+  EXPECT_TRUE(document.at("not_measured").empty());
   EXPECT_EQ(document.at("contract").at("format"), "rastercheck-contract");
   EXPECT_EQ(document.at("contract").at("coverage").at("subpixel_bits"), 8);
 }
 
+// Kills: a contract for a backend that draws upside down, and a probe that does not end.
+TEST(Probe, EndsWithOneSentenceForAFault) {
+  const TemporaryFolder folder;
+  const std::string contract = folder.path("contract.json");
+  constexpr const char* kSentence = "The picture is upside down: NDC y = -1 belongs to row 0.";
+  const Outcome probe =
+      run_damaged_program({"probe", "damaged:flipped", "--contract-out", contract});
+  EXPECT_EQ(probe.code, 1) << probe;
+  EXPECT_THAT(probe.out, AllOf(HasSubstr(kSentence), HasSubstr("no contract is written")));
+  EXPECT_FALSE(std::filesystem::exists(contract));
+  const Outcome quiet = run_damaged_program({"probe", "damaged:flipped", "-q"});
+  EXPECT_EQ(quiet.code, 1) << quiet;
+  EXPECT_EQ(quiet.out, std::string(kSentence) + "\n");
+  const Outcome as_json = run_damaged_program({"probe", "damaged:flipped", "--json"});
+  EXPECT_EQ(as_json.code, 1) << as_json;
+  const json document = json::parse(as_json.out);
+  ASSERT_EQ(document.at("faults").size(), 1U);
+  EXPECT_EQ(document.at("faults")[0].at("id"), "upside-down");
+  EXPECT_EQ(document.at("faults")[0].at("sentence"), kSentence);
+  EXPECT_EQ(document.at("faults")[0].at("sureness").at("against"), 0);
+  EXPECT_TRUE(document.at("measured").empty());
+  EXPECT_TRUE(document.at("contract").is_null());
+}
+
+TEST(Probe, SaysWhatItHadNoTimeFor) {
+  const TemporaryFolder folder;
+  const std::string contract = folder.path("contract.json");
+  const Outcome probe =
+      run_program(quick({"cpu", "--seconds", "0.001", "--contract-out", contract}));
+  EXPECT_EQ(probe.code, 5) << probe;
+  EXPECT_THAT(probe.out, AllOf(HasSubstr("Not measured within 0.001 s (--seconds): subpixel grid "
+                                         "and position error, tie rule, basis"),
+                               HasSubstr("errors of values")));
+  EXPECT_FALSE(std::filesystem::exists(contract));
+  const json document =
+      json::parse(run_program(quick({"cpu", "--seconds", "0.001", "--json"})).out);
+  EXPECT_EQ(document.at("not_measured").size(), 9U);
+  EXPECT_EQ(document.at("not_measured")[1].at("what"), "tie rule");
+  EXPECT_EQ(document.at("not_measured")[1].at("keys"), json::array({"tie_rule"}));
+  EXPECT_TRUE(document.at("contract").is_null());
+}
+
+TEST(Probe, RefusesATimeThatIsNone) {
+  for (const char* seconds : {"0", "-1", "1e9", "long"}) {
+    EXPECT_TRUE(is_failure(run_program({"probe", "cpu", "--seconds", seconds}), 2)) << seconds;
+  }
+}
+
 TEST(Probe, IsTheSameForTheSameSeed) {
-  const Outcome first = run_program(quick({"cpu", "-q"}));
+  const Outcome first = run_program(quick({"cpu", "-q", "--seconds", kLong}));
   EXPECT_EQ(first.code, 0) << first;
-  EXPECT_EQ(first.out, run_program(quick({"cpu", "-q"})).out);
+  EXPECT_THAT(first.out,
+              testing::ContainsRegex("subpixel grid .*all [0-9]+ samples, [0-9]+ undecided"));
+  EXPECT_EQ(first.out, run_program(quick({"cpu", "-q", "--seconds", kLong})).out);
 }
 
 TEST(Probe, RefusesWhatItCannotAskFor) {

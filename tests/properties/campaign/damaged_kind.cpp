@@ -5,6 +5,7 @@
 //   damaged:slow      the same, but slowly, so that a run can be interrupted
 //   damaged:stuck     draws correctly, but only after an hour
 //   damaged:refuses   fails to draw
+//   damaged:flipped   draws upside down
 //   damaged:absent    cannot run here
 //   damaged:speaks    has a description with characters that are commands to a terminal
 //   damaged:driver    claims to be the driver "damaged", version 1; loses the last fragment of
@@ -28,6 +29,19 @@ namespace {
 class RefusingBackend : public DamagedBackend {
   Result<cases::Fragments> draw_fragments(const cases::Case& /*c*/) override {
     return tl::unexpected(Error{"", "", "out of memory"});
+  }
+};
+
+/// Draws upside down.
+class FlippedBackend : public DamagedBackend {
+ public:
+  FlippedBackend() : DamagedBackend({}, "cpu") {}
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    cases::Case flipped = c;
+    for (cases::ClipVertex& p : flipped.positions) p.y = -p.y;
+    return DamagedBackend::draw_fragments(flipped);
   }
 };
 
@@ -100,6 +114,7 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
   if (options == "slow") return std::make_unique<SlowBackend>(&lose_last);
   if (options == "stuck") return std::make_unique<StuckBackend>();
   if (options == "refuses") return std::make_unique<RefusingBackend>();
+  if (options == "flipped") return std::make_unique<FlippedBackend>();
   if (options == "speaks") return std::make_unique<SpeakingBackend>();
   if (options == "unseen") return std::make_unique<UnseenBackend>();
   if (options == "driver") return std::make_unique<DriverBackend>(&lose_last_of_scissored, "1");
@@ -116,6 +131,7 @@ std::vector<backends::Listing> list() {
   return {{"damaged", "loses the last fragment", ""},
           {"damaged:absent", "cannot run", kAbsent},
           {"damaged:driver", "a driver that loses the last fragment with a scissor", ""},
+          {"damaged:flipped", "draws upside down", ""},
           {"damaged:mended", "the same driver, mended", ""},
           {"damaged:newer", "the same, mended in another version", ""},
           {"damaged:refuses", "fails to draw", ""},

@@ -18,6 +18,7 @@
 #include "backends/factory.h"
 #include "properties/probing/grid.h"
 #include "properties/probing/probe.h"
+#include "tests/properties/probing/bent.h"
 
 namespace rastercheck::properties::probing_test {
 namespace {
@@ -174,33 +175,31 @@ TEST(Probe, FindsThatFloatsAreLessPrecise) {
   EXPECT_EQ(probe.terms.depth, cases::ValueBound{0.51F});
 }
 
-// ---- cpu, bent.
-
-struct Bending {
-  /// The case that is drawn in place of the given one; nullopt if none is drawn.
-  std::function<std::optional<Case>(Case)> before = [](Case c) { return c; };
-  std::function<void(Fragments&)> after = [](Fragments& /*drawn*/) {};
-};
-
-class Bent : public backends::Backend {
- public:
-  explicit Bent(Bending bending)
-      : bending_(std::move(bending)), cpu_(*backends::make_backend("cpu")) {}
-  cases::Contract promise(const Case& c) const override { return cases::contract_of(c); }
-
- private:
-  Result<Fragments> draw_fragments(const Case& c) override {
-    const std::optional<Case> bent = bending_.before(c);
-    if (!bent) return tl::unexpected(Error{"", "", "not that", Failure::unsupported});
-    Result<backends::Drawn> drawn = cpu_->draw(*bent);
-    if (!drawn) return tl::unexpected(drawn.error());
-    bending_.after(drawn->fragments);
-    return std::move(drawn->fragments);
+/// How sure the row is; if several rows have the name, the first.
+records::Sureness sureness(const records::Probe& probe, const std::string& what) {
+  for (const records::Measured& row : probe.rows) {
+    if (row.what == what) return row.sureness;
   }
+  return {"no row " + what};
+}
 
-  Bending bending_;
-  std::unique_ptr<backends::Backend> cpu_;
-};
+// Kills: a row that does not say from how much it is known.
+TEST(Probe, SaysHowSureItIs) {
+  const records::Probe probe = probed("cpu", ask(Snapping{8}));
+  for (const records::Measured& row : probe.rows) {
+    if (row.what == "infinities and NaN") continue;
+    EXPECT_NE(row.sureness.unit, "") << row.what;
+    EXPECT_GT(row.sureness.in_favour, 0U) << row.what;
+  }
+  const records::Sureness ties = sureness(probe, "tie rule");
+  EXPECT_GT(ties.in_favour, 100U);
+  EXPECT_EQ(ties.against, 0U);
+  EXPECT_GT(ties.undecided, 0U);  // samples at corners
+  EXPECT_EQ(sureness(probe, "basis of facing").unit, "triangles");
+  EXPECT_EQ(sureness(probe, "basis of facing").against, 0U);
+}
+
+// ---- cpu, bent.
 
 records::Probe probe_of(const Bending& bending, const AskedDrawing& asked) {
   Bent backend(bending);
@@ -362,12 +361,26 @@ TEST(ProbeOfBent, FindsFlushedNumbers) {
               IsSupersetOf({"clip positions that draw right", "attribute values that come back"}));
 }
 
+// Kills: counting a tie that goes the other way as one for the rule.
+TEST(ProbeOfBent, CountsTiesThatGoTheOtherWay) {
+  Bending bending;
+  bending.before = [count = 0](Case c) mutable {
+    if (++count % 4 == 0) c.fill_rule = TieRule::bottom_left;
+    return c;
+  };
+  const records::Sureness ties = sureness(probe_of(bending, ask(Snapping{8})), "tie rule");
+  EXPECT_GT(ties.against, 0U);
+  EXPECT_GT(ties.in_favour, ties.against);
+}
+
 TEST(ProbeOfBent, FindsPicturesThatChange) {
   Bending bending;
   bending.after = [count = 0](Fragments& drawn) mutable {
     if (++count % 2 == 0 && !drawn.depth.empty()) drawn.depth[0] += 0x1p-20F;
   };
-  EXPECT_EQ(measured(probe_of(bending, ask(Coverage())), "drawing twice"), "other bits");
+  const records::Probe probe = probe_of(bending, ask(Coverage()));
+  EXPECT_EQ(measured(probe, "drawing twice"), "other bits");
+  EXPECT_GT(sureness(probe, "drawing twice").in_favour, 0U);
 }
 
 TEST(ProbeOfBent, FindsHowFarValuesAreOff) {

@@ -1,0 +1,94 @@
+#include "properties/probing/fine_triangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rastercheck::properties {
+
+std::int64_t area_of(const FineTriangle& t) {
+  return (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.y[1] - t.y[0]) * (t.x[2] - t.x[0]);
+}
+
+double FineEdge::distance(int pixel_x, int pixel_y) const {
+  const auto slope = static_cast<double>(std::abs(a) + std::abs(b));
+  if (slope == 0) return 0;
+  return static_cast<double>(at(pixel_x, pixel_y)) / slope / static_cast<double>(kFinePixel);
+}
+
+FineEdges edges_of(const FineTriangle& t) {
+  const std::int64_t sign = area_of(t) < 0 ? -1 : 1;
+  FineEdges edges;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    edges[i] = {-sign * (t.y[j] - t.y[i]), sign * (t.x[j] - t.x[i]), t.x[i], t.y[i]};
+  }
+  return edges;
+}
+
+double depth_inside(const FineEdges& edges, int x, int y) {
+  double least = std::numeric_limits<double>::max();
+  for (const FineEdge& edge : edges) least = std::min(least, edge.distance(x, y));
+  return least;
+}
+
+std::pair<int, int> pixel_range(const std::array<std::int64_t, 3>& coordinates) {
+  const auto [least, most] = std::minmax_element(coordinates.begin(), coordinates.end());
+  const auto lo = static_cast<int>(*least / kFinePixel) - 1;
+  const auto hi = static_cast<int>(*most / kFinePixel) + 2;
+  return {std::clamp(lo, 0, kFineSide), std::clamp(hi, 0, kFineSide)};
+}
+
+FinePlace place_in(const FineTriangle& triangle, int x, int y) {
+  FinePlace place;
+  if (area_of(triangle) == 0) return place;
+  place.is_inside = true;
+  for (const FineEdge& edge : edges_of(triangle)) {
+    const std::int64_t value = edge.at(x, y);
+    if (value < 0) place.is_inside = false;
+    if (value != 0) continue;
+    ++place.zero_edges;
+    place.normal_x = edge.a;
+    place.normal_y = edge.b;
+  }
+  return place;
+}
+
+bool is_empty(const FineRows& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](std::uint64_t row) { return row == 0; });
+}
+
+cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth) {
+  const auto pixels = [](std::int64_t fine) {
+    return static_cast<double>(fine) / static_cast<double>(kFinePixel);
+  };
+  return at_window(c, {pixels(x), pixels(y)}, depth, 1);
+}
+
+std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTriangle>& triangles) {
+  cases::Case c = subject.base();
+  for (const FineTriangle& t : triangles) {
+    add_triangle(c, fine_vertex(c, t.x[0], t.y[0], 0.5F), fine_vertex(c, t.x[1], t.y[1], 0.5F),
+                 fine_vertex(c, t.x[2], t.y[2], 0.5F));
+  }
+  return draw_fine(subject, triangles, std::move(c));
+}
+
+std::optional<FineDrawing> draw_fine(Subject& subject, std::vector<FineTriangle> triangles,
+                                     cases::Case source) {
+  std::optional<DrawnCase> drawn = subject.drawn(std::move(source));
+  if (!drawn) return std::nullopt;
+  FineDrawing drawing{std::move(triangles), {}, *std::move(drawn)};
+  drawing.rows.resize(drawing.triangles.size());
+  const cases::Fragments& fragments = drawing.drawn.fragments;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    if (fragments.triangle[i] >= drawing.rows.size() || fragments.x[i] >= kFineSide ||
+        fragments.y[i] >= kFineSide) {
+      continue;
+    }
+    drawing.rows[fragments.triangle[i]][fragments.y[i]] |= std::uint64_t{1} << fragments.x[i];
+  }
+  return drawing;
+}
+
+}  // namespace rastercheck::properties
