@@ -367,11 +367,13 @@ void add_inclusive_edges(Subject& subject, const Placement& placement,
 bool is_permitted(const FoundFault& fault, const Placement& placement,
                   const cases::Contract& declared) {
   constexpr float kNoPromise = 0x1p24F;  // of values: see cases::ValueBound
-  if (fault.id == "inclusive-edges") return declared.tie_rule == cases::TieRule::unspecified;
+  if (fault.id == "inclusive-edges") return declared.tie_rule == cases::TieRule::all;
+  if (fault.id == "culls-a-side") return declared.culls != cases::Winding::none;
+  if (fault.id == "drops-small-triangles") return declared.least_area > 0;
+  if (fault.id == "moved" && declared.sample_position) return true;
   if (fault.id == "moved" && declared.coverage) {
     const auto halves = std::max(std::abs(placement.move_x), std::abs(placement.move_y));
-    return std::ldexp(double{declared.coverage->position_error},
-                      1 - declared.coverage->subpixel_bits) >= halves;
+    return 2 * double{declared.coverage->position_error} / declared.coverage->steps() >= halves;
   }
   if (fault.id.starts_with("attribute")) return declared.bounds.smooth.constant >= kNoPromise;
   if (fault.id.starts_with("depth")) return declared.bounds.depth.constant >= kNoPromise;

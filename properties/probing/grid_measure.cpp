@@ -24,17 +24,29 @@ namespace {
 using cases::Rounding;
 using cases::Snapping;
 
-bool is_nearest(GridRounding rounding) {
-  return rounding != GridRounding::down && rounding != GridRounding::up;
+Rounding named(GridRounding rounding) {
+  switch (rounding) {
+    case GridRounding::nearest_even:
+      return Rounding::nearest_even;
+    case GridRounding::half_up:
+      return Rounding::half_up;
+    case GridRounding::half_down:
+      return Rounding::half_down;
+    case GridRounding::down:
+      return Rounding::floor;
+    case GridRounding::up:
+      break;
+  }
+  return Rounding::ceil;
 }
 
-/// Returns the grid in a contract's terms, with `unspecified` if no named rounding comes near.
+/// Returns the grid in a contract's terms, with `unspecified` if positions are moved before they
+/// are rounded, which no contract can say.
 Snapping named(const MeasuredGrid& grid) {
   if (grid.is_none()) return {cases::kMaxSubpixelBits, Rounding::unspecified, 0};
-  Snapping snapping{grid.bits, Rounding::unspecified, 0};
-  if (!is_nearest(grid.x) || !is_nearest(grid.y)) return snapping;
-  const bool is_half_up = grid.x == GridRounding::half_up && grid.y == GridRounding::half_up;
-  snapping.rounding = is_half_up ? Rounding::half_up : Rounding::nearest_even;
+  if (grid.is_moved()) return {grid.bits, Rounding::unspecified, 0};
+  Snapping snapping{grid.bits, named(grid.x), 0};
+  if (grid.y != grid.x) snapping.rounding_of_y = named(grid.y);
   return snapping;
 }
 
@@ -46,14 +58,19 @@ bool contradicts(const cases::Coverage& declared, const GridFit& fit) {
   if (fit.samples == 0) return false;
   if (!declared) return !grid.is_none() || !fit.is_explained || grid.is_moved();
   if (declared->position_error > 0) return false;
-  if (grid.is_none() || grid.bits != declared->subpixel_bits) return true;
-  return declared->rounding != Rounding::unspecified && named(grid).rounding != declared->rounding;
+  const Snapping measured = named(grid);
+  if (grid.is_none() || measured.steps() != declared->steps()) return true;
+  if (declared->is_unspecified()) return false;
+  return measured.rounding_along(0) != declared->rounding_along(0) ||
+         measured.rounding_along(1) != declared->rounding_along(1);
 }
 
 std::string declared_of(const cases::Coverage& coverage) {
   if (!coverage) return "none: exact";
-  std::string text =
-      fmt::format("{} bits, {}", coverage->subpixel_bits, name_of(coverage->rounding));
+  std::string text = coverage->odd_steps == 1 ? fmt::format("{} bits", coverage->subpixel_bits)
+                                              : fmt::format("1/{} pixel", coverage->steps());
+  text += fmt::format(", {}", name_of(coverage->rounding));
+  if (coverage->rounding_of_y) text += fmt::format(" (y {})", name_of(*coverage->rounding_of_y));
   if (coverage->position_error > 0) text += fmt::format(" ± {:.2g}", coverage->position_error);
   return text;
 }
@@ -105,7 +122,9 @@ std::vector<DrawnCase> draw_inexact(Subject& subject, int bits, float size) {
 std::vector<Snapping> ladder_from(const Snapping& from) {
   std::vector<Snapping> ladder{from};
   const auto add = [&ladder, &from](Rounding rounding, float error) {
-    ladder.push_back({from.subpixel_bits, rounding, error});
+    const bool is_named = rounding != Rounding::unspecified;
+    ladder.push_back(
+        {from.subpixel_bits, rounding, error, is_named ? from.rounding_of_y : std::nullopt});
   };
   if (from.rounding != Rounding::unspecified) {
     for (int e = -28; e <= -2; e += e < -14 ? 4 : 1) add(from.rounding, std::ldexp(1.0F, e));

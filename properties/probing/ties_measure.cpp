@@ -7,8 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "cases/names.h"
 #include "properties/probing/measures.h"
@@ -52,11 +55,33 @@ Directions directions_of(const MeasuredGrid& grid, const std::vector<FineDrawing
   return directions;
 }
 
-/// True if a rule owns samples on an edge whose inward normal points in this direction (RULES §2).
+/// The rules that are told apart, those that APIs have first.
+constexpr std::array kRules{TieRule::top_left,
+                            TieRule::bottom_left,
+                            TieRule::top_right,
+                            TieRule::bottom_right,
+                            TieRule::top_then_left,
+                            TieRule::top_then_right,
+                            TieRule::bottom_then_left,
+                            TieRule::bottom_then_right,
+                            TieRule::all,
+                            TieRule::none};
+
+/// True if a rule owns samples on an edge whose inward normal points in this direction (RULES §2,
+/// §13): x and y are 0, 1 and 2 for towards lesser, neither and towards greater coordinates.
 bool owns(TieRule rule, bool is_y_up, std::size_t x, std::size_t y) {
-  const bool is_down_right = (rule == TieRule::top_left) != is_y_up;
-  const std::size_t right = 2;
-  return x == right || (x == 1 && y == (is_down_right ? 2 : 0));
+  if (rule == TieRule::all || rule == TieRule::none) return rule == TieRule::all;
+  const auto is_one_of = [rule](std::initializer_list<TieRule> rules) {
+    return std::find(rules.begin(), rules.end(), rule) != rules.end();
+  };
+  using enum TieRule;
+  const bool is_left = is_one_of({top_left, bottom_left, top_then_left, bottom_then_left});
+  const bool is_top = is_one_of({top_left, top_right, top_then_left, top_then_right});
+  const bool asks_x_first = is_one_of({top_left, bottom_left, top_right, bottom_right});
+  const std::size_t owned_x = is_left ? 2 : 0;
+  const std::size_t owned_y = is_top != is_y_up ? 2 : 0;
+  if (asks_x_first) return x == owned_x || (x == 1 && y == owned_y);
+  return y == owned_y || (y == 1 && x == owned_x);
 }
 
 struct TieReading {
@@ -72,8 +97,7 @@ TieReading read(const Directions& directions, bool is_y_up) {
   int seen = 0;
   int against = 0;
   std::string owners;
-  bool keeps_top = true;
-  bool keeps_bottom = true;
+  std::vector<TieRule> kept(kRules.begin(), kRules.end());
   for (std::size_t x = 0; x < 3; ++x) {
     for (std::size_t y = 0; y < 3; ++y) {
       const Owned& one = directions[x][y];
@@ -82,8 +106,7 @@ TieReading read(const Directions& directions, bool is_y_up) {
       const bool is_owner = 2 * one.drawn >= one.seen;
       against += is_owner ? one.seen - one.drawn : one.drawn;
       if (is_owner) owners += fmt::format("{}{}", owners.empty() ? "" : ", ", kNames[x][y]);
-      keeps_top = keeps_top && is_owner == owns(TieRule::top_left, is_y_up, x, y);
-      keeps_bottom = keeps_bottom && is_owner == owns(TieRule::bottom_left, is_y_up, x, y);
+      std::erase_if(kept, [&](TieRule rule) { return is_owner != owns(rule, is_y_up, x, y); });
     }
   }
   TieReading reading;
@@ -91,10 +114,9 @@ TieReading read(const Directions& directions, bool is_y_up) {
   reading.sureness = sure_of("samples", seen - against, against, directions[1][1].seen);
   if (seen == 0) {
     reading.text = "not seen";
-  } else if (keeps_top || keeps_bottom) {
-    const TieRule rule = keeps_top ? TieRule::top_left : TieRule::bottom_left;
-    reading.text = name_of(rule);
-    if (against == 0) reading.rule = rule;
+  } else if (!kept.empty()) {
+    reading.text = name_of(kept.front());
+    if (against == 0) reading.rule = kept.front();
   } else {
     reading.text = "of another kind: inward normals towards " + owners;
   }

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "rasterizer/methods/method.h"
-#include "tests/rasterizer/small_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::edge_then_span_test {
 namespace {
@@ -17,13 +16,6 @@ constexpr std::size_t kEdges = 2;
 
 constexpr TargetSize kEight{8, 8, 1};
 constexpr std::string_view kNames[] = {"edge-then-span", "edge-then-span-plane"};
-
-Fragments drawn_by(std::string_view method, const State& state, const SmallMesh& mesh,
-                   const TargetSize& size = kEight) {
-  Fragments fragments;
-  EXPECT_FALSE(draw_fragments_by(method, state, mesh.mesh(), size, fragments).error);
-  return fragments;
-}
 
 State with_one_attribute() {
   State state = small_state(8, 8);
@@ -44,7 +36,7 @@ SmallMesh corner(const State& state, const std::vector<float>& w, const std::vec
 TEST(EdgeThenSpan, AlongARowIsTheSharesFormula) {
   const State state = with_one_attribute();
   for (const std::string_view name : kNames) {
-    expect_values(drawn_by(name, state, corner(state, {1, 2, 1}, {0, 1, 0})),
+    expect_values(drawn_by(name, state, corner(state, {1, 2, 1}, {0, 1, 0}), kEight),
                   [](double u, double) { return u / (16 - u); });
   }
 }
@@ -54,7 +46,7 @@ TEST(EdgeThenSpan, AlongARowIsTheSharesFormula) {
 TEST(EdgeThenSpan, AlongEdgesIsTheSharesFormula) {
   const State state = with_one_attribute();
   for (const std::string_view name : kNames) {
-    expect_values(drawn_by(name, state, corner(state, {1, 1, 4}, {0, 0, 1})),
+    expect_values(drawn_by(name, state, corner(state, {1, 1, 4}, {0, 0, 1}), kEight),
                   [](double, double v) { return v / (32 - 3 * v); });
   }
 }
@@ -63,15 +55,15 @@ TEST(EdgeThenSpan, AlongEdgesIsTheSharesFormula) {
 TEST(EdgeThenSpan, AlongBothCarriesQAcross) {
   const State state = with_one_attribute();
   for (const std::string_view name : kNames) {
-    expect_values(drawn_by(name, state, corner(state, {1, 2, 4}, {0, 2, 0})),
+    expect_values(drawn_by(name, state, corner(state, {1, 2, 4}, {0, 2, 0}), kEight),
                   [](double u, double v) { return u / 8 / (1 - u / 16 - 3 * v / 32); });
   }
 }
 
 TEST(EdgeThenSpan, ConstantsComeOutExactlyOfShares) {
   const State state = with_one_attribute();
-  const Fragments fragments =
-      drawn_by("edge-then-span", state, corner(state, {0.7F, 1.9F, 3.1F}, {0.1F, 0.1F, 0.1F}));
+  const Fragments fragments = drawn_by(
+      "edge-then-span", state, corner(state, {0.7F, 1.9F, 3.1F}, {0.1F, 0.1F, 0.1F}), kEight);
   ASSERT_GT(fragments.size(), 20U);
   EXPECT_EQ(fragments.attributes, std::vector<float>(fragments.size(), 0.1F));
 }
@@ -79,8 +71,8 @@ TEST(EdgeThenSpan, ConstantsComeOutExactlyOfShares) {
 // Kills: shares beyond 1, or NaN, where q at one end is negligible beside q at the other.
 TEST(EdgeThenSpan, SharesStayBetweenTheEnds) {
   const State state = with_one_attribute();
-  const Fragments fragments =
-      drawn_by("edge-then-span", state, corner(state, {0x1p-120F, 0x1p120F, 1}, {1, 2, 1.5F}));
+  const Fragments fragments = drawn_by(
+      "edge-then-span", state, corner(state, {0x1p-120F, 0x1p120F, 1}, {1, 2, 1.5F}), kEight);
   ASSERT_GT(fragments.size(), 20U);
   for (const float value : fragments.attributes) {
     EXPECT_GE(value, 1);
@@ -94,7 +86,7 @@ TEST(EdgeThenSpan, PlanesHoldBehindTheEye) {
   const State state = with_one_attribute();
   SmallMesh mesh = corner(state, {1, 1, 1}, {0, 0, 1});
   mesh.positions = {at(state, 0, 8, 1), at(state, 8, 8, 1), at(state, 0, 16, -1)};
-  const Fragments fragments = drawn_by("edge-then-span-plane", state, mesh);
+  const Fragments fragments = drawn_by("edge-then-span-plane", state, mesh, kEight);
   ASSERT_EQ(fragments.size(), 64U);
   expect_values(fragments, [](double, double v) { return (8 - v) / (24 - 2 * v); });
 }

@@ -11,8 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rasterizer/methods/method.h"
-#include "tests/rasterizer/small_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::rational_linear_variants_test {
 namespace {
@@ -22,13 +21,6 @@ constexpr std::size_t kEdges = 2;
 
 constexpr std::string_view kNames[] = {"rational-linear", "rational-linear-float",
                                        "rational-linear-incremental"};
-
-Fragments drawn_by(std::string_view method, const State& state, const SmallMesh& mesh,
-                   const TargetSize& size) {
-  Fragments fragments;
-  EXPECT_FALSE(draw_fragments_by(method, state, mesh.mesh(), size, fragments).error);
-  return fragments;
-}
 
 /// The unit in which a promise counts errors.
 double scale_ulp(double greatest) {

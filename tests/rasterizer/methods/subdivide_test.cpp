@@ -6,20 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "rasterizer/methods/method.h"
-#include "tests/rasterizer/small_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::subdivide_test {
 namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
-
-Fragments drawn_by(const std::string& method, const State& state, const SmallMesh& mesh,
-                   const TargetSize& size) {
-  Fragments fragments;
-  EXPECT_EQ(draw_fragments_by(method, state, mesh.mesh(), size, fragments).error, std::nullopt);
-  return fragments;
-}
 
 double share_promised(const std::string& method, const SmallMesh& mesh) {
   return find_method(method)->promise(small_state(4, 4), mesh.mesh(), kFour).smooth.range_share;
