@@ -160,7 +160,9 @@ const LawRegistration kRegistration(
      .generate = &generate_any,
      .check = &check,
      .is_promised = &covers_pixels,
-     .unpromised = "the backend covers samples, not whole pixels"});
+     .unpromised = "the backend covers samples, not whole pixels",
+     .covers = {cover(10, "clipped"), cover(32, "drawn"), cover(11, "several samples"),
+                cover(7, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::conservative_and_ordinary_coverage_law

@@ -184,7 +184,8 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &covers_degenerates,
-     .unpromised = "the backend does not promise to cover triangles without area"});
+     .unpromised = "the backend does not promise to cover triangles without area",
+     .covers = {cover(15, "several samples")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::degenerate_covers_its_pixels_law

@@ -70,11 +70,12 @@ const LawRegistration kRegistration(
      .sentence = "a larger error of conservative coverage permits more",
      .reason = "A square that grows meets what it met, and sticks out where it stuck out "
                "(RULES §11).",
-     .exceptions = "no pixels",
+     .exceptions = "pixels that the larger error permits",
      .generate = &generate_any,
      .check = &check,
      .is_promised = &covers_pixels,
-     .unpromised = "the backend covers samples, not whole pixels"});
+     .unpromised = "the backend covers samples, not whole pixels",
+     .covers = {cover(10, "clipped"), cover(25, "permitted by the larger error")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::larger_error_permits_more_law

@@ -168,7 +168,8 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &covers_touched_pixels,
-     .unpromised = "the backend does not cover all pixels that triangles touch"});
+     .unpromised = "the backend does not cover all pixels that triangles touch",
+     .covers = {cover(45, "drawn by both"), cover(18, "several samples")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::shared_edge_leaves_no_pixel_out_law
