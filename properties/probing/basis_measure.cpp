@@ -118,7 +118,7 @@ OffGrid off_grid(const Subject& subject, int bits, bool has_noperspective, std::
       t.x[k] = (std::int64_t{x + corner_x} << kFineBits) + off();
       t.y[k] = (std::int64_t{y + corner_y} << kFineBits) + off();
       values[k] = draw.unit();
-      add_vertex(c, fine_vertex(c, t.x[k], t.y[k], values[k]));
+      add_vertex(c, fine_vertex(subject, c, t.x[k], t.y[k], values[k]));
       for (std::size_t a = 0; a < c.attributes.size(); ++a) c.attribute_values.push_back(values[k]);
     }
     const auto end = static_cast<std::uint32_t>(c.positions.size());
@@ -213,7 +213,8 @@ Shares facing_shares(Subject& subject, const MeasuredGrid& grid) {
   if (triangles.empty()) return shares;
   cases::Case c = subject.base();
   for (const FineTriangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) add_vertex(c, fine_vertex(c, t.x[k], t.y[k], 0.5F));
+    for (std::size_t k = 0; k < 3; ++k)
+      add_vertex(c, fine_vertex(subject, c, t.x[k], t.y[k], 0.5F));
     const auto end = static_cast<std::uint32_t>(c.positions.size());
     c.triangles.push_back({end - 3, end - 2, end - 1});
   }

@@ -79,7 +79,7 @@ std::optional<FirstDrawing> draw_first(Subject& subject) {
       // Depths and values lie within 0 and 1, and differ by at least 6/64 within a triangle.
       depth[k] = static_cast<float>(8 + 6 * depth_steps[k]) / 64;
       const float z = c.rules == cases::Rules::opengl ? 2 * depth[k] - 1 : depth[k];
-      add_vertex(c, fine_vertex(c, t.x[k], t.y[k], z));
+      add_vertex(c, fine_vertex(subject, c, t.x[k], t.y[k], z));
       for (std::size_t a = 0; a < c.attributes.size(); ++a) {
         c.attribute_values.push_back(static_cast<float>(4 + 7 * values[3 * a + k]) / 64);
       }
@@ -370,7 +370,6 @@ bool is_permitted(const FoundFault& fault, const Placement& placement,
   if (fault.id == "inclusive-edges") return declared.tie_rule == cases::TieRule::all;
   if (fault.id == "culls-a-side") return declared.culls != cases::Winding::none;
   if (fault.id == "drops-small-triangles") return declared.least_area > 0;
-  if (fault.id == "moved" && declared.sample_position) return true;
   if (fault.id == "moved" && declared.coverage) {
     const auto halves = std::max(std::abs(placement.move_x), std::abs(placement.move_y));
     return 2 * double{declared.coverage->position_error} / declared.coverage->steps() >= halves;

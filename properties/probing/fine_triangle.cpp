@@ -58,18 +58,24 @@ bool is_empty(const FineRows& rows) {
   return std::all_of(rows.begin(), rows.end(), [](std::uint64_t row) { return row == 0; });
 }
 
-cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth) {
+cases::ClipVertex fine_vertex(const Subject& subject, const cases::Case& c, std::int64_t x,
+                              std::int64_t y, float depth) {
+  const WindowPoint& sample = subject.sample();
   const auto pixels = [](std::int64_t fine) {
     return static_cast<double>(fine) / static_cast<double>(kFinePixel);
   };
-  return at_window(c, {pixels(x), pixels(y)}, depth, 1);
+  return at_window(c, {pixels(x) + (sample.u - 0.5), pixels(y) + (sample.v - 0.5)}, depth, 1);
 }
 
 std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTriangle>& triangles) {
   cases::Case c = subject.base();
   for (const FineTriangle& t : triangles) {
-    add_triangle(c, fine_vertex(c, t.x[0], t.y[0], 0.5F), fine_vertex(c, t.x[1], t.y[1], 0.5F),
-                 fine_vertex(c, t.x[2], t.y[2], 0.5F));
+    const auto vertex = [&](std::size_t i) {
+      return fine_vertex(subject, c, t.x[i], t.y[i], 0.5F);
+    };
+    const cases::ClipVertex first = vertex(0);
+    const cases::ClipVertex second = vertex(1);
+    add_triangle(c, first, second, vertex(2));
   }
   return draw_fine(subject, triangles, std::move(c));
 }

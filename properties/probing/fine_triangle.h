@@ -85,7 +85,10 @@ std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTri
 std::optional<FineDrawing> draw_fine(Subject& subject, std::vector<FineTriangle> triangles,
                                      cases::Case source);
 
-/// Returns the clip position of a fine window position in a base() case.
-cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth);
+/// Returns the clip position of a fine window position in a base() case. Fine positions are those
+/// of a rasterizer that samples at centres: for one that declares another place, all are moved
+/// along.
+cases::ClipVertex fine_vertex(const Subject& subject, const cases::Case& c, std::int64_t x,
+                              std::int64_t y, float depth);
 
 }  // namespace rastercheck::properties

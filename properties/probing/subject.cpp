@@ -51,7 +51,10 @@ Result<void> Subject::choose_rules() {
     add_triangle(c, {-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {0, 1, 0.5F, 1});
     const Result<backends::Drawn> first = draw_promised(c, *backend_);
     ++result.drawings;
-    if (first) return {};
+    if (first) {
+      sample_ = sample_points(c, first->contract).front();
+      return {};
+    }
     if (chosen) chosen = tl::unexpected(first.error());
   }
   return chosen;

@@ -56,6 +56,9 @@ class Subject {
 
   /// A case of 64×64 pixels without vertices, with the settings of asked().
   cases::Case base() const;
+  /// Where the backend declares that a pixel's only sample lies, in pixels from its corner of least
+  /// window x and y.
+  const WindowPoint& sample() const { return sample_; }
   /// The settings that all cases ask for.
   const AskedDrawing& asked() const { return asked_; }
   void ask(const AskedDrawing& asked) { asked_ = asked; }
@@ -92,6 +95,7 @@ class Subject {
   std::optional<cases::ContractTerms> terms_before_;
   ProbeOptions options_;
   AskedDrawing asked_;
+  WindowPoint sample_{0.5, 0.5};
   mutable bool was_cut_short_ = false;
   cases::Rules rules_ = cases::Rules::vulkan;
 };

@@ -91,7 +91,8 @@ struct TieReading {
   records::Sureness sureness;
 };
 
-TieReading read(const Directions& directions, bool is_y_up) {
+/// Of several rules that explain what was seen, the declared one is named if it is among them.
+TieReading read(const Directions& directions, bool is_y_up, TieRule declared) {
   constexpr std::array<std::array<const char*, 3>, 3> kNames{
       {{"−x−y", "−x", "−x+y"}, {"−y", "", "+y"}, {"+x−y", "+x", "+x+y"}}};
   int seen = 0;
@@ -115,8 +116,10 @@ TieReading read(const Directions& directions, bool is_y_up) {
   if (seen == 0) {
     reading.text = "not seen";
   } else if (!kept.empty()) {
-    reading.text = name_of(kept.front());
-    if (against == 0) reading.rule = kept.front();
+    const bool is_declared = std::find(kept.begin(), kept.end(), declared) != kept.end();
+    const TieRule rule = is_declared ? declared : kept.front();
+    reading.text = name_of(rule);
+    if (against == 0) reading.rule = rule;
   } else {
     reading.text = "of another kind: inward normals towards " + owners;
   }
@@ -142,7 +145,8 @@ void measure_ties(Subject& subject, const Sight& sight) {
     AskedDrawing asked = said;
     asked.fill_rule = rule;
     subject.ask(asked);
-    return read(directions_of(sight.fit.grid, known(draw_grid_cases(subject))), is_y_up);
+    return read(directions_of(sight.fit.grid, known(draw_grid_cases(subject))), is_y_up,
+                subject.declared().tie_rule);
   };
   const auto declared = [&subject] { return subject.declared().tie_rule; };
   const auto add = [&subject](const char* what, TieRule rule, const TieReading& reading) {
@@ -151,7 +155,8 @@ void measure_ties(Subject& subject, const Sight& sight) {
   };
   cases::ContractTerms& terms = subject.result.terms;
   if (said.fill_rule) {
-    const TieReading reading = read(directions_of(sight.fit.grid, known(sight.drawings)), is_y_up);
+    const TieReading reading =
+        read(directions_of(sight.fit.grid, known(sight.drawings)), is_y_up, declared());
     add("tie rule", declared(), reading);
     terms.tie_rule = reading.rule.value_or(TieRule::unspecified);
     return;
