@@ -110,8 +110,8 @@ class CoverageComparison {
   }
 
   void see_required(const cases::SamplePlace& place) {
-    ++tally_.counts().required;
     if (drawn_.contains(place)) return tally_.pass_required(place.triangle);
+    ++tally_.counts().required;
     if (!reported_.insert(place).second) return;
     tally_.report(violation_at(place, FragmentClass::missing,
                                "required: the sample lies in the triangle",

@@ -99,11 +99,11 @@ class PixelSearch {
       const cases::SamplePlace place{triangle, static_cast<std::uint32_t>(*y),
                                      static_cast<std::uint32_t>(*x), static_cast<std::uint32_t>(s)};
       if (!seen_.insert(place).second) continue;
-      ++tally_.counts().required;
       if (drawn_.contains(place)) {
         tally_.pass_required(triangle);
         continue;
       }
+      ++tally_.counts().required;
       tally_.report(violation_at(place, FragmentClass::missing,
                                  "required: a vertex of the triangle lies in the pixel",
                                  "a triangle without area covers the pixels that it touches"));
