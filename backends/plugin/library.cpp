@@ -87,6 +87,20 @@ std::string contradiction_in(const rastercheck_contract& contract) {
       return contradict("depth_error", "lacks DEPTH");
     }
   }
+  if (contract.conservative != RASTERCHECK_CONSERVATIVE_OUTER) {
+    if (contract.conservative_growth != 0) {
+      return contradict("conservative_growth", "conservative, which must be OUTER with it");
+    }
+    if (contract.shifts_edges != 0) {
+      return contradict("shifts_edges", "conservative, which must be OUTER with it");
+    }
+    if (contract.covers_degenerates != 0) {
+      return contradict("covers_degenerates", "conservative, which must be OUTER with it");
+    }
+  }
+  if (contract.conservative == RASTERCHECK_CONSERVATIVE_NO && contract.conservative_error != 0) {
+    return contradict("conservative_error", "conservative, which must be OUTER or INNER with it");
+  }
   if (contract.max_size != 0 && contract.size_multiple > contract.max_size) {
     return contradict("size_multiple", "max_size, which is less");
   }
@@ -121,6 +135,11 @@ std::string fault_of(const rastercheck_contract& contract) {
        RASTERCHECK_DEPTH_FUNCTION_GREATER_OR_EQUAL},
       {"depth_error", number(contract.depth_error), RASTERCHECK_DEPTH_NEVER_FARTHER},
       {"size_multiple", number(contract.size_multiple), cases::kMaxSize},
+      {"conservative", number(contract.conservative), RASTERCHECK_CONSERVATIVE_INNER},
+      {"conservative_error", number(contract.conservative_error), cases::kMaxConservativeReach},
+      {"conservative_growth", number(contract.conservative_growth), cases::kMaxConservativeReach},
+      {"shifts_edges", number(contract.shifts_edges), 1},
+      {"covers_degenerates", number(contract.covers_degenerates), 1},
       {"position_error", number(contract.position_error), number(cases::kMaxPositionError)},
       {"clip_tolerance", number(contract.clip_tolerance), kAnyNumber},
       {"guard_band", number(contract.guard_band), kAnyNumber},
@@ -243,6 +262,17 @@ void add_limits_of_area(const rastercheck_contract& contract, cases::Contract& p
   promised.least_area = contract.least_area;
 }
 
+void add_conservative(const rastercheck_contract& contract, cases::Contract& promised) {
+  if (contract.conservative == RASTERCHECK_CONSERVATIVE_NO) return;
+  const bool is_outer = contract.conservative == RASTERCHECK_CONSERVATIVE_OUTER;
+  promised.conservative = cases::Conservative{
+      is_outer ? cases::ConservativeKind::outer : cases::ConservativeKind::inner,
+      contract.conservative_error, contract.conservative_growth,
+      contract.shifts_edges != 0 ? cases::ConservativeCorners::edges
+                                 : cases::ConservativeCorners::square,
+      contract.covers_degenerates != 0};
+}
+
 void add_bounds(const rastercheck_contract& contract, cases::Contract& promised) {
   promised.bounds = {bound_of(contract.smooth), bound_of(contract.noperspective),
                      bound_of(contract.depth)};
@@ -301,6 +331,7 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
     promised.coverage = snapping_of(contract);
   }
   add_limits_of_area(contract, promised);
+  add_conservative(contract, promised);
   promised.numbers.least = contract.least_number;
   if (contract.greatest_number > 0) promised.numbers.greatest = contract.greatest_number;
   if (contract.sample_parts != 0) {

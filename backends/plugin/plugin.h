@@ -168,6 +168,14 @@ enum {
   RASTERCHECK_CULLS_COUNTER_CLOCKWISE = 2
 };
 
+/* rastercheck_contract.conservative: whether whole pixels are covered instead of samples. All
+ * samples of a covered pixel are then covered. docs/rules.md has the exact rules. */
+enum {
+  RASTERCHECK_CONSERVATIVE_NO = 0,
+  RASTERCHECK_CONSERVATIVE_OUTER = 1, /* every pixel that the triangle touches */
+  RASTERCHECK_CONSERVATIVE_INNER = 2  /* only pixels that lie in the triangle */
+};
+
 /* rastercheck_contract.depth_function: which fragments a depth test keeps, those whose depth has
  * this relation to the stored one. With the last two, greater is nearer. */
 enum {
@@ -266,6 +274,19 @@ typedef struct rastercheck_contract {
   uint32_t depth_error;    /* RASTERCHECK_DEPTH_ON_EITHER_SIDE, … */
   /* Width and height of framebuffers must be multiples of this; 0: any size. */
   uint32_t size_multiple;
+  uint32_t conservative; /* RASTERCHECK_CONSERVATIVE_… */
+  /* With OUTER: how far beyond the pixels that it touches a triangle may cover more; with INNER:
+   * how near to its border a pixel inside may be missing. In pixels, along both axes, 0…16384. */
+  float conservative_error;
+  /* With OUTER: by how much pixels are grown to all sides before they are tested, in pixels,
+   * 0…16384. */
+  float conservative_growth;
+  /* With OUTER: 1 if edges are shifted outwards by the error, which reaches farther at sharp
+   * corners; 0 if pixels are grown by it. */
+  uint32_t shifts_edges;
+  /* With OUTER: 1 if triangles without area cover the pixels that they touch; 0 if they cover
+   * nothing. */
+  uint32_t covers_degenerates;
 } rastercheck_contract;
 
 /* ------------------------------------------------------------------------------------------------

@@ -171,7 +171,7 @@ Generated generate(Draw& draw) {
   }
   add_attribute_values(draw, c);
   add_clip_distances(draw, c);
-  made.stratum = are_points ? "points" : "segments";
+  made.stratum = are_points ? "points" : count == 1 ? "a segment" : "segments";
   return made;
 }
 

@@ -119,6 +119,23 @@ TEST(PluginContract, NamesEveryRoundingAndTieRule) {
   for (const auto& [number, rule] : rules) EXPECT_EQ(promised(0, number).tie_rule, rule);
 }
 
+TEST(PluginContract, MayCoverWholePixels) {
+  rastercheck_contract contract{};
+  EXPECT_FALSE(contract_of(contract, plain_case()).conservative);
+  contract.conservative = RASTERCHECK_CONSERVATIVE_OUTER;
+  contract.conservative_error = 0.25F;
+  contract.conservative_growth = 0.5F;
+  contract.shifts_edges = 1;
+  contract.covers_degenerates = 1;
+  EXPECT_EQ(contract_of(contract, plain_case()).conservative,
+            (cases::Conservative{cases::ConservativeKind::outer, 0.25F, 0.5F,
+                                 cases::ConservativeCorners::edges, true}));
+  contract = {};
+  contract.conservative = RASTERCHECK_CONSERVATIVE_INNER;
+  EXPECT_EQ(contract_of(contract, plain_case()).conservative,
+            (cases::Conservative{cases::ConservativeKind::inner}));
+}
+
 TEST(PluginContract, NeedNotPromiseDepth) {
   rastercheck_contract contract{};
   contract.lacks = RASTERCHECK_LACKS_DEPTH;
@@ -379,6 +396,17 @@ TEST(Plugin, IsRefusedIfItsContractContradictsItself) {
               c.depth_error = RASTERCHECK_DEPTH_NEVER_NEARER;
             }),
             "depth_error contradicts lacks DEPTH");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) {
+              c.conservative = RASTERCHECK_CONSERVATIVE_INNER;
+              c.conservative_growth = 1;
+            }),
+            "conservative_growth contradicts conservative, which must be OUTER with it");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) { c.shifts_edges = 1; }),
+            "shifts_edges contradicts conservative, which must be OUTER with it");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) { c.covers_degenerates = 1; }),
+            "covers_degenerates contradicts conservative, which must be OUTER with it");
+  EXPECT_EQ(problem_of([](rastercheck_contract& c) { c.conservative_error = 1; }),
+            "conservative_error contradicts conservative, which must be OUTER or INNER with it");
   EXPECT_EQ(problem_of([](rastercheck_contract& c) {
               c.max_size = 4;
               c.size_multiple = 8;

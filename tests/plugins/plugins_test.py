@@ -234,6 +234,7 @@ BROKEN = {
     "corner_samples": COVERAGE,
     "inclusive_edges": COVERAGE,
     "console": COVERAGE,
+    "conservative": COVERAGE,
     "colours_8_bit": VALUES,
     "occluder_depths": VALUES,
 }

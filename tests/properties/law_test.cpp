@@ -211,6 +211,9 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
                                         const cases::Pipeline& /*pipeline*/) override {
       return tl::unexpected(draw_fragments(c).error());
     }
+    Result<bool> is_occluded(const Case& c, std::size_t /*occluders*/) override {
+      return tl::unexpected(draw_fragments(c).error());
+    }
     Result<std::vector<cases::ClipVertex>> transform(const Case& c) override {
       return tl::unexpected(draw_fragments(c).error());
     }
