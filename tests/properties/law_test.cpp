@@ -176,7 +176,7 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
            "filtered-colours-stay-within-the-bound", "normals-stay-within-their-bound",
            "screen-derivatives-stay-within-the-bound", "strips-and-fans-are-their-triangles",
            "texels-are-those-of-the-exact-coordinates", "the-vertex-stage-stays-within-its-bound",
-           "values-at-vertices-come-back"}));
+           "values-at-vertices-come-back", "what-is-visible-is-not-called-occluded"}));
 }
 
 TEST(Laws, PassOnWhatABackendCannotDraw) {
@@ -192,6 +192,9 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
     }
     Result<cases::Picture> draw_picture(const Case& c,
                                         const cases::Pipeline& /*pipeline*/) override {
+      return tl::unexpected(draw_fragments(c).error());
+    }
+    Result<bool> is_occluded(const Case& c, std::size_t /*occluders*/) override {
       return tl::unexpected(draw_fragments(c).error());
     }
     Result<std::vector<cases::ClipVertex>> transform(const Case& c) override {
