@@ -176,7 +176,7 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
            "filtered-colours-stay-within-the-bound", "normals-stay-within-their-bound",
            "screen-derivatives-stay-within-the-bound", "strips-and-fans-are-their-triangles",
            "texels-are-those-of-the-exact-coordinates", "the-vertex-stage-stays-within-its-bound",
-           "values-at-vertices-come-back"}));
+           "values-at-vertices-come-back", "what-is-visible-is-not-called-occluded"}));
 }
 
 // Kills: a law about samples, or about triangles with an area, that is held against whole pixels.
