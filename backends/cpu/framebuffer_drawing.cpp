@@ -1,5 +1,6 @@
 #include "backends/cpu/framebuffer_drawing.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +18,8 @@ namespace ras = rasterizer;
 
 /// Farther than any fragment.
 constexpr float kFarthest = std::numeric_limits<float>::infinity();
+/// The depth of no fragment; those outside their triangle may have infinite depths.
+constexpr float kUntouched = std::numeric_limits<float>::quiet_NaN();
 
 /// A shader that writes the number of a sample's triangle, which must fit into a float32.
 struct TriangleNumber {
@@ -39,7 +42,7 @@ class FramebufferDrawing {
         state_(state_of(c, conservative)),
         memory_(c),
         threads_(threads),
-        clear_depth_(is_tested() ? c.depth_clear.value_or(kFarthest) : kFarthest) {
+        clear_depth_(is_tested() ? c.depth_clear.value_or(kFarthest) : kUntouched) {
     result_.attribute_count = c.attributes.size();
   }
 
@@ -98,8 +101,9 @@ class FramebufferDrawing {
     const auto width = static_cast<std::size_t>(case_.framebuffer.width);
     const std::size_t attributes = case_.attributes.size();
     for (std::size_t at = 0; at < framebuffer_.depth.size(); ++at) {
-      // Only a nearer fragment passes the depth test and changes the depth.
-      if (framebuffer_.depth[at] == clear_depth_) continue;
+      // Only a nearer fragment passes the depth test and changes the depth; without a test, all do.
+      const float depth = framebuffer_.depth[at];
+      if (is_tested() ? depth == clear_depth_ : std::isnan(depth)) continue;
       result_.triangle.push_back(triangle_of(at));
       result_.x.push_back(static_cast<std::uint16_t>(at / samples % width));
       result_.y.push_back(static_cast<std::uint16_t>(at / samples / width));
@@ -117,7 +121,7 @@ class FramebufferDrawing {
   ras::State state_;
   CaseMesh memory_;
   unsigned threads_;
-  float clear_depth_ = kFarthest;
+  float clear_depth_;
   ras::Picture framebuffer_;
   cases::Fragments result_;
 };

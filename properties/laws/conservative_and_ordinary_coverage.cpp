@@ -6,17 +6,15 @@
 //   inner   all samples of a drawn pixel are in the triangle      else they are `extra`
 //
 // Why. The triangle's inner points about a sample strictly inside it lie in the pixel's open
-// square, too, wherever in the pixel the sample is, so the square meets the triangle, as it does if
-// a sample inside the square is owned by an edge. If the square lies in the triangle, its samples
-// are strictly inside. Which samples those are is asked of the oracle under the same contract, but
-// for samples, which it decides by other means than pixels. If vertices are snapped, it answers for
-// all positions that the contract allows.
+// square, too, wherever in the pixel the sample is, so the square meets the triangle. If the square
+// lies in the triangle, its samples are strictly inside. Which samples those are is asked of the
+// oracle under the same contract, but for samples, which it decides by other means than pixels. If
+// vertices are snapped, it answers for all positions that the contract allows.
 //
-// Samples on the border of a pixel (two of the pattern of 16) are left out where only an edge or a
-// plane goes through them: the square may then just touch the triangle. Where an edge or a clip
-// distance goes through a sample, planes may have left nothing of the triangle but that edge: such
-// pixels count only if the oracle requires them as pixels, too. Each triangle is drawn as if alone:
-// the case's depth test is removed.
+// Left out are, for outer coverage, samples that only a tie gives to the triangle: where clip
+// planes leave nothing but an edge, a sample on it may be covered, while the pixel need not be. For
+// inner coverage: samples on the border of a pixel (two of the pattern of 16), through which an
+// edge may go. Each triangle is drawn as if alone: the case's depth test is removed.
 
 #include <cstdint>
 #include <set>
@@ -41,7 +39,6 @@ class CoverageComparison {
       : case_(&c),
         kind_(contract.conservative->kind),
         verdicts_(c, of_samples(contract)),
-        of_pixels_(c, contract),
         pattern_(cases::standard_pattern(c.framebuffer.samples)),
         tally_(c) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -87,10 +84,6 @@ class CoverageComparison {
     return pattern_[sample].x == 0 || pattern_[sample].y == 0;
   }
 
-  bool is_required_pixel(const cases::SamplePlace& place) {
-    return of_pixels_.judge(place.triangle, place).verdict == Verdict::required;
-  }
-
   void check_outer(std::uint32_t triangle) {
     const oracle::PixelBox box = verdicts_.truth(triangle).pixels();
     for (int y = box.y0; y < box.y1; ++y) {
@@ -100,8 +93,7 @@ class CoverageComparison {
                                          static_cast<std::uint32_t>(x), s};
           const records::SampleVerdict decision = verdicts_.judge(triangle, place);
           if (decision.verdict != Verdict::required) continue;
-          const bool is_tie = decision.reason != records::Reason::inside;
-          if (is_tie && (is_on_border(s) || !is_required_pixel(place))) continue;
+          if (decision.reason != records::Reason::inside) continue;
           see_required(place);
           break;  // one sample is enough to require the pixel
         }
@@ -134,7 +126,6 @@ class CoverageComparison {
   const cases::Case* case_;
   ConservativeKind kind_;
   Verdicts verdicts_;
-  Verdicts of_pixels_;  ///< under the contract itself
   std::span<const cases::SamplePosition> pattern_;
   std::set<cases::SamplePlace> drawn_;
   std::set<cases::SamplePlace> reported_;
@@ -155,8 +146,7 @@ const LawRegistration kRegistration(
      .sentence = "outer coverage holds the ordinary one, and inner lies in it",
      .reason = "A pixel with a point of the triangle at a sample touches the triangle, and a pixel "
                "that lies in the triangle has all its samples there (RULES §11).",
-     .exceptions = "samples on a pixel's border that also lie on the triangle's, and samples on "
-                   "the only edge that clip planes leave",
+     .exceptions = "samples on the triangle's border, and for inner coverage on their pixel's",
      .generate = &generate_any,
      .check = &check,
      .is_promised = &covers_pixels,

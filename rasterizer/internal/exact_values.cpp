@@ -253,6 +253,8 @@ double value_at(const ValueLine& line, const TriangleValues& triangle, const Wei
 double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {
   const DepthLine& line = triangle.depth;
   if (triangle.has_constant_depth) return held_depth(line, line.plane.c);
+  // Outside the triangle z may be infinite, which 0 must not be multiplied by.
+  if (line.span == 0) return held_depth(line, line.low);
   const std::array<ExactSum, 3> e = weights.exact_at(u, v);
   const double z = combine(e, line.k).nearest() / weights.exact_det_t();
   return held_depth(line, line.low + line.span * z);

@@ -109,6 +109,8 @@ class FrameDrawing {
         tiles_(columns_ * static_cast<std::size_t>(tiles_across(framebuffer.size.height))),
         kernel_(kernel_setting(setting_, static_cast<int>(columns_))) {
     if (shader != nullptr) paint_ = paint_setting(*shader, state, mesh, framebuffer);
+    // Cells are made of samples.
+    if (paint_ && state.conservative != Conservative::off) kernel_.reset();
     if (kernel_) kernel_->makes_cells = paint_.has_value();
     chunk_ = std::max(kLeastChunk, tiles_);
     chunks_ = (mesh.triangles.size() + chunk_ - 1) / chunk_;

@@ -293,11 +293,13 @@ HWY_INLINE Mask CoverSmall(const KernelSetting& setting, const Corners& p, const
     const auto lane_bits = [&](Bits bits) HWY_ATTR {
       return BitsOf(d, hn::RebindMask(d, hn::Ne(bits, hn::Zero(words)))) & small;
     };
-    Cover cover = CoverBoxes(setting, part, boxes, u, v, is_exact);
+    // A pixel's corner on two lines is no sample at a vertex.
+    const bool covers_samples = setting.corner_sign == 0;
+    Cover cover = CoverBoxes(setting, part, boxes, u, v, is_exact && covers_samples);
     if (!is_exact && lane_bits(cover.doubtful) != 0) {
       out.ties |= lane_bits(cover.doubtful);
       is_exact = SetExactLimits(setting, part, p);
-      if (is_exact) cover = CoverBoxes(setting, part, boxes, u, v, true);
+      if (is_exact) cover = CoverBoxes(setting, part, boxes, u, v, covers_samples);
     }
     const Mask doubtful = lane_bits(cover.doubtful);
     out.ties |= BitsOf(d, cover.has_ties) & small;

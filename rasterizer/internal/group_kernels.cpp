@@ -262,11 +262,13 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const Corners p = LoadCorners(input, part.from);
   const Outline outline = setting.snaps ? SnappedOutline(setting, p) : ExactOutline(setting, p);
   const Mask finite = BitsOf(d, AreFinite(p)) & live;
-  Mask left = finite & BitsOf(d, outline.left);
+  const Lanes settled = hn::Or(outline.drawable, outline.hidden);
+  Mask left = finite & BitsOf(d, hn::Or(outline.left, hn::Not(settled)));
   Mask kept = finite & ~left & ~BitsOf(d, outline.hidden);
   // Checked only if `left` has lanes, because in many meshes it has none. If vertices are snapped,
-  // the fallback decides which triangles are degenerate.
-  const Mask degenerate = left == 0 || setting.snaps ? 0 : left & BitsOf(d, HaveTwins(p));
+  // or pixels covered, the fallback decides which triangles are degenerate.
+  const bool decides_degenerates = setting.snaps || setting.corner_sign != 0;
+  const Mask degenerate = left == 0 || decides_degenerates ? 0 : left & BitsOf(d, HaveTwins(p));
   left &= ~degenerate;
   std::fill_n(output.fate.data() + part.from, hn::Lanes(d), LaneFate::hidden);
   PutFate(part, live & ~finite, LaneFate::not_finite);

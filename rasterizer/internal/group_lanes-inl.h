@@ -236,6 +236,54 @@ HWY_INLINE Extent ExtentOf(const KernelSetting& setting, Lanes in_front, const T
           hn::IfThenElse(in_front, hn::Min(hn::Max(end, least), most), most)};
 }
 
+/// The window positions of the corners (`clip` times `share`) along one axis.
+HWY_INLINE Three PositionsOf(const Three& clip, const Three& share, double middle, double half) {
+  const Doubles d;
+  Three at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] = hn::Add(hn::Set(d, middle), hn::Mul(hn::Set(d, half), hn::Mul(clip[i], share[i])));
+  }
+  return at;
+}
+
+/// The pixels from ⌊least⌋ to ⌈greatest⌉ of the positions `at`, for conservative coverage. An error
+/// of 2^-20 is far more than that of a position near the target. A position within it of a whole
+/// number n is compared with n exactly: x 2 half against w 2 (n − middle), two products that double
+/// holds in a viewport on a grid of 1/256 pixel (sample_frame.h).
+HWY_INLINE Extent PixelsOf(const Three& at, const Three& clip, const Three& w, double middle,
+                           double half, Lanes in_front, const PixelRange& bounds) {
+  const Doubles d;
+  const auto margin = hn::Set(d, 0x1p-20);
+  const auto one = hn::Set(d, 1.0);
+  Three floors;
+  Three ceils;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto whole = hn::Round(at[i]);
+    const auto position = hn::Mul(clip[i], hn::Set(d, 2 * half));
+    const auto twice = hn::Mul(hn::Set(d, 2.0), hn::Sub(whole, hn::Set(d, middle)));
+    const auto limit = hn::Mul(w[i], twice);
+    const Lanes is_near = hn::Le(hn::Abs(hn::Sub(at[i], whole)), margin);
+    const auto below = hn::IfThenElse(hn::Lt(position, limit), hn::Sub(whole, one), whole);
+    const auto above = hn::IfThenElse(hn::Gt(position, limit), hn::Add(whole, one), whole);
+    floors[i] = hn::IfThenElse(is_near, below, hn::Floor(at[i]));
+    ceils[i] = hn::IfThenElse(is_near, above, hn::Ceil(at[i]));
+  }
+  const auto begin = hn::Min(hn::Min(floors[0], floors[1]), floors[2]);
+  const auto end = hn::Max(hn::Max(ceils[0], ceils[1]), ceils[2]);
+  const auto least = hn::Set(d, static_cast<double>(bounds.begin));
+  const auto most = hn::Set(d, static_cast<double>(bounds.end));
+  // A triangle that reaches behind the eye may touch any pixel.
+  return {hn::IfThenElse(in_front, hn::Min(hn::Max(begin, least), most), least),
+          hn::IfThenElse(in_front, hn::Min(hn::Max(end, least), most), most)};
+}
+
+/// Lanes where a position may be a pixel's centre along an axis.
+HWY_INLINE Lanes IsCentral(Vector at) {
+  const Doubles d;
+  const auto part = hn::Sub(at, hn::Floor(at));
+  return hn::Le(hn::Abs(hn::Sub(part, hn::Set(d, 0.5))), hn::Set(d, 0x1p-20));
+}
+
 /// The lowest set bit of |v| as a number; infinite for 0.
 HWY_INLINE Vector LowestBit(Vector v) {
   const Doubles d;
@@ -272,6 +320,9 @@ HWY_INLINE Vector GreatestOf(const KernelSetting& setting, Vector a, Vector b, V
 HWY_INLINE Vector LimitOf(const KernelSetting& setting, Vector a, Vector b) {
   const Doubles d;
   const auto zero = hn::Zero(d);
+  // Pixels are open squares for outer, closed ones for inner coverage.
+  if (setting.corner_sign > 0) return zero;
+  if (setting.corner_sign < 0) return hn::Set(d, -std::numeric_limits<double>::denorm_min());
   const auto along_u = hn::Mul(a, hn::Set(d, setting.u_owner));
   const auto along_v = hn::Mul(b, hn::Set(d, setting.v_owner));
   const auto owns = hn::Or(hn::Gt(along_u, zero), hn::And(hn::Eq(a, zero), hn::Gt(along_v, zero)));
@@ -295,7 +346,9 @@ HWY_INLINE bool SetExactLimits(const KernelSetting& setting, const Part& part, c
     const auto grain = hn::Min(hn::Min(hn::Mul(LowestBit(a), hn::Set(d, setting.u_grain)),
                                        hn::Mul(LowestBit(b), hn::Set(d, setting.v_grain))),
                                hn::Mul(LowestBit(c), hn::Set(d, setting.t_grain)));
-    const auto twice = hn::Mul(hn::Set(d, 2.0), GreatestOf(setting, a, b, c));
+    // The way to a pixel's corner may double the row.
+    const auto times = hn::Set(d, setting.corner_sign == 0 ? 2.0 : 4.0);
+    const auto twice = hn::Mul(times, GreatestOf(setting, a, b, c));
     exact = hn::And(exact, hn::Lt(twice, hn::Mul(grain, hn::Set(d, 0x1p53))));
     if (BitsOf(d, exact) == 0) continue;
     any = true;

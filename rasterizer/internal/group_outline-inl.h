@@ -43,6 +43,7 @@ struct Outline {
   Clip far;
   Lanes left;      ///< triangles that the kernels leave to the fallback
   Lanes hidden;    ///< hidden triangles, except those in `left`
+  Lanes drawable;  ///< of the others, triangles whose coverage the kernels can draw
   Lanes is_whole;  ///< triangles that no depth plane cuts
   Lanes in_front;  ///< triangles with all w > 0
   Extent columns;
@@ -61,6 +62,35 @@ HWY_INLINE Lanes IsCulled(const KernelSetting& setting, Vector turn) {
 
 HWY_INLINE Lanes IsEmpty(const Extent& columns, const Extent& rows) {
   return hn::Or(hn::Ge(columns.begin, columns.end), hn::Ge(rows.begin, rows.end));
+}
+
+/// Moves the lines to the corners of pixels that decide (conservative_coverage.h), and finds the
+/// pixels between the triangles' ends. Returns the triangles that the kernels can draw: no plane
+/// cuts them, they do not reach behind the eye, and no vertex may lie at a sample, whose values
+/// would have to be the vertex's.
+HWY_INLINE Lanes MoveToCorners(const KernelSetting& setting, const Corners& p, const Three& share,
+                               Outline& out) {
+  const Doubles d;
+  const auto two = hn::Set(d, 2.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto reach = hn::Add(hn::Mul(hn::Abs(out.lines.a[i]), hn::Set(d, setting.u_reach)),
+                               hn::Mul(hn::Abs(out.lines.b[i]), hn::Set(d, setting.v_reach)));
+    out.lines.c[i] = hn::Add(out.lines.c[i], hn::Mul(hn::Set(d, setting.corner_sign), reach));
+    // Twice the band covers the roundings of the way, too: it is no longer than S.
+    out.sure[i] = hn::Mul(two, out.band[i]);
+    out.possible[i] = BeyondBand(out.sure[i]);
+  }
+  Lanes certain = hn::And(out.in_front, out.is_whole);
+  const Three u = PositionsOf(p.x, share, setting.u_middle, setting.u_half);
+  const Three v = PositionsOf(p.y, share, setting.v_middle, setting.v_half);
+  out.columns =
+      PixelsOf(u, p.x, p.w, setting.u_middle, setting.u_half, out.in_front, setting.bounds.columns);
+  out.rows =
+      PixelsOf(v, p.y, p.w, setting.v_middle, setting.v_half, out.in_front, setting.bounds.rows);
+  for (std::size_t i = 0; i < 3; ++i) {
+    certain = hn::AndNot(hn::And(IsCentral(u[i]), IsCentral(v[i])), certain);
+  }
+  return certain;
 }
 
 /// The outline of the exact clip positions.
@@ -105,10 +135,15 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) 
   // A triangle that reaches behind the eye may touch any pixel.
   out.in_front = All(hn::Gt(w[0], zero), hn::Gt(w[1], zero), hn::Gt(w[2], zero));
   const Three share{hn::Div(one, w[0]), hn::Div(one, w[1]), hn::Div(one, w[2])};
-  out.columns = ExtentOf(setting, out.in_front, p.x, share, setting.u_middle, setting.u_half,
-                         setting.bounds.columns);
-  out.rows = ExtentOf(setting, out.in_front, p.y, share, setting.v_middle, setting.v_half,
-                      setting.bounds.rows);
+  out.drawable = hn::FirstN(d, hn::Lanes(d));
+  if (setting.corner_sign != 0) {
+    out.drawable = MoveToCorners(setting, p, share, out);
+  } else {
+    out.columns = ExtentOf(setting, out.in_front, p.x, share, setting.u_middle, setting.u_half,
+                           setting.bounds.columns);
+    out.rows = ExtentOf(setting, out.in_front, p.y, share, setting.v_middle, setting.v_half,
+                        setting.bounds.rows);
+  }
   out.hidden = hn::Or(out.hidden, IsEmpty(out.columns, out.rows));
   // For hidden triangles, only the sign of the determinant has to be certain.
   out.left = hn::Not(
@@ -151,6 +186,7 @@ HWY_INLINE Outline SnappedOutline(const KernelSetting& setting, const Corners& p
   const Lanes all = hn::FirstN(d, hn::Lanes(d));
   const Three& w = p.w;
   Outline out;
+  out.drawable = all;
   out.in_front = All(hn::Gt(w[0], zero), hn::Gt(w[1], zero), hn::Gt(w[2], zero));
   out.near = ClipBy(Distances(w, p.z, setting.near_w, 1));
   out.far = ClipBy(Distances(w, p.z, 1, -1));

@@ -35,6 +35,14 @@ bool has_one_box(const DrawSetting& setting) {
   return true;
 }
 
+/// True if the kernels can draw conservative coverage: they move edges from the only sample, the
+/// pixel's centre, and know no pixels that the viewport cuts.
+bool is_conservative_by_kernels(const DrawSetting& setting) {
+  const DrawBounds& bounds = setting.bounds;
+  return setting.pattern.size() == 1 && is_same(bounds.sample_columns[0], bounds.whole_columns) &&
+         is_same(bounds.sample_rows[0], bounds.whole_rows);
+}
+
 /// True if the kernels can snap the vertices. They support only rounding to even, and only grid
 /// points that are one unit apart.
 bool is_snapped_by_kernels(const State& state) {
@@ -47,13 +55,14 @@ bool is_snapped_by_kernels(const State& state) {
 
 std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile_columns) {
   const State& state = setting.state;
-  if (state.conservative != Conservative::off) return std::nullopt;
   const bool snaps = state.snapping.has_value();
   const SampleFrame frame =
       snaps ? grid_frame(setting.window, unit_bits(*state.snapping)) : setting.frame;
-  const bool is_drawn = is_at_samples(setting) && has_one_box(setting) &&
-                        state.clip_distance_count == 0 && frame.u.is_exact && frame.v.is_exact &&
-                        frame.t > 0 && (!snaps || is_snapped_by_kernels(state));
+  const bool is_drawn =
+      is_at_samples(setting) && has_one_box(setting) && state.clip_distance_count == 0 &&
+      frame.u.is_exact && frame.v.is_exact && frame.t > 0 &&
+      (!snaps || is_snapped_by_kernels(state)) &&
+      (state.conservative == Conservative::off || is_conservative_by_kernels(setting));
   if (!is_drawn) return std::nullopt;
   KernelSetting out;
   out.samples = setting.pattern.size();
@@ -84,6 +93,11 @@ std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile
   out.u_half = double{frame.u.size} / 2;
   out.v_middle = frame.v.shift / 2;
   out.v_half = (state.convention == Convention::d3d ? -1 : 1) * double{frame.v.size} / 2;
+  if (state.conservative != Conservative::off) {
+    out.corner_sign = state.conservative == Conservative::outer ? 1 : -1;
+    out.u_reach = std::abs(out.u_step) / 2;
+    out.v_reach = std::abs(out.v_step) / 2;
+  }
   out.bounds = {setting.bounds.sample_columns[0], setting.bounds.sample_rows[0]};
   out.tile_columns = tile_columns;
   out.culls_positive = is_culled(state, snaps ? 1 : frame.displayed(1));

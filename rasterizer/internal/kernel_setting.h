@@ -54,6 +54,12 @@ struct KernelSetting {
   double u_half = 0;
   double v_middle = 0;
   double v_half = 0;
+  /// For conservative coverage with one sample per pixel, its centre: 1 if an edge decides at the
+  /// pixel's corner where it is greatest (outer), −1 where it is least (inner). 0: samples are
+  /// covered. The corners are half a pixel from the centre, `u_reach` in U and `v_reach` in V.
+  double corner_sign = 0;
+  double u_reach = 0;
+  double v_reach = 0;
   PixelBox bounds;
   int tile_columns = 0;
   bool culls_positive = false;  ///< true if positive determinants (on the grid: areas) are culled

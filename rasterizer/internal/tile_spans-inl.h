@@ -126,7 +126,7 @@ HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, s
       possible_begin = hn::Max(possible_begin, hn::IfThenElse(begins, at.after, first));
       possible_end = hn::Min(possible_end, hn::IfThenElse(ends, at.after, last));
       is_sure = hn::And(is_sure, at.is_sure);
-      if (index < 3) {
+      if (index < 3 && setting.corner_sign == 0) {
         on_two = hn::Or(on_two, hn::And(on_one, at.is_on));
         on_one = hn::Or(on_one, at.is_on);
       }

@@ -7,6 +7,7 @@
 //   draw-avx2        the same with vectors of 256 bits, if the processor has longer ones
 //   draw-samples:4   four samples per pixel
 //   draw-snapped:8   coverage and values of triangles on the grid of 2^-8 pixels, as in drivers
+//   draw-outer, draw-inner   conservative coverage
 //   draw-float32     Precision::float32, which does not affect framebuffers: the same as draw
 //   llvmpipe             into RGBA32F
 //   llvmpipe-rgba8       into bytes: its best format, while ours writes two floats per pixel
@@ -53,6 +54,7 @@ struct Mode {
   bool on_avx2 = false;
   /// If set, no kernel draws, because the viewport's origin is off the grid of 1/256 pixel.
   bool by_fallback = false;
+  rasterizer::Conservative conservative = rasterizer::Conservative::off;
 };
 
 rasterizer::State state_of(const Mode& mode, const Scene& scene) {
@@ -64,6 +66,7 @@ rasterizer::State state_of(const Mode& mode, const Scene& scene) {
   state.snapping = mode.snapping;
   if (mode.snapping) state.basis = rasterizer::Basis::snapped;
   state.precision = mode.precision;
+  state.conservative = mode.conservative;
   return state;
 }
 
@@ -103,7 +106,8 @@ void draw(benchmark::State& bench, const std::string& name, const Mode& mode, un
     target.emplace(HWY_AVX2);
   }
   const bool has_limit = name.starts_with("fill") && mode.samples == 1 && !mode.snapping &&
-                         !mode.by_fallback && mode.precision == rasterizer::Precision::float64;
+                         !mode.by_fallback && mode.conservative == rasterizer::Conservative::off &&
+                         mode.precision == rasterizer::Precision::float64;
   MachineLimits limits;
   if (has_limit) limits = measure_machine_limits(threads);
 
@@ -249,6 +253,8 @@ const bool kRegistered = [] {
     add(name, Mode{.name = "draw-snapped:8", .snapping = rasterizer::Snapping{8}});
     add(name, Mode{.name = "draw-float32", .precision = rasterizer::Precision::float32});
     add(name, Mode{.name = "draw-fallback", .by_fallback = true});
+    add(name, Mode{.name = "draw-outer", .conservative = rasterizer::Conservative::outer});
+    add(name, Mode{.name = "draw-inner", .conservative = rasterizer::Conservative::inner});
     add(name, "-samples:4", {"rgba32f", 4}, llvmpipe_configurations());
     add(name, "-samples:4", {"rgba32f", 4}, vulkan_configurations());
   }
