@@ -167,7 +167,8 @@ void read_bounds(const JsonNode& node, ContractTerms& terms) {
   read_term(node, "noperspective", terms.noperspective, &read_bound);
   read_term(node, "depth", terms.depth, &read_bound);
   const auto& depth = terms.depth;
-  if (depth && !node.failed() && !(depth->is_uniform() && depth->range_share == 0)) {
+  const bool varies = depth && (!depth->is_uniform() || depth->range_share != 0);
+  if (varies && !node.failed()) {
     node["depth"].refuse("must have only constant and absolute");
   }
 }

@@ -48,11 +48,11 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   keep(terms.conservative, own.conservative);
   keep(terms.guard_band, own.guard_band);
   if (terms.guard_band) own.guard_beyond_viewport.reset();
-  keep(terms.guard_beyond_viewport, own.guard_beyond_viewport);
+  if (terms.guard_beyond_viewport) own.guard_beyond_viewport = terms.guard_beyond_viewport;
   keep(terms.culls_instead_of_clipping, own.culls_instead_of_clipping);
   keep(terms.culls, own.culls);
   keep(terms.least_area, own.least_area);
-  keep(terms.sample_position, own.sample_position);
+  if (terms.sample_position) own.sample_position = terms.sample_position;
   keep(terms.clip_tolerance, own.clip_tolerance);
   keep(terms.clip_error, own.clip_error);
   keep(terms.viewport_error, own.viewport_error);

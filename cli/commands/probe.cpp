@@ -244,7 +244,7 @@ properties::ProbeOptions timed(properties::ProbeOptions options, double seconds)
 }
 
 Result<void> write_contract(const records::Probe& probe, const Options& options) {
-  const Result<void> written = cases::write_file(options.contract_out, cases::to_json(probe.terms));
+  Result<void> written = cases::write_file(options.contract_out, cases::to_json(probe.terms));
   if (!written || options.json || options.quiet) return written;
   fmt::print("Contract: {} (rastercheck run --backend {} --contract {})\n", options.contract_out,
              options.backend, options.contract_out);

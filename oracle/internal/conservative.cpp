@@ -32,8 +32,8 @@ std::array<Line, 4> viewport_sides(const Scene& scene, const Ring& grown) {
 }
 
 /// Everything that the verdicts of a triangle's pixels have in common.
-struct Terms {
-  explicit Terms(const TriangleSetup& triangle)
+struct PixelTerms {
+  explicit PixelTerms(const TriangleSetup& triangle)
       : asked(*triangle.scene->contract().conservative),
         half_pixel(oracle::half_pixel(*triangle.scene)),
         error(exact_ring(asked.error) * triangle.scene->units_per_pixel()),
@@ -75,7 +75,7 @@ bool holds_square(const Line& line, const Point& center, const Ring& half_width)
 }
 
 /// True if S(grown) surely meets T, with an area in common.
-bool surely_meets(const TriangleSetup& triangle, const Terms& terms, const Point& center) {
+bool surely_meets(const TriangleSetup& triangle, const PixelTerms& terms, const Point& center) {
   const Ring grown = terms.growth - terms.moved;
   if (sign_of(terms.half_pixel + grown) <= 0) return false;
   ConvexRegion region = terms.grown_square(center, grown);
@@ -92,7 +92,7 @@ bool surely_meets(const TriangleSetup& triangle, const Terms& terms, const Point
 }
 
 /// True if the closed S(growth + error) may touch T.
-bool may_touch(const TriangleSetup& triangle, const Terms& terms, const Point& center) {
+bool may_touch(const TriangleSetup& triangle, const PixelTerms& terms, const Point& center) {
   const Ring all = terms.growth + terms.error + terms.moved;
   const bool shifts_edges = terms.asked.corners == ConservativeCorners::edges;
   const Ring shift = shifts_edges ? all : Ring(0);
@@ -112,7 +112,8 @@ bool may_touch(const TriangleSetup& triangle, const Terms& terms, const Point& c
 /// are taken, the same edge keeps the triangle from the pixel. The greatest value of the shifted
 /// edge in S(0), E'(c) + (1/2 + shift) (|A'| + |B'|), is a convex function of each coordinate of
 /// the edge's ends. So it is greatest where the ends are at extreme points.
-bool shifted_edges_miss(const TriangleSetup& triangle, const Terms& terms, const Point& center) {
+bool shifted_edges_miss(const TriangleSetup& triangle, const PixelTerms& terms,
+                        const Point& center) {
   if (triangle.shape != Shape::placed || !triangle.has_certain_orientation()) return false;
   const Ring reach = terms.half_pixel + terms.growth + terms.error;
   const bool is_front = triangle.ideal.orientation() > 0;
@@ -148,7 +149,7 @@ bool has_repeated_index(const TriangleSetup& triangle) {
 }
 
 /// The reason why a pixel is left open that is neither required nor forbidden.
-Reason reason_of_open(const TriangleSetup& triangle, const Terms& terms) {
+Reason reason_of_open(const TriangleSetup& triangle, const PixelTerms& terms) {
   if (triangle.shape == Shape::cut) {
     return triangle.has_nonpositive_w ? Reason::nonpositive_w : Reason::clip_edge;
   }
@@ -156,7 +157,8 @@ Reason reason_of_open(const TriangleSetup& triangle, const Terms& terms) {
   return sign_of(terms.error) > 0 ? Reason::conservative : Reason::tie;
 }
 
-SampleVerdict decide_outer(const TriangleSetup& triangle, const Terms& terms, const Point& center) {
+SampleVerdict decide_outer(const TriangleSetup& triangle, const PixelTerms& terms,
+                           const Point& center) {
   const bool has_moved_edges =
       terms.asked.corners == ConservativeCorners::edges && sign_of(terms.moved) > 0;
   const bool is_missed = has_moved_edges ? shifted_edges_miss(triangle, terms, center)
@@ -172,7 +174,8 @@ SampleVerdict decide_outer(const TriangleSetup& triangle, const Terms& terms, co
   return {Verdict::permitted, reason_of_open(triangle, terms)};
 }
 
-SampleVerdict decide_inner(const TriangleSetup& triangle, const Terms& terms, const Point& center) {
+SampleVerdict decide_inner(const TriangleSetup& triangle, const PixelTerms& terms,
+                           const Point& center) {
   const Scene& scene = *triangle.scene;
   const auto lies_in_sides = [&](const Ring& moved) {
     const std::array<Line, 4> sides = viewport_sides(scene, moved);
@@ -251,7 +254,7 @@ class WeightRegion {
 };
 
 /// A triangle without area, as its exact positions are.
-SampleVerdict decide_degenerate(const TriangleSetup& triangle, const Terms& terms,
+SampleVerdict decide_degenerate(const TriangleSetup& triangle, const PixelTerms& terms,
                                 const Point& center) {
   const SampleVerdict nothing{Verdict::forbidden, Reason::degenerate};
   const bool is_outer = terms.asked.kind == ConservativeKind::outer;
@@ -308,7 +311,7 @@ Facing conservative_facing(const TriangleSetup& triangle) {
 
 SampleVerdict decide_conservatively(const TriangleSetup& triangle, int x, int y) {
   const Scene& scene = *triangle.scene;
-  const Terms terms(triangle);
+  const PixelTerms terms(triangle);
   const Point center = scene.pixel_middle(x, y);
   if (!scene.target_pixels().holds(x, y) || !may_show(scene, center, triangle.side_reach)) {
     return {Verdict::forbidden, Reason::viewport};
@@ -337,7 +340,7 @@ bool may_cover_far_pixels(const TriangleSetup& triangle) {
 }
 
 std::optional<Ring> decisive_distance(const TriangleSetup& triangle) {
-  const Terms terms(triangle);
+  const PixelTerms terms(triangle);
   const bool has_moved_edges =
       terms.asked.corners == ConservativeCorners::edges && sign_of(terms.moved) > 0;
   const bool is_simple = triangle.shape != Shape::cut && triangle.ideal.orientation() != 0 &&

@@ -211,8 +211,9 @@ bool PreparedValues::may_lie_behind(const PreparedValue& value) const {
   if (!scene_->contract().conservative || value.kind == AttributeKind::smooth) return false;
   const auto& positions = scene_->source().positions;
   const float w = positions[triangle_->indices[0]].w;
-  return !(w > 0 && w == positions[triangle_->indices[1]].w &&
-           w == positions[triangle_->indices[2]].w);
+  const bool is_alike =
+      w == positions[triangle_->indices[1]].w && w == positions[triangle_->indices[2]].w;
+  return w <= 0 || !is_alike;
 }
 
 void PreparedValues::set_flat_filter(PreparedValue& value) const {

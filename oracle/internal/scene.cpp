@@ -179,8 +179,8 @@ void Scene::set_units() {
   is_in_pixels_ = units == 1;
   units_per_pixel_ = Ring(units);
   if (contract_->coverage) {
-    grid_unit_ =
-        std::ldexp(static_cast<double>(units / odd_steps), -contract_->coverage->subpixel_bits);
+    const int whole_units = units / odd_steps;  // without a remainder
+    grid_unit_ = std::ldexp(whole_units, -contract_->coverage->subpixel_bits);
   }
 }
 
@@ -227,7 +227,7 @@ Point Scene::center_point(int x, int y) const {
 }
 
 Point Scene::pixel_middle(int x, int y) const {
-  const Point middle{Ring(x + 0.5), Ring(y + 0.5)};
+  Point middle{Ring(x + 0.5), Ring(y + 0.5)};
   if (is_in_pixels_) return middle;
   return {middle.u * units_per_pixel_, middle.v * units_per_pixel_};
 }

@@ -42,7 +42,8 @@ int side_of(double coordinate, double w, double origin, double size, double whol
 std::optional<int> pixel_along(double coordinate, double w, double origin, double size) {
   const double about = std::floor((coordinate / w + 1) * size / 2 + origin);
   // A pixel beyond the framebuffer is of no use, and the rounded position may be one pixel off.
-  if (!(about >= -1 && about <= cases::kMaxSize)) return std::nullopt;
+  const bool is_near = about >= -1 && about <= cases::kMaxSize;  // false for NaN
+  if (!is_near) return std::nullopt;
   for (const double pixel : {about - 1, about, about + 1}) {
     if (side_of(coordinate, w, origin, size, pixel) > 0 &&
         side_of(coordinate, w, origin, size, pixel + 1) < 0) {

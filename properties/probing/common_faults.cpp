@@ -21,7 +21,7 @@ constexpr std::size_t kFirstAttributes = 3;
 
 /// Returns a triangle with sides of 12 to 40 pixels, turned in the given direction.
 FineTriangle large_triangle(Draw& draw, bool is_positive) {
-  constexpr std::int64_t kLeastArea = 2 * 120;  // twice the area, in pixels²: no slivers
+  constexpr std::int64_t kLeastArea = 240;  // twice the area, in pixels²: no slivers
   for (;;) {
     FineTriangle t;
     for (std::size_t i = 0; i < 3; ++i) {

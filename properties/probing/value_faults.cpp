@@ -238,6 +238,7 @@ std::vector<FoundFault> attribute_faults(const FirstDrawing& first, const Placem
       add_votes(known->second, found->votes);
     }
   }
+  faults.reserve(faults.size() + permuted.size() + 2);
   for (const auto& [vertices, votes] : permuted) {
     faults.push_back({"attributes-of-other-vertices", "attributes of vertices",
                       vertices_sentence(vertices), votes});
