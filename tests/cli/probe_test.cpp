@@ -68,15 +68,16 @@ TEST(Probe, EndsWithOneSentenceForAFault) {
   const TemporaryFolder folder;
   const std::string contract = folder.path("contract.json");
   constexpr const char* kSentence = "The picture is upside down: NDC y = -1 belongs to row 0.";
-  const Outcome probe =
-      run_damaged_program({"probe", "damaged:flipped", "--contract-out", contract});
+  const Outcome probe = run_damaged_program(
+      {"probe", "damaged:flipped", "--seconds", kLong, "--contract-out", contract});
   EXPECT_EQ(probe.code, 1) << probe;
   EXPECT_THAT(probe.out, AllOf(HasSubstr(kSentence), HasSubstr("no contract is written")));
   EXPECT_FALSE(std::filesystem::exists(contract));
-  const Outcome quiet = run_damaged_program({"probe", "damaged:flipped", "-q"});
+  const Outcome quiet = run_damaged_program({"probe", "damaged:flipped", "--seconds", kLong, "-q"});
   EXPECT_EQ(quiet.code, 1) << quiet;
   EXPECT_EQ(quiet.out, std::string(kSentence) + "\n");
-  const Outcome as_json = run_damaged_program({"probe", "damaged:flipped", "--json"});
+  const Outcome as_json =
+      run_damaged_program({"probe", "damaged:flipped", "--seconds", kLong, "--json"});
   EXPECT_EQ(as_json.code, 1) << as_json;
   const json document = json::parse(as_json.out);
   ASSERT_EQ(document.at("faults").size(), 1U);
