@@ -264,10 +264,14 @@ TEST(CommonFaults, InclusiveEdgesAreNamed) {
             "Samples exactly on a shared edge are drawn by both triangles, not by one.");
 }
 
-// A contract that leaves ties open permits both neighbours to draw a sample: a row, not the end.
+// A contract may say that every edge owns its samples: then it is a row, not the end. One that only
+// leaves ties open still promises that one of two neighbours draws a sample.
 TEST(CommonFaults, ArePermittedByContracts) {
+  Inclusive open;
+  open.tie_rule = cases::TieRule::unspecified;
+  EXPECT_THAT(ids_of(faults_of(open)), ElementsAre("inclusive-edges"));
   Inclusive backend;
-  backend.tie_rule = cases::TieRule::unspecified;
+  backend.tie_rule = cases::TieRule::all;
   Subject subject("bent", backend, {});
   ASSERT_TRUE(subject.choose_rules().has_value());
   find_common_faults(subject);
