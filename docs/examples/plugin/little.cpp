@@ -355,6 +355,7 @@ constexpr rastercheck_plugin kPlugin{
     .version = "1.0",
     .contract = &kContract,
     .draw = &draw,
+    .query = nullptr,  // no occlusion culler
 };
 
 }  // namespace
