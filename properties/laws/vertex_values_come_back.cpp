@@ -361,7 +361,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &is_promised,
      .unpromised = "the backend does not promise to keep the vertices' values",
-     .excludes_outer = true,
+     .needs_samples = true,
      .covers = {cover(17, "several samples"), cover(30, "snapped"), cover(44, "vertex value"),
                 cover(30, "vertex value far below the others"), cover(11, "vertex zero")}});
 

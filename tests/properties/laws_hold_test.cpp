@@ -118,7 +118,9 @@ TEST_P(LawTest, Holds) {
   EXPECT_GT(checked_, 0U) << "not checked: no case that it says anything of";
   EXPECT_GT(correct_, 0U) << "not checked: nothing drawn rightly in any case";
   const bool is_decided = draws_what_is_asked_for(**backend);
-  ASSERT_TRUE(is_decided || GetParam().backend.starts_with("method:"));
+  // Conservative coverage permits pixels that need not be drawn; methods leave out some cases.
+  ASSERT_TRUE(is_decided || GetParam().backend.starts_with("cpu:conservative=") ||
+              GetParam().backend.starts_with("method:"));
   for (const Cover& cover : law.covers) {
     if (cover.is_decided && !is_decided) continue;
     EXPECT_GE(labels_[std::string(cover.label)], least_reached(cover, checked_))
