@@ -173,6 +173,10 @@ static inline double mean_of(const double r[3], const double weight[3]) {
          (weight[0] + weight[1] + weight[2]);
 }
 
+static inline float rounded_mean(const double r[3], const double weight[3]) {
+  return (float)mean_of(r, weight);
+}
+
 /* Writes a fragment's attributes, interpolated by `mean`. */
 static inline void write_attributes(const rastercheck_draw* draw, rastercheck_output* out,
                                     const triangle* t, size_t index, const double e[3],
@@ -249,6 +253,17 @@ static inline void each_sample_of(const rastercheck_draw* draw, rastercheck_outp
                                   const triangle* t, visitor* visit) {
   const double low[2] = {least(t->x), least(t->y)}, high[2] = {greatest(t->x), greatest(t->y)};
   each_sample(draw, out, low, high, visit, t);
+}
+
+/* Draws a sample of a triangle, with the tie rule that is asked for and values rounded once. */
+static inline void draw_sample(const rastercheck_draw* draw, rastercheck_output* out,
+                               const void* shape, place at) {
+  const triangle* t = shape;
+  double e[3];
+  edges_at(t, at, e);
+  if (!covers(draw, t, e) || is_depth_clipped(draw, t, e)) return;
+  if (!keep(draw, out, at.index, t->number, depth_at(draw, t->depth, e))) return;
+  write_attributes(draw, out, t, at.index, e, rounded_mean);
 }
 
 /* Draws triangle by triangle, with vertices rounded to a grid of this many points per pixel. Calls

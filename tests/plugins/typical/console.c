@@ -44,10 +44,6 @@ static double to_grid(double units) {
 #endif
 }
 
-static float rounded_mean(const double r[3], const double weight[3]) {
-  return (float)mean_of(r, weight);
-}
-
 static bool owns_sample(const triangle* t, const double e[3]) {
   const double turn = t->area > 0 ? 1 : -1;
   for (int i = 0; i < 3; ++i) {

@@ -26,27 +26,13 @@ static const rastercheck_contract contract = {
     .sample_parts = 1,
 };
 
-static float rounded_mean(const double r[3], const double weight[3]) {
-  return (float)mean_of(r, weight);
-}
-
-static void visit(const rastercheck_draw* draw, rastercheck_output* out, const void* shape,
-                  place at) {
-  const triangle* t = shape;
-  double e[3];
-  edges_at(t, at, e);
-  if (!covers(draw, t, e) || is_depth_clipped(draw, t, e)) return;
-  if (!keep(draw, out, at.index, t->number, depth_at(draw, t->depth, e))) return;
-  write_attributes(draw, out, t, at.index, e, rounded_mean);
-}
-
 static uint32_t draw_all(const rastercheck_draw* draw, rastercheck_output* out) {
   rastercheck_draw own = *draw;
 #ifndef BREAKS
   static const float kCorner[2] = {0, 0};
   own.sample_positions = kCorner;
 #endif
-  return draw_snapped(&own, out, 256, rint, visit);
+  return draw_snapped(&own, out, 256, rint, draw_sample);
 }
 
 TYPICAL_PLUGIN("corner samples", contract, draw_all)

@@ -112,10 +112,6 @@ static void set_weights(const triangle* t, place at, double e[3]) {
   if (is_thin || least(e) < 0) set_weights_of_outline(t, at, e);
 }
 
-static float rounded_mean(const double r[3], const double weight[3]) {
-  return (float)mean_of(r, weight);
-}
-
 static void visit(const rastercheck_draw* draw, rastercheck_output* out, const void* shape,
                   place at) {
   const triangle* t = shape;

@@ -32,22 +32,8 @@ static const rastercheck_contract contract = {
              RASTERCHECK_LACKS_CENTROID,
 };
 
-static float rounded_mean(const double r[3], const double weight[3]) {
-  return (float)mean_of(r, weight);
-}
-
-static void visit(const rastercheck_draw* draw, rastercheck_output* out, const void* shape,
-                  place at) {
-  const triangle* t = shape;
-  double e[3];
-  edges_at(t, at, e);
-  if (!covers(draw, t, e) || is_depth_clipped(draw, t, e)) return;
-  if (!keep(draw, out, at.index, t->number, depth_at(draw, t->depth, e))) return;
-  write_attributes(draw, out, t, at.index, e, rounded_mean);
-}
-
 static uint32_t draw_all(const rastercheck_draw* draw, rastercheck_output* out) {
-  return draw_snapped(draw, out, GRID, rint, visit);
+  return draw_snapped(draw, out, GRID, rint, draw_sample);
 }
 
 TYPICAL_PLUGIN("like a GPU", contract, draw_all)

@@ -27,10 +27,6 @@ static const rastercheck_contract contract = {
     .sample_counts = 1,
 };
 
-static float rounded_mean(const double r[3], const double weight[3]) {
-  return (float)mean_of(r, weight);
-}
-
 static void visit(const rastercheck_draw* draw, rastercheck_output* out, const void* shape,
                   place at) {
   const triangle* t = shape;

@@ -35,10 +35,6 @@ static double to_whole(double units) {
 #endif
 }
 
-static float rounded_mean(const double r[3], const double weight[3]) {
-  return (float)mean_of(r, weight);
-}
-
 static void visit(const rastercheck_draw* draw, rastercheck_output* out, const void* shape,
                   place at) {
   const triangle* t = shape;
