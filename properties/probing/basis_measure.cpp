@@ -73,9 +73,11 @@ struct Shares {
 
 /// Returns the value at a sample of a function that is linear in the window.
 double fine_value_at(const FineTriangle& t, const std::array<float, 3>& values, int x, int y) {
-  const auto pixels = [](std::int64_t fine) { return std::ldexp(static_cast<double>(fine), -18); };
-  const double u = x + 0.5 - pixels(t.x[0]);
-  const double v = y + 0.5 - pixels(t.y[0]);
+  const auto pixels = [&t](std::int64_t units) {
+    return static_cast<double>(units) / static_cast<double>(t.scale.pixel);
+  };
+  const double u = x + pixels(t.scale.sample_x - t.x[0]);
+  const double v = y + pixels(t.scale.sample_y - t.y[0]);
   const double u1 = pixels(t.x[1] - t.x[0]);
   const double v1 = pixels(t.y[1] - t.y[0]);
   const double u2 = pixels(t.x[2] - t.x[0]);
@@ -94,7 +96,7 @@ struct OffGrid {
   std::vector<std::array<float, 3>> values;
 };
 
-OffGrid off_grid(const Subject& subject, int bits, bool has_noperspective, std::uint64_t index) {
+OffGrid off_grid(const Subject& subject, int steps, bool has_noperspective, std::uint64_t index) {
   constexpr int kTriangles = 32;
   MeasureDraw draw(subject, "basis", index);
   OffGrid all{subject.base(), {}, {}};
@@ -103,9 +105,10 @@ OffGrid off_grid(const Subject& subject, int bits, bool has_noperspective, std::
   if (has_noperspective) {
     c.attributes.push_back({"noperspective", cases::Interpolation::noperspective});
   }
-  const std::int64_t unit = std::int64_t{1} << (kFineBits - bits);
+  const std::int64_t unit = kFinePixel / steps;
   for (int i = 0; i < kTriangles; ++i) {
     FineTriangle t;
+    t.scale = scale_of(subject.sample());
     std::array<float, 3> values{};
     const int x = draw.between(8, 48);
     const int y = draw.between(8, 48);
@@ -118,7 +121,7 @@ OffGrid off_grid(const Subject& subject, int bits, bool has_noperspective, std::
       t.x[k] = (std::int64_t{x + corner_x} << kFineBits) + off();
       t.y[k] = (std::int64_t{y + corner_y} << kFineBits) + off();
       values[k] = draw.unit();
-      add_vertex(c, fine_vertex(subject, c, t.x[k], t.y[k], values[k]));
+      add_vertex(c, fine_vertex(c, t.x[k], t.y[k], values[k]));
       for (std::size_t a = 0; a < c.attributes.size(); ++a) c.attribute_values.push_back(values[k]);
     }
     const auto end = static_cast<std::uint32_t>(c.positions.size());
@@ -147,10 +150,10 @@ ValueShares value_shares(Subject& subject, const MeasuredGrid& grid) {
   constexpr std::uint64_t kCases = 3;
   ValueShares shares;
   for (std::uint64_t i = 0; i < kCases; ++i) {
-    OffGrid given = off_grid(subject, grid.bits, true, i);
+    OffGrid given = off_grid(subject, grid.steps(), true, i);
     std::optional<cases::Fragments> drawn = subject.draw(given.source);
     if (!drawn) {
-      given = off_grid(subject, grid.bits, false, i);
+      given = off_grid(subject, grid.steps(), false, i);
       drawn = subject.draw(given.source);
     }
     if (!drawn) continue;
@@ -185,7 +188,7 @@ std::vector<FineTriangle> turning(const Subject& subject, const MeasuredGrid& gr
   constexpr int kTries = 40000;
   constexpr std::size_t kWanted = 32;
   MeasureDraw draw(subject, "facing");
-  const std::int64_t unit = std::int64_t{1} << (kFineBits - grid.bits);
+  const std::int64_t unit = kFinePixel / grid.steps();
   std::vector<FineTriangle> found;
   for (int i = 0; i < kTries && found.size() < kWanted; ++i) {
     const int pixel_x = draw.between(20, 40);
@@ -199,6 +202,7 @@ std::vector<FineTriangle> turning(const Subject& subject, const MeasuredGrid& gr
       t.x[k] = ((2 * (pixel_x + place * along_x) + 1) << (kFineBits - 1)) + off();
       t.y[k] = ((2 * (pixel_y + place * along_y) + 1) << (kFineBits - 1)) + off();
     }
+    t = about_samples(subject, t);
     const FineTriangle placed = rounded(t, grid);
     const bool turns =
         (area_of(t) < 0 && area_of(placed) > 0) || (area_of(t) > 0 && area_of(placed) < 0);
@@ -213,8 +217,7 @@ Shares facing_shares(Subject& subject, const MeasuredGrid& grid) {
   if (triangles.empty()) return shares;
   cases::Case c = subject.base();
   for (const FineTriangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k)
-      add_vertex(c, fine_vertex(subject, c, t.x[k], t.y[k], 0.5F));
+    for (std::size_t k = 0; k < 3; ++k) add_vertex(c, fine_vertex(c, t.x[k], t.y[k], 0.5F));
     const auto end = static_cast<std::uint32_t>(c.positions.size());
     c.triangles.push_back({end - 3, end - 2, end - 1});
   }
@@ -281,7 +284,8 @@ void measure_basis(Subject& subject, const Sight& sight) {
   const MeasuredGrid& grid = sight.fit.grid;
   cases::ContractTerms& terms = subject.result.terms;
   if (!sight.fit.is_explained || sight.fit.samples == 0) {
-    subject.add("basis", kNotDeclared, "not measured", "no grid is known");
+    subject.add("basis", kNotDeclared, "not measured",
+                sight.is_conservative ? "whole pixels are covered" : "no grid is known");
     terms.basis = Basis::unspecified;
     return;
   }

@@ -102,7 +102,7 @@ records::Sureness within_a_unit(const Subject& subject, const std::vector<DrawnC
 /// Returns the size of a pixel in grid units. A larger tolerance would permit any triangle.
 float pixel_of(const Subject& subject) {
   const cases::Coverage coverage = subject.contract(subject.base()).coverage;
-  return coverage ? std::ldexp(1.0F, coverage->subpixel_bits) : 0.0F;
+  return coverage ? static_cast<float>(coverage->steps()) : 0.0F;
 }
 
 /// Counts triangles by outcome.
@@ -141,6 +141,30 @@ ClippingOutcomes outcomes_of(const Subject& subject, const std::vector<DrawnCase
   return outcomes;
 }
 
+/// Finds out whether triangles that a plane cuts are clipped or left out. They are left out if
+/// nothing is drawn of any of them.
+void measure_cut_triangles(Subject& subject, const std::vector<std::vector<DrawnCase>>& by_plane) {
+  std::uint64_t drawn_in_part = 0;
+  std::uint64_t left_out = 0;
+  for (const std::vector<DrawnCase>& drawn : by_plane) {
+    for (const DrawnCase& one : drawn) ++(one.fragments.size() == 0 ? left_out : drawn_in_part);
+  }
+  const bool culls = drawn_in_part == 0;
+  const bool is_declared = subject.declared().culls_instead_of_clipping;
+  const auto text_of = [](bool is_culled) { return is_culled ? "left out" : "clipped"; };
+  const char* const what = "triangles that a plane cuts";
+  if (left_out == 0 && culls) {
+    subject.add(what, text_of(is_declared), "not drawn");
+    return;
+  }
+  // A clipped triangle may lie outside the window.
+  const records::Sureness sureness =
+      culls ? sure_of("triangles", left_out) : sure_of("triangles", drawn_in_part, 0, left_out);
+  subject.add(what, text_of(is_declared), text_of(culls), "", sureness).contradicts =
+      culls != is_declared;
+  if (culls != is_declared) subject.result.terms.culls_instead_of_clipping = culls;
+}
+
 }  // namespace
 
 void measure_clipping(Subject& subject) {
@@ -154,9 +178,15 @@ void measure_clipping(Subject& subject) {
   const cases::Contract declared = subject.declared();
   const std::string units =
       declared.coverage ? fmt::format("{:g} grid units", declared.clip_tolerance) : kNotDeclared;
-  float greatest = 0;
+  std::vector<std::vector<DrawnCase>> by_plane;
   for (const Cut& cut : kPlanes) {
-    const std::vector<DrawnCase> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
+    by_plane.push_back(draw_cut(subject, cut.name, cut.make, cut.vertices));
+  }
+  measure_cut_triangles(subject, by_plane);
+  float greatest = 0;
+  for (std::size_t i = 0; i < kPlanes.size(); ++i) {
+    const Cut& cut = kPlanes[i];
+    const std::vector<DrawnCase>& drawn = by_plane[i];
     if (drawn.empty()) {
       subject.add(fmt::format("clip tolerance, {}", cut.name), units, "not drawn");
       continue;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/names.h"
+
 namespace rastercheck::properties {
 namespace {
 
@@ -20,10 +22,11 @@ constexpr std::size_t kFirstAttributes = 3;
 // --- Drawings ------------------------------------------------------------------------------------
 
 /// Returns a triangle with sides of 12 to 40 pixels, turned in the given direction.
-FineTriangle large_triangle(Draw& draw, bool is_positive) {
+FineTriangle large_triangle(const Subject& subject, Draw& draw, bool is_positive) {
   constexpr std::int64_t kLeastArea = 240;  // twice the area, in pixels²: no slivers
   for (;;) {
     FineTriangle t;
+    t.scale = scale_of(subject.sample());
     for (std::size_t i = 0; i < 3; ++i) {
       t.x[i] = draw.between(4, 60) * kFinePixel;
       t.y[i] = draw.between(4, 60) * kFinePixel;
@@ -71,7 +74,7 @@ std::optional<FirstDrawing> draw_first(Subject& subject) {
   std::vector<FineTriangle> triangles;
   std::vector<std::array<float, 3>> depths;
   for (int i = 0; i < kFirstTriangles; ++i) {
-    const FineTriangle t = large_triangle(draw, i % 2 == 0);
+    const FineTriangle t = large_triangle(subject, draw, i % 2 == 0);
     const std::array<int, 9> values = shuffled(draw);
     const std::array<int, 9> depth_steps = shuffled(draw);
     std::array<float, 3> depth{};
@@ -79,7 +82,7 @@ std::optional<FirstDrawing> draw_first(Subject& subject) {
       // Depths and values lie within 0 and 1, and differ by at least 6/64 within a triangle.
       depth[k] = static_cast<float>(8 + 6 * depth_steps[k]) / 64;
       const float z = c.rules == cases::Rules::opengl ? 2 * depth[k] - 1 : depth[k];
-      add_vertex(c, fine_vertex(subject, c, t.x[k], t.y[k], z));
+      add_vertex(c, fine_vertex(c, t.x[k], t.y[k], z));
       for (std::size_t a = 0; a < c.attributes.size(); ++a) {
         c.attribute_values.push_back(static_cast<float>(4 + 7 * values[3 * a + k]) / 64);
       }
@@ -173,7 +176,7 @@ void add_culled_side(const FineDrawing& drawing, bool is_y_up, std::vector<Found
 }
 
 /// Returns a triangle of a few pixels with vertices at multiples of 2^-bits pixels that contains a
-/// sample at least kFineMargin inside; its area is at most `most`, in pixels².
+/// pixel's centre at least kFineMargin inside; its area is at most `most`, in pixels².
 FineTriangle small_triangle(Draw& draw, int bits, double most) {
   const std::int64_t unit = kFinePixel >> bits;
   const auto size = static_cast<int>(std::ceil(2 * std::sqrt(most))) << bits;
@@ -240,16 +243,20 @@ void add_small_triangles(const FineDrawing& drawing, const FineDrawing& large, b
                     best->second});
 }
 
-/// Draws triangles of up to 6 pixels² that contain a sample. Areas below 1 need vertices between
-/// whole pixels, which only `is_fine` backends keep.
+/// Draws triangles of up to 6 pixels² that contain a sample. Areas below 1, and samples that are
+/// not at centres, need vertices between whole pixels, which only `is_fine` backends keep.
 std::optional<FineDrawing> draw_small(Subject& subject, bool is_fine) {
+  if (!is_fine && subject.sample() != kPixelCentre) return std::nullopt;
   MeasureDraw draw(subject, "small triangles");
   std::vector<FineTriangle> triangles;
   for (const double most : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0}) {
-    for (int i = 0; i < 16; ++i) triangles.push_back(small_triangle(draw, 0, most));
+    for (int i = 0; i < 16; ++i)
+      triangles.push_back(about_samples(subject, small_triangle(draw, 0, most)));
   }
   for (const double most : {0.375, 0.5, 0.75}) {
-    for (int i = 0; i < 16 && is_fine; ++i) triangles.push_back(small_triangle(draw, 2, most));
+    for (int i = 0; i < 16 && is_fine; ++i) {
+      triangles.push_back(about_samples(subject, small_triangle(draw, 2, most)));
+    }
   }
   return draw_fine(subject, triangles);
 }
@@ -259,7 +266,7 @@ bool keeps_quarters(Subject& subject, const Placement& placement) {
   MeasureDraw draw(subject, "quarters of pixels");
   std::vector<FineTriangle> triangles;
   for (int i = 0; i < kFirstTriangles; ++i) {
-    FineTriangle t = large_triangle(draw, i % 2 == 0);
+    FineTriangle t = large_triangle(subject, draw, i % 2 == 0);
     for (std::size_t k = 0; k < 3; ++k) {
       t.x[k] += draw.between(-2, 2) * kFinePixel / 4;
       t.y[k] += draw.between(-2, 2) * kFinePixel / 4;
@@ -343,7 +350,8 @@ void add_inclusive_edges(Subject& subject, const Placement& placement,
   std::vector<FineTriangle> joined;
   std::vector<FineTriangle> apart;
   for (int i = 0; i < kPairs; ++i) {
-    const std::array<FineTriangle, 2> both = neighbours(draw);
+    std::array<FineTriangle, 2> both = neighbours(draw);
+    for (FineTriangle& t : both) t = about_samples(subject, t);
     const std::array<FineTriangle, 2> without = parted(both);
     joined.insert(joined.end(), both.begin(), both.end());
     apart.insert(apart.end(), without.begin(), without.end());
@@ -359,6 +367,45 @@ void add_inclusive_edges(Subject& subject, const Placement& placement,
   faults.push_back({"inclusive-edges", "samples on edges",
                     "Samples exactly on a shared edge are drawn by both triangles, not by one.",
                     votes});
+}
+
+// --- Flat attributes -----------------------------------------------------------------------------
+
+/// Finds flat attributes that come from another vertex than these rules' provoking one.
+void add_provoking_vertex(Subject& subject, cases::Rules rules, std::vector<FoundFault>& faults) {
+  constexpr std::array kNames{"first", "second", "last"};
+  if (!subject.capabilities().has(cases::Feature::flat)) return;
+  MeasureDraw draw(subject, "provoking vertex");
+  cases::Case c = subject.base();
+  c.rules = rules;
+  c.attributes.push_back({"flat", cases::Interpolation::flat});
+  for (int i = 0; i < kFirstTriangles; ++i) {
+    const FineTriangle t = large_triangle(subject, draw, i % 2 == 0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      add_vertex(c, fine_vertex(c, t.x[k], t.y[k], 0.5F));
+      c.attribute_values.push_back(static_cast<float>(k));
+    }
+    const auto end = static_cast<std::uint32_t>(c.positions.size());
+    c.triangles.push_back({end - 3, end - 2, end - 1});
+  }
+  const std::size_t provoking = c.rules == cases::Rules::opengl ? 2 : 0;
+  const std::optional<cases::Fragments> drawn = subject.draw(c);
+  if (!drawn) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == provoking) continue;
+    Sureness votes{"values"};
+    for (std::size_t i = 0; i < drawn->size(); ++i) {
+      const bool is_of_vertex = drawn->attributes_of(i)[0] == static_cast<float>(k);
+      ++(is_of_vertex ? votes.in_favour : votes.against);
+    }
+    if (!is_sure(votes)) continue;
+    faults.push_back(
+        {"provoking-vertex", "flat attributes",
+         fmt::format("Flat attributes have the value of the triangle's {} vertex, not of its {} "
+                     "(rules: {}).",
+                     kNames[k], kNames[provoking], cases::name_of(rules)),
+         votes});
+  }
 }
 
 // --- All -----------------------------------------------------------------------------------------
@@ -402,6 +449,13 @@ std::vector<FoundFault> faults_of(Subject& subject, const FirstDrawing& first,
       for (FoundFault& fault : of_values(first, found.placement)) {
         faults.push_back(std::move(fault));
       }
+    }
+    // If attributes of all kinds come from other vertices, one sentence is enough.
+    const bool has_other_vertices = std::any_of(faults.begin(), faults.end(), [](const auto& one) {
+      return one.id == "attributes-of-other-vertices";
+    });
+    for (const cases::Rules each : subject.capabilities().rules) {
+      if (!has_other_vertices) add_provoking_vertex(subject, each, faults);
     }
   }
   return faults;

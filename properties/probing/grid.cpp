@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace rastercheck::properties {
@@ -31,9 +35,25 @@ const char* name_of(GridRounding rounding) {
   return "up";
 }
 
-/// A triangle with an edge through a sample, whose vertices are then moved by a few units of 2^-k
-/// pixels; not moved if k is 0.
-FineTriangle near_sample(Draw& draw, int k) {
+/// Grids of 1/n pixel with a greater n, no power of two, are not told from none.
+constexpr int kMostOtherSteps = 1024;
+/// Most units per fine unit. The triangles of near_centre() are at most 31 pixels wide and lie
+/// between 4 and 60 pixels, and samples in the window are less than 60 pixels away; so an edge
+/// function is less than 2 · 31 · 60 · 2^36 · 180² < 2^63.
+constexpr int kMostParts = 180;
+
+/// Returns the units per fine unit in which the grid's points are whole and, if that is no more
+/// than kMostParts, samples too.
+int parts_of(const MeasuredGrid& grid) {
+  const int odd_parts =
+      grid.sample.parts >> std::countr_zero(static_cast<unsigned>(grid.sample.parts));
+  const int both = std::lcm(grid.odd_steps, odd_parts);
+  return both <= kMostParts ? both : grid.odd_steps;
+}
+
+/// A triangle with an edge through a pixel's centre, whose vertices are then moved by a few units
+/// of 2^-k pixels; not moved if k is 0.
+FineTriangle near_centre(Draw& draw, int k) {
   const std::int64_t sample_x = draw.between(20, 43) * kFinePixel + kFinePixel / 2;
   const std::int64_t sample_y = draw.between(20, 43) * kFinePixel + kFinePixel / 2;
   // A quarter of the edges are vertical or horizontal: ties on such edges are a special case.
@@ -73,7 +93,7 @@ Wrongness wrongness_of(const FineEdges& edges, int x, int y, bool is_drawn) {
   for (const FineEdge& edge : edges) {
     if (edge.a == 0 && edge.b == 0) continue;
     const double distance = edge.distance(x, y);
-    const auto pixels = static_cast<double>(kFinePixel);
+    const auto pixels = static_cast<double>(edge.pixel);
     const double value = static_cast<double>(edge.at(x, y)) / pixels / pixels;
     outside = {std::max(outside.move, -distance), std::max(outside.edge, -value)};
     inside = {std::min(inside.move, distance), std::min(inside.edge, value)};
@@ -88,8 +108,8 @@ class PlacedTriangle {
       : at_(rounded(triangle, grid)),
         edges_(edges_of(at_)),
         is_flat_(area_of(at_) == 0),
-        columns_(pixel_range(at_.x)),
-        lines_(pixel_range(at_.y)) {}
+        columns_(columns_of(at_)),
+        lines_(lines_of(at_)) {}
 
   /// Positive inside, negative outside, 0 on an edge.
   std::int64_t sign_at(int x, int y) const {
@@ -200,35 +220,40 @@ GridVotes grid_votes(const MeasuredGrid& one, const MeasuredGrid& other,
   return votes;
 }
 
-/// Looks for the grid, moves and roundings that agree best with drawings.
+/// Looks for the grid, moves, roundings and samples that agree best with drawings.
 class GridSearch {
  public:
   GridSearch(const Subject& subject, const std::vector<FineDrawing>& drawings)
-      : subject_(&subject), drawings_(&drawings) {}
+      : subject_(&subject), drawings_(&drawings) {
+    none_.sample = subject.sample();
+  }
 
-  /// Returns the grid and rounding with the fewest mismatches, without a move.
+  /// No grid, no move, and samples where the backend declares them.
+  const MeasuredGrid& none() const { return none_; }
+
+  GridFit fit(const MeasuredGrid& grid) const {
+    return fit_of(grid, *drawings_, std::numeric_limits<std::uint64_t>::max());
+  }
+
+  /// Returns the grid of 2^-n pixels and rounding with the fewest mismatches, without a move.
   GridFit best_grid() const {
-    GridFit best = fit({0});
+    GridFit best = fit(of(0));
     for (int bits = 0; bits <= cases::kMaxSubpixelBits; ++bits) {
-      for (const GridRounding x : kRoundings) improve({bits, x, x}, best);
+      for (const GridRounding x : kRoundings) improve(of(bits, x, x), best);
     }
     // The axes may differ, for example if window y is flipped before it is rounded.
     const int near = best.grid.bits;
     for (int bits = std::max(near - 1, 0); bits <= std::min(near + 1, cases::kMaxSubpixelBits);
          ++bits) {
-      for (const GridRounding x : kRoundings) {
-        for (const GridRounding y : kRoundings) improve({bits, x, y}, best);
-      }
+      improve_rounding(of(bits), best);
     }
     return best;
   }
 
   /// Returns the best rounding to this many bits, without a move.
   GridFit best_rounding(int bits) const {
-    GridFit best = fit({bits});
-    for (const GridRounding x : kRoundings) {
-      for (const GridRounding y : kRoundings) improve({bits, x, y}, best);
-    }
+    GridFit best = fit(of(bits));
+    improve_rounding(of(bits), best);
     return best;
   }
 
@@ -255,6 +280,43 @@ class GridSearch {
     return best;
   }
 
+  /// Returns the finest grid of 1/n pixel, n no power of two, that explains everything.
+  std::optional<GridFit> other_grid() const {
+    for (int steps = kMostOtherSteps; steps >= 3; --steps) {
+      MeasuredGrid grid = of_steps(steps);
+      if (grid.odd_steps == 1 || grid.odd_steps > kMostParts) continue;
+      for (const GridRounding x : kRoundings) {
+        for (const GridRounding y : kRoundings) {
+          grid.x = x;
+          grid.y = y;
+          if (const auto found = whole_fit(grid)) return found;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Returns the finest grid that explains everything with samples on one of its points. `moved`:
+  /// the move that explains most without a grid.
+  std::optional<GridFit> grid_of_samples(const MeasuredGrid& moved) const {
+    for (int steps = cases::kMostPixelParts; steps >= 1; --steps) {
+      MeasuredGrid grid = of_steps(steps);
+      if (grid.odd_steps > kMostParts) continue;
+      for (const GridRounding rounding : kRoundings) {
+        grid.x = grid.y = rounding;
+        const int x = grid_point_near(none_.sample.x, moved.move_x, grid);
+        const int y = grid_point_near(none_.sample.y, moved.move_y, grid);
+        for (int i = 0; i < 9; ++i) {
+          const cases::PixelFraction at{x - 1 + i % 3, y - 1 + i / 3, steps};
+          if (std::min(at.x, at.y) < 0 || std::max(at.x, at.y) >= steps) continue;
+          grid.sample = in_lowest_terms(at);
+          if (const auto found = whole_fit(grid)) return found;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
  private:
   static MeasuredGrid moved(MeasuredGrid grid, std::int64_t x, std::int64_t y) {
     grid.move_x += x;
@@ -262,8 +324,47 @@ class GridSearch {
     return grid;
   }
 
-  GridFit fit(const MeasuredGrid& grid) const {
-    return fit_of(grid, *drawings_, std::numeric_limits<std::uint64_t>::max());
+  MeasuredGrid of(int bits, GridRounding x = GridRounding::nearest_even,
+                  GridRounding y = GridRounding::nearest_even) const {
+    MeasuredGrid grid = none_;
+    grid.bits = bits;
+    grid.x = x;
+    grid.y = y;
+    return grid;
+  }
+  MeasuredGrid of_steps(int steps) const {
+    const int bits = std::countr_zero(static_cast<unsigned>(steps));
+    MeasuredGrid grid = of(bits);
+    grid.odd_steps = steps >> bits;
+    return grid;
+  }
+
+  /// Returns the grid point near the samples for which positions rounded to the grid look, on
+  /// average, as if they were moved by `move`: s' = s + bias − move.
+  int grid_point_near(int sample, std::int64_t move, const MeasuredGrid& grid) const {
+    const double bias = grid.x == GridRounding::down ? -0.5 : grid.x == GridRounding::up ? 0.5 : 0;
+    const double at = static_cast<double>(sample) / none_.sample.parts -
+                      static_cast<double>(move) / static_cast<double>(kFinePixel);
+    return static_cast<int>(std::lround(at * grid.steps() + bias));
+  }
+
+  /// Returns the fit if it has no mismatch, although the grid matters.
+  std::optional<GridFit> whole_fit(const MeasuredGrid& grid) const {
+    if (subject_->is_time_up()) return std::nullopt;
+    const GridFit found = fit_of(grid, *drawings_, 0);
+    if (found.mismatches > 0) return std::nullopt;
+    if (!grid_votes(grid, none_, *drawings_).are_nearly_all()) return std::nullopt;
+    return found;
+  }
+
+  void improve_rounding(MeasuredGrid grid, GridFit& best) const {
+    for (const GridRounding x : kRoundings) {
+      for (const GridRounding y : kRoundings) {
+        grid.x = x;
+        grid.y = y;
+        improve(grid, best);
+      }
+    }
   }
 
   bool improve(const MeasuredGrid& grid, GridFit& best) const {
@@ -276,18 +377,25 @@ class GridSearch {
 
   const Subject* subject_;
   const std::vector<FineDrawing>* drawings_;
+  MeasuredGrid none_;
 };
 
-/// Returns the fit without a grid: without a move if that explains everything or if a move explains
-/// no more.
-GridFit fit_of_none(const GridSearch& search, const std::vector<FineDrawing>& drawings) {
-  const GridFit plain = fit_of({}, drawings, std::numeric_limits<std::uint64_t>::max());
-  if (plain.mismatches == 0) return plain;
-  // A mismatch that lies farther away is no matter of a move that is worth looking for.
-  constexpr std::int64_t kFarthest = kFinePixel / 2;
-  GridFit moved = search.best_move({}, kFarthest);
-  const bool is_needed = grid_votes(moved.grid, {}, drawings).are_for_it();
-  return is_needed ? moved : plain;
+/// A mismatch that lies farther away is no matter of a move that is worth looking for.
+constexpr std::int64_t kFarthestMove = kFinePixel / 2;
+
+/// Fits without a grid.
+struct FitsOfNone {
+  GridFit unmoved;
+  GridFit moved;
+  /// The first, unless the move explains much more.
+  GridFit best;
+};
+FitsOfNone fits_of_none(const GridSearch& search, const std::vector<FineDrawing>& drawings) {
+  const GridFit unmoved = search.fit(search.none());
+  if (unmoved.mismatches == 0) return {unmoved, unmoved, unmoved};
+  const GridFit moved = search.best_move(search.none(), kFarthestMove);
+  const bool is_needed = grid_votes(moved.grid, search.none(), drawings).are_for_it();
+  return {unmoved, moved, is_needed ? moved : unmoved};
 }
 
 /// The greatest error of an edge function a x + b y + c in float32, in pixels²: within 64 pixels
@@ -296,25 +404,25 @@ constexpr double kFloatEdges = 5 * 0x1p-12;
 
 }  // namespace
 
-std::int64_t rounded(std::int64_t fine, int bits, GridRounding rounding) {
-  const int shift = kFineBits - bits;
-  if (shift == 0) return fine;
-  const std::int64_t unit = std::int64_t{1} << shift;
-  const std::int64_t below = fine >> shift;  // towards −∞
-  const std::int64_t rest = 2 * (fine - below * unit);
-  bool goes_up = rest > unit;
+std::int64_t rounded(std::int64_t coordinate, std::int64_t unit, GridRounding rounding) {
+  const std::int64_t rest = ((coordinate % unit) + unit) % unit;
+  const std::int64_t below = coordinate - rest;  // towards −∞
+  bool goes_up = 2 * rest > unit;
   if (rounding == GridRounding::down) goes_up = false;
   if (rounding == GridRounding::up) goes_up = rest > 0;
-  if (rest == unit && rounding == GridRounding::nearest_even) goes_up = below % 2 != 0;
-  if (rest == unit && rounding == GridRounding::half_up) goes_up = true;
-  return (below + (goes_up ? 1 : 0)) * unit;
+  if (2 * rest == unit && rounding == GridRounding::nearest_even) goes_up = below / unit % 2 != 0;
+  if (2 * rest == unit && rounding == GridRounding::half_up) goes_up = true;
+  return below + (goes_up ? unit : 0);
 }
 
 FineTriangle rounded(const FineTriangle& triangle, const MeasuredGrid& grid) {
+  const std::int64_t parts = parts_of(grid);
+  const std::int64_t unit = (parts / grid.odd_steps) << (kFineBits - grid.bits);
   FineTriangle placed;
+  placed.scale = scale_of(grid.sample, parts);
   for (std::size_t i = 0; i < 3; ++i) {
-    placed.x[i] = rounded(triangle.x[i] + grid.move_x, grid.bits, grid.x);
-    placed.y[i] = rounded(triangle.y[i] + grid.move_y, grid.bits, grid.y);
+    placed.x[i] = rounded(parts * (triangle.x[i] + grid.move_x), unit, grid.x);
+    placed.y[i] = rounded(parts * (triangle.y[i] + grid.move_y), unit, grid.y);
   }
   return placed;
 }
@@ -326,7 +434,7 @@ std::vector<FineDrawing> draw_grid_cases(Subject& subject) {
     std::vector<FineTriangle> triangles;
     triangles.reserve(kTriangles);
     for (int i = 0; i < kTriangles; ++i) {
-      triangles.push_back(near_sample(draw, k));
+      triangles.push_back(about_samples(subject, near_centre(draw, k)));
     }
     if (auto drawing = draw_fine(subject, triangles)) drawings.push_back(*std::move(drawing));
   }
@@ -340,27 +448,29 @@ GridFit fit_grid(const Subject& subject, const std::vector<FineDrawing>& drawing
   // wholly.
   constexpr int kFineGrid = 14;
   const bool is_whole =
-      least.mismatches == 0 && grid_votes(least.grid, {}, drawings).are_nearly_all();
+      least.mismatches == 0 && grid_votes(least.grid, search.none(), drawings).are_nearly_all();
   if (is_whole && least.grid.bits < kFineGrid) return least;
-  const GridFit none = fit_of_none(search, drawings);
-  if (none.mismatches == 0) return none;
-  if (is_whole && grid_votes(least.grid, none.grid, drawings).are_for_it()) return least;
-  GridFit best = none;
+  const FitsOfNone none = fits_of_none(search, drawings);
+  if (none.best.mismatches == 0) return none.best;
+  if (is_whole && grid_votes(least.grid, none.best.grid, drawings).are_for_it()) return least;
+  if (const auto found = search.other_grid()) return *found;
+  if (const auto found = search.grid_of_samples(none.moved.grid)) return *found;
+  GridFit best = none.best;
   for (int bits = cases::kMaxSubpixelBits; bits >= 0; --bits) {
     GridFit fit = search.best_rounding(bits);
     // Only the best grids are worth the search for a move.
     if (fit.mismatches > 0 && std::abs(bits - least.grid.bits) <= 1) {
-      MeasuredGrid moved = none.grid;
+      MeasuredGrid moved = none.best.grid;
       moved.bits = bits;
       const GridFit better = search.best_move(moved, kFinePixel >> bits);
       if (grid_votes(better.grid, fit.grid, drawings).are_for_it()) fit = better;
     }
     const bool is_better = grid_votes(fit.grid, best.grid, drawings).are_for_it();
-    if (is_better && grid_votes(fit.grid, {}, drawings).are_nearly_all()) best = fit;
+    if (is_better && grid_votes(fit.grid, search.none(), drawings).are_nearly_all()) best = fit;
   }
   best.is_explained = !best.grid.is_none() || best.most_wrong <= kFloatEdges;
   if (best.is_explained) return best;
-  GridFit unexplained = fit_of({}, drawings, std::numeric_limits<std::uint64_t>::max());
+  GridFit unexplained = none.unmoved;
   unexplained.is_explained = false;
   return unexplained;
 }
@@ -369,7 +479,8 @@ std::string to_string(const GridFit& fit) {
   const MeasuredGrid& grid = fit.grid;
   if (fit.samples == 0) return "not drawn";
   if (!fit.is_explained) {
-    return fmt::format("none of the grids 2^-0 to 2^-{} explains it", cases::kMaxSubpixelBits);
+    return fmt::format("none of the grids 2^-0 to 2^-{}, or of most others to 1/{}, explains it",
+                       cases::kMaxSubpixelBits, kMostOtherSteps);
   }
   const auto moves = [&grid](double unit, int digits) {
     return fmt::format("({:.{}g}, {:.{}g})", static_cast<double>(grid.move_x) / unit, digits,
@@ -387,10 +498,11 @@ std::string to_string(const GridFit& fit) {
   }
   const std::string x = name_of(grid.x);
   const std::string y = name_of(grid.y);
-  std::string text =
-      fmt::format("{} bits, {}", grid.bits, x == y ? x : x + " in x, " + y + " in y");
+  std::string text = grid.odd_steps == 1 ? fmt::format("{} bits", grid.bits)
+                                         : fmt::format("1/{} pixel", grid.steps());
+  text += ", " + (x == y ? x : x + " in x, " + y + " in y");
   if (grid.is_moved()) {
-    const auto unit = static_cast<double>(kFinePixel >> grid.bits);
+    const auto unit = static_cast<double>(kFinePixel) / grid.steps();
     text += fmt::format(", after a move by about {} grid units", moves(unit, 1));
   }
   return text;

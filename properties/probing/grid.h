@@ -11,6 +11,10 @@
 // same before they are rounded. Samples on an edge are left out here: ties_measure.cpp finds out
 // who owns them, from drawings of the same triangles.
 //
+// Samples are expected where the backend declares them. Grids of 2^-n pixels, and moves, are tried
+// first; then other grids of 1/n pixel; then samples on a point of a grid. A move of the samples
+// and a move of the positions look alike, except that positions are rounded after they are moved.
+//
 // The finest explanation is taken, and "none" is the finest of all: a coarser grid has to explain
 // much more of the samples about which the two disagree. A grid is named only if it is right about
 // (nearly) all samples about which it disagrees with "none".
@@ -26,21 +30,26 @@ namespace rastercheck::properties {
 /// Rounding of a coordinate to the grid; `down` and `up` are towards −∞ and +∞.
 enum class GridRounding { nearest_even, half_up, half_down, down, up };
 
-/// A grid of 2^-bits pixels; kFineBits bits mean no grid.
+/// A grid of 1/steps() pixel; kFineBits bits mean no grid.
 struct MeasuredGrid {
   int bits = kFineBits;
   GridRounding x = GridRounding::nearest_even;
   GridRounding y = GridRounding::nearest_even;
   std::int64_t move_x = 0;  ///< fine units by which all positions are moved before rounding
   std::int64_t move_y = 0;
+  int odd_steps = 1;  ///< odd; see cases::Snapping
+  cases::PixelFraction sample = kPixelCentre;
   bool is_moved() const { return move_x != 0 || move_y != 0; }
   bool is_none() const { return bits == kFineBits; }
+  int steps() const { return odd_steps << bits; }
   bool operator==(const MeasuredGrid&) const = default;
 };
 
-/// Rounds a fine coordinate to the grid; the result is in fine units.
-std::int64_t rounded(std::int64_t fine, int bits, GridRounding rounding);
+/// Rounds a coordinate to a multiple of `unit`.
+std::int64_t rounded(std::int64_t coordinate, std::int64_t unit, GridRounding rounding);
 
+/// Returns the triangle that a grid makes of fine positions, in units in which grid points are
+/// whole.
 FineTriangle rounded(const FineTriangle& triangle, const MeasuredGrid& grid);
 
 struct GridFit {

@@ -14,6 +14,8 @@ namespace rastercheck::properties {
 struct Sight {
   GridFit fit;
   std::vector<FineDrawing> drawings;  ///< from which the grid was measured
+  /// True if whole pixels are covered, as declared: no grid and no ties are measured then.
+  bool is_conservative = false;
   /// True if the backend rounds to the grid that a case asks for. Grid-dependent measures then use
   /// a grid of kAskedBits.
   bool follows_coverage = false;
@@ -35,6 +37,8 @@ void measure_evaluation(Subject& subject);
 void measure_clipping(Subject& subject);
 /// Measures how far out vertices may lie.
 void measure_reach(Subject& subject);
+/// Measures which of two fragments a depth test keeps.
+void measure_depth_test(Subject& subject);
 /// Measures the least and greatest usable numbers, including subnormal numbers and overflow.
 void measure_numbers(Subject& subject);
 /// Measures whether the same case gives the same picture, and which values are returned exactly.

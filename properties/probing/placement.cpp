@@ -37,7 +37,7 @@ class Prediction {
 
  private:
   Prediction(const FineTriangle& at, double margin)
-      : edges_(edges_of(at)), rows_(pixel_range(at.y)), margin_(margin) {}
+      : edges_(edges_of(at)), rows_(lines_of(at)), margin_(margin) {}
 
   FineEdges edges_;
   std::pair<int, int> rows_;

@@ -18,6 +18,7 @@
 #include <map>
 #include <utility>
 
+#include "properties/fitting.h"
 #include "properties/generator.h"
 #include "properties/probing/measures.h"
 
@@ -76,12 +77,14 @@ using DrawnByGenerator = std::map<std::string, std::vector<DrawnCase>>;
 DrawnByGenerator draw_all(Subject& subject) {
   DrawnByGenerator all;
   const AskedDrawing asked = subject.asked();
+  const cases::Capabilities capabilities = subject.capabilities();
   subject.ask(subject.options().asked);
   for (const Generator& generator : generators()) {
     const std::string name(generator.name);
     for (int i = 0; i < subject.options().cases && !subject.is_time_up(); ++i) {
-      MeasureDraw draw(subject, name, static_cast<std::uint64_t>(i));
+      MeasureDraw draw(subject, name, static_cast<std::uint64_t>(i), capabilities);
       cases::Case c = generator.make(draw);
+      fit_case(draw, c);
       subject.ask_of(c);
       if (!cases::promises_all_of(subject.contract(c), c)) continue;
       std::optional<DrawnCase> drawn = subject.drawn(c);
@@ -191,6 +194,19 @@ void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKin
       .contradicts = declared.is_constant() && all.excess > declared.constant;
 }
 
+/// Withdraws the promise that depths lie on one side, if some lie on the other.
+void measure_side_of_depth(Subject& subject, const DrawnByGenerator& drawn,
+                           const cases::ContractTerms& lax) {
+  const cases::DepthError declared = subject.declared().depth_error;
+  if (declared == cases::DepthError::either_side) return;
+  if (drawn.empty()) return;
+  const bool is_kept = is_within(subject, drawn, AttributeKind::depth, lax);
+  const char* const says =
+      declared == cases::DepthError::never_nearer ? "never nearer" : "never farther";
+  subject.add("side of depth", says, is_kept ? "kept" : "not kept").contradicts = !is_kept;
+  if (!is_kept) subject.result.terms.depth_error = cases::DepthError::either_side;
+}
+
 void measure_coverage(Subject& subject, const DrawnByGenerator& drawn) {
   std::uint64_t violated = 0;
   std::uint64_t checked = 0;
@@ -213,8 +229,13 @@ void measure_coverage(Subject& subject, const DrawnByGenerator& drawn) {
 
 void measure_precision(Subject& subject) {
   const DrawnByGenerator drawn = draw_all(subject);
-  cases::ContractTerms lax = subject.result.terms;
-  for (const AttributeKind kind : kKinds) bound_of(lax, kind) = cases::ValueBound{kUnbounded};
+  const auto unbounded = [&subject] {
+    cases::ContractTerms terms = subject.result.terms;
+    for (const AttributeKind kind : kKinds) bound_of(terms, kind) = cases::ValueBound{kUnbounded};
+    return terms;
+  };
+  measure_side_of_depth(subject, drawn, unbounded());
+  const cases::ContractTerms lax = unbounded();
   WorstByKind all;
   WorstByKind ordinary;
   std::map<std::string, WorstByKind> shown;
@@ -222,6 +243,9 @@ void measure_precision(Subject& subject) {
   // generator are measured as if the guard band cut no triangle.
   cases::ContractTerms uncut = lax;
   uncut.guard_band = std::numeric_limits<float>::max();
+  if (subject.contract(subject.base()).guard_beyond_viewport) {
+    uncut.guard_beyond_viewport = std::numeric_limits<float>::max();
+  }
   for (const auto& [name, some] : drawn) {
     const WorstByKind worst = worst_by_kind(subject, some, lax);
     for (const auto& [kind, one] : worst) {

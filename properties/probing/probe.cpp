@@ -30,16 +30,20 @@ std::vector<Step> steps() {
     return [measure](Subject& subject, Sight& /*sight*/) { measure(subject); };
   };
   return {
-      {{"subpixel grid and position error", {"coverage", "is_on_grid"}}, &measure_grid},
+      {{"subpixel grid and position error",
+        {"coverage", "is_on_grid", "sample_position", "conservative"}},
+       &measure_grid},
       {{"tie rule", {"tie_rule"}}, &measure_ties},
       {{"basis", {"basis"}}, &measure_basis},
       {{"planes and division", {}}, of(&measure_evaluation)},
-      {{"clipping", {"clip_tolerance"}}, of(&measure_clipping)},
-      {{"guard band", {"guard_band"}}, of(&measure_reach)},
+      {{"clipping", {"clip_tolerance", "culls_instead_of_clipping"}}, of(&measure_clipping)},
+      {{"guard band", {"guard_band", "guard_beyond_viewport"}}, of(&measure_reach)},
+      {{"depth test", {"depth_function"}}, of(&measure_depth_test)},
       {{"numbers", {"numbers"}}, of(&measure_numbers)},
-      {{"promises to the bit", {"keeps_constants", "keeps_equal_depth", "keeps_vertex_values"}},
+      {{"promises to the bit",
+        {"keeps_constants", "keeps_equal_depth", "keeps_vertex_values", "is_invariant"}},
        of(&measure_repetition)},
-      {{"errors of values", {"bounds"}}, of(&measure_precision)},
+      {{"errors of values", {"bounds", "depth_error"}}, of(&measure_precision)},
   };
 }
 

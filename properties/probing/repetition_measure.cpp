@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -23,6 +24,12 @@ struct RepetitionCounts {
   int checked = 0;
   int violated = 0;
   int not_checked = 0;  ///< cases of which the property says nothing, or that are not drawn
+  RepetitionCounts& operator+=(const RepetitionCounts& other) {
+    checked += other.checked;
+    violated += other.violated;
+    not_checked += other.not_checked;
+    return *this;
+  }
   /// Counts for a promise that is kept, or for one that is not.
   records::Sureness sureness() const {
     const int kept = checked - violated;
@@ -77,23 +84,29 @@ void measure_repetition(Subject& subject) {
       twice.sureness());
 
   const cases::Contract declared = subject.declared();
-  const auto keep = [&](const char* what, const char* law, bool is_declared,
+  const auto keep = [&](const char* what, std::initializer_list<const char*> laws, bool is_declared,
                         std::optional<bool> cases::ContractTerms::*term) {
     cases::ContractTerms promised = terms;
     promised.*term = true;
-    const RepetitionCounts counts = count_repetitions(subject, law, promised);
+    RepetitionCounts counts;
+    for (const char* const law : laws) counts += count_repetitions(subject, law, promised);
     const bool keeps = counts.checked > 0 && counts.violated == 0;
     const char* const measured = counts.checked == 0 ? "not seen" : keeps ? "kept" : "not kept";
     subject.add(what, is_declared ? "kept" : "not promised", measured, "", counts.sureness())
         .contradicts = is_declared && counts.violated > 0;
     terms.*term = keeps;
   };
-  keep("constants to the bit", "constants-stay-constant", declared.keeps_constants,
+  keep("constants to the bit", {"constants-stay-constant"}, declared.keeps_constants,
        &cases::ContractTerms::keeps_constants);
-  keep("equal depths", "equal-depth-stays-equal", declared.keeps_equal_depth,
+  keep("equal depths", {"equal-depth-stays-equal"}, declared.keeps_equal_depth,
        &cases::ContractTerms::keeps_equal_depth);
-  keep("values at vertices to the bit", "values-at-vertices-come-back",
+  keep("values at vertices to the bit", {"values-at-vertices-come-back"},
        declared.keeps_vertex_values, &cases::ContractTerms::keeps_vertex_values);
+  // It takes more cases to believe such a promise than to see it broken.
+  if (!declared.is_invariant) return;
+  keep("the same bits if scaled or culled",
+       {"a-power-of-two-changes-no-bit", "culled-and-unculled-partition"}, true,
+       &cases::ContractTerms::is_invariant);
 }
 
 }  // namespace rastercheck::properties

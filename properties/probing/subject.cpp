@@ -1,6 +1,7 @@
 #include "properties/probing/subject.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "oracle/judge.h"
@@ -25,6 +26,11 @@ cases::Contract held(const cases::Case& c, const backends::Backend& backend,
 }
 
 }  // namespace
+
+cases::PixelFraction in_lowest_terms(const cases::PixelFraction& at) {
+  const int common = std::gcd(std::gcd(at.x, at.y), at.parts);
+  return {at.x / common, at.y / common, at.parts / common};
+}
 
 CoverageTally& CoverageTally::operator+=(const CoverageTally& other) {
   required += other.required;
@@ -52,7 +58,7 @@ Result<void> Subject::choose_rules() {
     const Result<backends::Drawn> first = draw_promised(c, *backend_);
     ++result.drawings;
     if (first) {
-      sample_ = sample_points(c, first->contract).front();
+      sample_ = in_lowest_terms(first->contract.sample_position.value_or(kPixelCentre));
       return {};
     }
     if (chosen) chosen = tl::unexpected(first.error());

@@ -19,6 +19,9 @@
 
 namespace rastercheck::properties {
 
+inline constexpr cases::PixelFraction kPixelCentre{1, 1, 2};
+cases::PixelFraction in_lowest_terms(const cases::PixelFraction& at);
+
 /// A case and its drawing.
 struct DrawnCase {
   cases::Case source;
@@ -56,9 +59,10 @@ class Subject {
 
   /// A case of 64×64 pixels without vertices, with the settings of asked().
   cases::Case base() const;
-  /// Where the backend declares that a pixel's only sample lies, in pixels from its corner of least
-  /// window x and y.
-  const WindowPoint& sample() const { return sample_; }
+  /// Where a pixel's only sample lies, from its corner of least window x and y: as the backend
+  /// declares, until set_sample() says what was measured.
+  const cases::PixelFraction& sample() const { return sample_; }
+  void set_sample(const cases::PixelFraction& sample) { sample_ = sample; }
   /// The settings that all cases ask for.
   const AskedDrawing& asked() const { return asked_; }
   void ask(const AskedDrawing& asked) { asked_ = asked; }
@@ -95,7 +99,7 @@ class Subject {
   std::optional<cases::ContractTerms> terms_before_;
   ProbeOptions options_;
   AskedDrawing asked_;
-  WindowPoint sample_{0.5, 0.5};
+  cases::PixelFraction sample_ = kPixelCentre;
   mutable bool was_cut_short_ = false;
   cases::Rules rules_ = cases::Rules::vulkan;
 };
@@ -112,6 +116,10 @@ class MeasureDraw : public Draw {
  public:
   MeasureDraw(const Subject& subject, const std::string& measure, std::uint64_t index = 0)
       : Draw(subject.options().seed, "probe: " + measure, index) {}
+  /// For cases that are fitted to a backend with these capabilities, which must outlive this.
+  MeasureDraw(const Subject& subject, const std::string& measure, std::uint64_t index,
+              const cases::Capabilities& capabilities)
+      : Draw(subject.options().seed, "probe: " + measure, index, capabilities) {}
 };
 
 /// Stands for a declared value that contracts do not cover.

@@ -84,6 +84,30 @@ bool owns(TieRule rule, bool is_y_up, std::size_t x, std::size_t y) {
   return y == owned_y || (y == 1 && x == owned_x);
 }
 
+/// For a backend whose grid is unknown: `all` if some of its triangles are too large and none too
+/// small, so that samples near a shared edge are drawn twice; `none` the other way round.
+std::optional<TieRule> rule_of_sizes(const std::vector<FineDrawing>& drawings) {
+  bool has_extra = false;
+  bool has_missing = false;
+  for (const FineDrawing& drawing : drawings) {
+    for (std::size_t i = 0; i < drawing.triangles.size(); ++i) {
+      const FineTriangle& t = drawing.triangles[i];
+      if (area_of(t) == 0) continue;
+      const FineEdges edges = edges_of(t);
+      for (int y = 0; y < kFineSide; ++y) {
+        for (int x = 0; x < kFineSide; ++x) {
+          const double depth = depth_inside(edges, x, y);
+          const bool is_drawn = has(drawing.rows[i], x, y);
+          has_extra = has_extra || (is_drawn && depth < 0);
+          has_missing = has_missing || (!is_drawn && depth > 0);
+        }
+      }
+    }
+  }
+  if (has_extra == has_missing) return std::nullopt;
+  return has_extra ? TieRule::all : TieRule::none;
+}
+
 struct TieReading {
   std::optional<TieRule> rule;  ///< empty if ties were not seen, or not all went by one rule
   bool is_seen = false;
@@ -133,6 +157,7 @@ std::string declared_tie_rule(TieRule rule) {
 }  // namespace
 
 void measure_ties(Subject& subject, const Sight& sight) {
+  if (sight.is_conservative) return;
   // If no grid is known, ties are known only of vertices in the middle of pixels, which most grids
   // have points for: those of the first drawing.
   const auto known = [&sight](std::vector<FineDrawing> drawings) {
@@ -154,6 +179,16 @@ void measure_ties(Subject& subject, const Sight& sight) {
         rule != TieRule::unspecified && reading.is_seen && reading.rule != rule;
   };
   cases::ContractTerms& terms = subject.result.terms;
+  if (!sight.fit.is_explained) {
+    if (const auto rule = rule_of_sizes(sight.drawings)) {
+      subject
+          .add("tie rule", declared_tie_rule(declared()), std::string(name_of(*rule)),
+               "also for samples off the edges")
+          .contradicts = declared() != *rule && declared() != TieRule::unspecified;
+      terms.tie_rule = *rule;
+      return;
+    }
+  }
   if (said.fill_rule) {
     const TieReading reading =
         read(directions_of(sight.fit.grid, known(sight.drawings)), is_y_up, declared());

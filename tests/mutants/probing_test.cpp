@@ -9,6 +9,7 @@
 
 #include "backends/backend.h"
 #include "backends/factory.h"
+#include "cases/error.h"
 #include "properties/probing/probe.h"
 
 namespace rastercheck::mutants::probing_test {
@@ -33,16 +34,21 @@ std::ostream& operator<<(std::ostream& stream, const Known& known) {
 constexpr auto kIdeal = cases::Basis::ideal;
 constexpr auto kSnapped = cases::Basis::snapped;
 
+Result<records::Probe> probe_of(const std::string& specification, const Coverage& coverage,
+                                cases::Basis basis) {
+  const auto backend = backends::make_backend(specification);
+  if (!backend) return tl::unexpected(backend.error());
+  properties::ProbeOptions options;
+  options.cases = 4;
+  options.asked = {coverage, basis, cases::TieRule::top_left};
+  return properties::probe(specification, **backend, options, {});
+}
+
 class ProbeOfMutant : public ::testing::TestWithParam<Known> {
  protected:
   static records::Measured measured(const std::string& specification) {
     const Known& known = GetParam();
-    const auto backend = backends::make_backend(specification);
-    if (!backend) return {"", "", to_string(backend.error()), ""};
-    properties::ProbeOptions options;
-    options.cases = 4;
-    options.asked = {known.coverage, known.basis, cases::TieRule::top_left};
-    const auto probe = properties::probe(specification, **backend, options, {});
+    const auto probe = probe_of(specification, known.coverage, known.basis);
     if (!probe) return {"", "", to_string(probe.error()), ""};
     for (const records::Measured& row : probe->rows) {
       if (row.what == known.what) return row;
@@ -61,6 +67,14 @@ TEST_P(ProbeOfMutant, FindsItsDefect) {
   EXPECT_FALSE(unharmed.contradicts);
 }
 
+// A common fault, which ends the probe.
+TEST(ProbeOfTiesAlwaysInside, NamesInclusiveEdges) {
+  const auto probe = probe_of("mutant:ties-always-inside", Coverage(), kIdeal);
+  ASSERT_TRUE(probe.has_value()) << to_string(probe.error());
+  ASSERT_EQ(probe->faults.size(), 1U);
+  EXPECT_EQ(probe->faults[0].id, "inclusive-edges");
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Mutants, ProbeOfMutant,
     ::testing::Values(
@@ -75,7 +89,6 @@ INSTANTIATE_TEST_SUITE_P(
               "snapped"},
         Known{"snap-positions-in-24-bits", Snapping{8}, kIdeal, "greatest coordinate drawn right",
               "30720 pixels", "2^96 pixels or more", false},
-        Known{"ties-always-inside", Coverage(), kIdeal, "tie rule", "of another kind", "top_left"},
         Known{"vertex-value-interpolated", Coverage(), kIdeal, "values at vertices to the bit",
               "not kept", "kept"},
         Known{"rows-of-the-draw-before", Coverage(), kIdeal, "drawing twice", "other bits",

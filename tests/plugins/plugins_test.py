@@ -370,6 +370,17 @@ class Header(PluginTest):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
+def patched(test, patch):
+    """The source that a patch changes, changed."""
+    name = re.search(r"^--- a/(.*)$", patch.read_text(encoding="utf-8"), re.MULTILINE)[1]
+    source = test.folder / name
+    source.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(SOURCE / name, source)
+    done = test.run_command(PATCH, "--fuzz=0", "-p1", "--batch", "--input", patch)
+    test.assertEqual(done.returncode, 0, done.stdout)
+    return source
+
+
 class Mutants(PluginTest):
     def test_each_is_killed_by_the_law_it_names(self):
         patches = sorted(SOURCE.glob("tests/plugins/mutants/*.patch"))
@@ -380,12 +391,7 @@ class Mutants(PluginTest):
                 header = dict(re.findall(r"^(Defect|Killed by|Stage): (.*)$", patch.read_text(encoding="utf-8"),
                                          re.MULTILINE))
                 stages.add(header["Stage"])
-                name = re.search(r"^--- a/(.*)$", patch.read_text(encoding="utf-8"), re.MULTILINE)[1]
-                source = self.folder / name
-                source.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(SOURCE / name, source)
-                done = self.run_command(PATCH, "--fuzz=0", "-p1", "--batch", "--input", patch)
-                self.assertEqual(done.returncode, 0, done.stdout)
+                source = patched(self, patch)
                 plugin = self.build(source, patch.stem)
                 law = header["Killed by"]
                 said = self.rastercheck(1, "run", "--backend", plugin, "--property", law, "--seed", 1,
@@ -406,6 +412,57 @@ class Mutants(PluginTest):
         if not (self.folder / f"whole-{plugin}.so").exists():
             self.build(SOURCE / f"docs/examples/plugin/{plugin}.c", f"whole-{plugin}")
         return f"plugin:./whole-{plugin}.so"
+
+
+# Rows of a probe that say what no contract can, and how their text begins then.
+BEYOND_CONTRACTS = {"coverage as measured": "violated", "drawing twice": "other bits",
+                    "conservative coverage": "not kept"}
+
+
+class Probed(PluginTest):
+    """What a probe finds out of a plugin is true of it: the plugin, right or not, keeps the contract
+    that the probe writes, unless the probe says that it does not."""
+
+    def test_typical_plugins_keep_their_contracts(self):
+        for source in sorted(SOURCE.glob("tests/plugins/typical/*.c")):
+            for name, options in ((source.stem, []), (f"{source.stem}-breaks", ["-DBREAKS"])):
+                with self.subTest(name):
+                    self.check(self.build(source, name, *options), name)
+        self.assertEqual(self.faults, {"corner_samples-breaks": ["moved"]})
+        self.assertEqual(self.beyond, {"conservative-breaks": ["conservative coverage"]})
+
+    def test_mutants_keep_their_contracts(self):
+        if CASES < 1000:
+            self.skipTest("left to runs with more cases")
+        for patch in sorted(SOURCE.glob("tests/plugins/mutants/*.patch")):
+            source = patched(self, patch)
+            # Occlusion buffers draw nothing, and only hard cases show weights in float32.
+            if source.stem == "occlusion" or patch.stem == "weights-in-float32":
+                continue
+            with self.subTest(patch.stem):
+                self.check(self.build(source, patch.stem), patch.stem)
+        self.assertEqual(self.faults, {"half-a-pixel-off": ["moved"], "provoking-vertex-first": ["provoking-vertex"],
+                                       "one-edge-without-tie-rule": ["inclusive-edges"]})
+        self.assertEqual(self.beyond, {"provoking-vertex-of-the-draw-before": ["drawing twice"]})
+
+    def setUp(self):
+        super().setUp()
+        self.faults, self.beyond = {}, {}
+
+    def check(self, plugin, name):
+        done = self.run_command(RASTERCHECK, "probe", plugin, "--json", "--contract-out", f"{name}-contract.json")
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        found = json.loads(done.stdout)
+        if found["faults"]:
+            self.faults[name] = [fault["id"] for fault in found["faults"]]
+            return
+        beyond = [row["what"] for row in found["measured"]
+                  if row["measured"].startswith(BEYOND_CONTRACTS.get(row["what"], "\0"))]
+        if beyond:
+            self.beyond[name] = beyond
+            return
+        self.rastercheck(0, "run", "--backend", plugin, "--contract", f"{name}-contract.json", "--seed", 2,
+                         "--cases", 20, "--output", name)
 
 
 def find(test, program):

@@ -35,15 +35,26 @@ static float (*visible)[3];
 /* Grid units are below 2^23, so the sum is off by u 2^23, which is less than position_error. */
 static double half_up(double grid_units) { return floor(grid_units + 0.5); }
 
-/* The first pass: the rasterizer. */
+/* Rounds to float32. A cast alone may be lost: of two casts side by side, GCC 12 makes none at -O2.
+ */
+static float to_float(double weight) {
+  const volatile float rounded = (float)weight;
+  return rounded;
+}
+
+/* The first pass: the rasterizer. Its depth test compares the depths of the second pass: others,
+ * however precise, might keep another triangle. */
 static void visit(const rastercheck_draw* draw, rastercheck_output* out, const void* shape,
                   place at) {
   const triangle* t = shape;
   double s[3], b[3];
   edges_at(t, at, s);
   if (!covers(draw, t, s)) return;
-  if (!keep(draw, out, at.index, t->number, depth_at(draw, t->depth, s))) return;
   rastercheck_perspective_from_screen(draw, t->number, s, b);
+  for (int i = 0; i < 3; ++i) b[i] = to_float(b[i]);
+  rastercheck_screen_from_perspective(draw, t->number, b, s);
+  const float depth = rastercheck_depth_from_screen(draw, t->number, s);
+  if (!keep(draw, out, at.index, t->number, depth)) return;
   for (int i = 0; i < 3; ++i) visible[at.index][i] = (float)b[i];
 }
 

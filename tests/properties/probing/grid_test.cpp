@@ -90,14 +90,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "none: positions are not rounded, but moved by (0, -0.01) pixels"},
         Placing{"none, moved by 1/512", placing(moved_by(1.0 / 512)),
                 "none: positions are not rounded, but moved by (0.00195, 0.00195) pixels"},
-        Placing{"12 points a pixel", placing(nearest_of(12)),
-                "none of the grids 2^-0 to 2^-16 explains it"},
-        Placing{"10 points a pixel", placing(nearest_of(10)),
-                "none of the grids 2^-0 to 2^-16 explains it"},
-        Placing{"100 points a pixel", placing(nearest_of(100)),
-                "none of the grids 2^-0 to 2^-16 explains it"},
-        Placing{"3 points a pixel", placing(floor_of(3)),
-                "none of the grids 2^-0 to 2^-16 explains it"},
+        Placing{"12 points a pixel", placing(nearest_of(12)), "1/12 pixel, nearest_even"},
+        Placing{"10 points a pixel", placing(ceil_of(10)), "1/10 pixel, up"},
+        Placing{"100 points a pixel", placing(nearest_of(100)), "1/100 pixel, nearest_even"},
+        Placing{"3 points a pixel", placing(floor_of(3)), "1/3 pixel, down"},
+        Placing{"255 points a pixel", placing(nearest_of(255)),
+                "none of the grids 2^-0 to 2^-16, or of most others to 1/1024, explains it"},
         Placing{"16, nearest", placing(nearest_of(16)), "4 bits, nearest_even"},
         Placing{"16, floor", placing(floor_of(16)), "4 bits, down"},
         Placing{"256, floor", placing(floor_of(256)), "8 bits, down"},
@@ -170,9 +168,28 @@ TEST(GridFitOf, SaysHowSureItIs) {
   EXPECT_GT(sure.undecided, 0U);
 }
 
+// Samples that lie elsewhere than declared are found with the grid, if they are on one of its
+// points.
+TEST(GridOfSamples, IsFoundWithThem) {
+  const auto with_sample_at = [](const std::function<double(double)>& rounding, double place) {
+    return [=](double pixels) { return rounding(pixels) + 0.5 - place; };
+  };
+  Bent console(placing(with_sample_at(floor_of(12), 7.0 / 12)));
+  const MeasuredGrid of_console = fit_of(console).grid;
+  EXPECT_EQ(of_console.steps(), 12);
+  EXPECT_EQ(of_console.x, GridRounding::down);
+  EXPECT_EQ(of_console.sample, (cases::PixelFraction{7, 7, 12}));
+
+  Bent sixteenths(
+      placing(with_sample_at(nearest_of(16), 5.0 / 16), with_sample_at(nearest_of(16), 11.0 / 16)));
+  const MeasuredGrid of_sixteenths = fit_of(sixteenths).grid;
+  EXPECT_EQ(of_sixteenths.steps(), 16);
+  EXPECT_EQ(of_sixteenths.sample, (cases::PixelFraction{5, 11, 16}));
+}
+
 // A backend on no known grid gets a contract that it keeps, and no basis.
-TEST(GridOf12Points, IsCoveredByThePositionError) {
-  Bent backend(placing(nearest_of(12)));
+TEST(GridOf255Points, IsCoveredByThePositionError) {
+  Bent backend(placing(nearest_of(255)));
   ProbeOptions options;
   options.cases = 1;
   options.asked = {cases::Coverage(), cases::Basis::ideal, cases::TieRule::top_left};
@@ -185,7 +202,7 @@ TEST(GridOf12Points, IsCoveredByThePositionError) {
   ASSERT_TRUE(coverage->has_value());
   const double pixels =
       std::ldexp(double{(*coverage)->position_error}, -(*coverage)->subpixel_bits);
-  EXPECT_GE(pixels, 1.0 / 32);  // a position is moved by up to 1/24
+  EXPECT_GE(pixels, 1.0 / 512);  // a position is moved by up to 1/510
   EXPECT_EQ(result->terms.basis, cases::Term<cases::Basis>(cases::Basis::unspecified));
 }
 

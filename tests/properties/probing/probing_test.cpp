@@ -79,16 +79,16 @@ constexpr std::int64_t kPixel = std::int64_t{1} << kFineBits;
 TEST(FineGrid, GoesToTheNearestPoint) {
   const std::int64_t unit = kPixel / 4;  // of a 2-bit grid
   const std::int64_t midway = 5 * unit + unit / 2;
-  EXPECT_EQ(rounded(midway - 1, 2, GridRounding::half_up), 5 * unit);
-  EXPECT_EQ(rounded(midway, 2, GridRounding::half_up), 6 * unit);
-  EXPECT_EQ(rounded(midway, 2, GridRounding::half_down), 5 * unit);
-  EXPECT_EQ(rounded(midway, 2, GridRounding::nearest_even), 6 * unit);
-  EXPECT_EQ(rounded(midway + unit, 2, GridRounding::nearest_even), 6 * unit);
-  EXPECT_EQ(rounded(midway + 1, 2, GridRounding::down), 5 * unit);
-  EXPECT_EQ(rounded(5 * unit + 1, 2, GridRounding::up), 6 * unit);
-  EXPECT_EQ(rounded(5 * unit, 2, GridRounding::up), 5 * unit);
-  EXPECT_EQ(rounded(-1, 2, GridRounding::down), -unit);
-  EXPECT_EQ(rounded(midway + 1, kFineBits, GridRounding::down), midway + 1);
+  EXPECT_EQ(rounded(midway - 1, unit, GridRounding::half_up), 5 * unit);
+  EXPECT_EQ(rounded(midway, unit, GridRounding::half_up), 6 * unit);
+  EXPECT_EQ(rounded(midway, unit, GridRounding::half_down), 5 * unit);
+  EXPECT_EQ(rounded(midway, unit, GridRounding::nearest_even), 6 * unit);
+  EXPECT_EQ(rounded(midway + unit, unit, GridRounding::nearest_even), 6 * unit);
+  EXPECT_EQ(rounded(midway + 1, unit, GridRounding::down), 5 * unit);
+  EXPECT_EQ(rounded(5 * unit + 1, unit, GridRounding::up), 6 * unit);
+  EXPECT_EQ(rounded(5 * unit, unit, GridRounding::up), 5 * unit);
+  EXPECT_EQ(rounded(-1, unit, GridRounding::down), -unit);
+  EXPECT_EQ(rounded(midway + 1, 1, GridRounding::down), midway + 1);
 }
 
 TEST(FineGrid, KnowsWhereSamplesLie) {
@@ -216,7 +216,9 @@ TEST(ProbeOfBent, FindsAGridThatNobodyAskedFor) {
   };
   const records::Probe probe = probe_of(bending, {});
   EXPECT_EQ(measured(probe, "subpixel grid"), "6 bits, nearest_even");
-  EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(Coverage(Snapping{6})));
+  // Errors below 2^-18 pixels are not seen.
+  const Snapping seen{6, cases::Rounding::nearest_even, 0x1p-12F};
+  EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(Coverage(seen)));
   EXPECT_EQ(measured(probe, "tie rule if top_left is requested"),
             "no row tie rule if top_left is requested");
   EXPECT_EQ(probe.terms.tie_rule, cases::Term<TieRule>(TieRule::bottom_left));

@@ -53,7 +53,7 @@ TEST(TimeLimit, KeepsWholeMeasuresOnly) {
   const records::Probe whole = ended_after(kNeverUp, &all);
   EXPECT_THAT(whole.unmeasured, IsEmpty());
   const std::vector<std::string> names = names_of(ended_after(0).unmeasured);
-  ASSERT_EQ(names.size(), 9U);
+  ASSERT_EQ(names.size(), 10U);
   std::vector<std::size_t> left;
   constexpr std::uint64_t kSteps = 12;
   for (std::uint64_t i = 1; i < kSteps; ++i) {
@@ -76,7 +76,8 @@ TEST(TimeLimit, LeavesTermsOutThatWereNotMeasured) {
   EXPECT_THAT(probe.rows, IsEmpty());
   EXPECT_EQ(probe.measures, 0U);
   EXPECT_FALSE(probe.terms.coverage || probe.terms.tie_rule || probe.terms.basis);
-  EXPECT_THAT(probe.unmeasured[0].keys, ElementsAre("coverage", "is_on_grid"));
+  EXPECT_THAT(probe.unmeasured[0].keys,
+              ElementsAre("coverage", "is_on_grid", "sample_position", "conservative"));
   EXPECT_THAT(probe.unmeasured[1].keys, ElementsAre("tie_rule"));
 }
 
@@ -106,7 +107,7 @@ TEST(TimeLimit, TellsWhichMeasureComesNext) {
   const auto backend = backends::make_backend("cpu");
   const auto progress = [&told](std::uint64_t done, std::uint64_t all, const std::string& what) {
     EXPECT_EQ(done, told.size());
-    EXPECT_EQ(all, 9U);
+    EXPECT_EQ(all, 10U);
     told.push_back(what);
   };
   ASSERT_TRUE(probe("cpu", **backend, quick(), progress).has_value());
