@@ -8,7 +8,8 @@ namespace rastercheck::properties {
 namespace {
 
 /// Returns the pixels that have these coordinates, and one more on either side.
-std::pair<int, int> pixels_of(const std::array<std::int64_t, 3>& coordinates, std::int64_t pixel) {
+std::pair<int, int> pixels_near(const std::array<std::int64_t, 3>& coordinates,
+                                std::int64_t pixel) {
   const auto [least, most] = std::minmax_element(coordinates.begin(), coordinates.end());
   const auto begin = static_cast<int>(*least / pixel) - 1;
   const auto end = static_cast<int>(*most / pixel) + 2;
@@ -52,8 +53,8 @@ double depth_inside(const FineEdges& edges, int x, int y) {
   return least;
 }
 
-std::pair<int, int> columns_of(const FineTriangle& t) { return pixels_of(t.x, t.scale.pixel); }
-std::pair<int, int> lines_of(const FineTriangle& t) { return pixels_of(t.y, t.scale.pixel); }
+std::pair<int, int> columns_of(const FineTriangle& t) { return pixels_near(t.x, t.scale.pixel); }
+std::pair<int, int> lines_of(const FineTriangle& t) { return pixels_near(t.y, t.scale.pixel); }
 
 FinePlace place_in(const FineTriangle& triangle, int x, int y) {
   FinePlace place;

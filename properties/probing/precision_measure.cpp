@@ -203,7 +203,9 @@ void measure_side_of_depth(Subject& subject, const DrawnByGenerator& drawn,
   const bool is_kept = is_within(subject, drawn, AttributeKind::depth, lax);
   const char* const says =
       declared == cases::DepthError::never_nearer ? "never nearer" : "never farther";
-  subject.add("side of depth", says, is_kept ? "kept" : "not kept").contradicts = !is_kept;
+  const records::Sureness sureness = sure_of("generators", drawn.size());
+  subject.add("side of depth", says, is_kept ? "kept" : "not kept", "", sureness).contradicts =
+      !is_kept;
   if (!is_kept) subject.result.terms.depth_error = cases::DepthError::either_side;
 }
 

@@ -79,6 +79,7 @@ void add_far_through_samples(const Subject& subject, Draw& draw, cases::Case& c,
   const bool is_steep = draw.one_in(2);
   const double side = draw.one_in(2) ? 1 : -1;
   const double steps = std::floor(square.reach() / std::max(std::abs(run), std::abs(rise)));
+  if (steps == 0) return;  // too near for a long edge
   const double u = steps * (is_steep ? rise : run);
   const double v = steps * (is_steep ? run : rise);
   add_triangle(c, at_window(c, {x + u, y + v}, 0.5F, 1), at_window(c, {x - u, y - v}, 0.5F, 1),
