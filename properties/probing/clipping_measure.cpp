@@ -179,6 +179,7 @@ void measure_clipping(Subject& subject) {
   const std::string units =
       declared.coverage ? fmt::format("{:g} grid units", declared.clip_tolerance) : kNotDeclared;
   std::vector<std::vector<DrawnCase>> by_plane;
+  by_plane.reserve(kPlanes.size());
   for (const Cut& cut : kPlanes) {
     by_plane.push_back(draw_cut(subject, cut.name, cut.make, cut.vertices));
   }

@@ -100,8 +100,8 @@ void measure_depth_test(Subject& subject) {
                                                   : "not drawn";
   subject.add("depth test", text_of(declared), measured, "", reading.sureness).contradicts =
       reading.is_drawn && reading.kept != declared;
-  if (reading.kept && *reading.kept != declared) {
-    subject.result.terms.depth_function = *reading.kept;
+  if (reading.kept && reading.kept != declared) {
+    subject.result.terms.depth_function = reading.kept;
   }
 }
 

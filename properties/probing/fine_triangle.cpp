@@ -20,8 +20,9 @@ std::pair<int, int> pixels_near(const std::array<std::int64_t, 3>& coordinates,
 
 FineScale scale_of(const cases::PixelFraction& sample, std::int64_t parts) {
   const std::int64_t pixel = parts * kFinePixel;
-  const auto units = [&](int numerator) {
-    return (2 * numerator * pixel + sample.parts) / (2 * sample.parts);
+  const std::int64_t of = sample.parts;
+  const auto units = [&](std::int64_t numerator) {
+    return (2 * numerator * pixel + of) / (2 * of);
   };
   return {pixel, units(sample.x), units(sample.y)};
 }
