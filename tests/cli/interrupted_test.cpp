@@ -19,6 +19,7 @@ namespace {
 
 using nlohmann::json;
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -111,7 +112,9 @@ TEST_P(Interrupted, OnceWritesWhatItHas) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run ended early: "), HasSubstr("Again: ")));
   const json run = json::parse(folder_.content("out/run.json"));
   EXPECT_GT(run.at("cases_left"), 0);
-  EXPECT_EQ(run.at("counterexamples").size(), 1U);
+  // One, or more where the cases done before the signal fail in several ways.
+  EXPECT_FALSE(run.at("counterexamples").empty());
+  EXPECT_EQ(folder_.files("out/counterexamples").size(), run.at("counterexamples").size());
   EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("The run ended early: "));
   EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("The run ended early: "));
   EXPECT_TRUE(std::filesystem::exists(out("unfinished.json")));
@@ -202,10 +205,12 @@ TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
   next[2] = "cpu";
   const Outcome outcome = run_damaged_program(next);
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("an unfinished run, which this one replaces"),
-                                 HasSubstr("counterexamples kept from it: 1")));
-  EXPECT_THAT(folder_.files("out/counterexamples"),
-              ElementsAre("earlier/coverage-obeys-the-contract-damaged-slow-missing.json"));
+  EXPECT_THAT(outcome.err, HasSubstr("an unfinished run, which this one replaces"));
+  // One, or more if the run had time for it.
+  const std::vector<std::string> kept = folder_.files("out/counterexamples");
+  EXPECT_THAT(kept, Contains("earlier/coverage-obeys-the-contract-damaged-slow-missing.json"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("counterexamples kept from it: " + std::to_string(kept.size()) + "\n"));
 }
 
 TEST_P(Interrupted, GoesOnOnlyAsItWasBegun) {

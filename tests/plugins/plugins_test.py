@@ -423,6 +423,8 @@ class Probed(PluginTest):
     """What a probe finds out of a plugin is true of it: the plugin, right or not, keeps the contract
     that the probe writes, unless the probe says that it does not."""
 
+    maxDiff = None
+
     def test_typical_plugins_keep_their_contracts(self):
         for source in sorted(SOURCE.glob("tests/plugins/typical/*.c")):
             for name, options in ((source.stem, []), (f"{source.stem}-breaks", ["-DBREAKS"])):
@@ -443,7 +445,11 @@ class Probed(PluginTest):
                 self.check(self.build(source, patch.stem), patch.stem)
         self.assertEqual(self.faults, {"half-a-pixel-off": ["moved"], "provoking-vertex-first": ["provoking-vertex"],
                                        "one-edge-without-tie-rule": ["inclusive-edges"]})
-        self.assertEqual(self.beyond, {"provoking-vertex-of-the-draw-before": ["drawing twice"]})
+        self.assertEqual(self.beyond, {
+            "provoking-vertex-of-the-draw-before": ["drawing twice"],
+            **dict.fromkeys(("first-clip-distance-only", "front-face-ignored", "near-plane-at-zero",
+                             "sample-positions-ignored", "scissor-one-too-wide", "snapping-truncates",
+                             "viewport-upside-down"), ["coverage as measured"])})
 
     def setUp(self):
         super().setUp()
