@@ -9,24 +9,6 @@
 namespace rastercheck::cases {
 namespace {
 
-/// Puts the API's provoking vertex where our rules look for it: last under OpenGL, first under
-/// Vulkan. In a Vulkan fan, the provoking vertex is the one after the centre. Nothing is culled, so
-/// the winding does not matter.
-std::vector<Triangle> triangles_of(const DeqpDrawing& drawing, bool is_vulkan) {
-  std::vector<Triangle> triangles;
-  const auto count = static_cast<std::uint32_t>(drawing.vertices.size());
-  const std::uint32_t step = drawing.topology == DeqpTopology::list ? 3 : 1;
-  for (std::uint32_t i = 0; i + 2 < count; i += step) {
-    const bool is_fan = drawing.topology == DeqpTopology::fan;
-    if (is_fan && is_vulkan) {
-      triangles.push_back({i + 1, i + 2, 0});
-    } else {
-      triangles.push_back({is_fan ? 0 : i, i + 1, i + 2});
-    }
-  }
-  return triangles;
-}
-
 /// Returns the layout of a drawing's picture. Its first row has window y = 0, which is at the
 /// bottom in OpenGL. Alpha is not judged, because default framebuffers need not have it.
 PictureLayout layout_of_drawing(const DeqpDrawing& drawing, bool is_vulkan) {
@@ -68,7 +50,8 @@ Case case_of(const DeqpTest& test, const DeqpDrawing& drawing) {
       c.attribute_values.push_back((*vertex.color)[i].value);
     }
   }
-  c.triangles = triangles_of(drawing, test.is_vulkan());
+  c.triangles =
+      triangles_of(drawing.topology, static_cast<std::uint32_t>(drawing.vertices.size()), c.rules);
   c.picture = layout_of_drawing(drawing, test.is_vulkan());
   return c;
 }

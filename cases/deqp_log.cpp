@@ -225,17 +225,17 @@ bool TestReader::is_of_something_else(std::string_view text) {
 bool TestReader::begins_drawing(std::string_view text) {
   const std::string_view name =
       std::string_view(test_.path).substr(std::min(test_.path.rfind('.') + 1, test_.path.size()));
-  std::optional<DeqpTopology> topology;
-  if (text.starts_with("Rendering triangle strip")) topology = DeqpTopology::strip;
-  if (text.starts_with("Rendering triangle fan")) topology = DeqpTopology::fan;
+  std::optional<Topology> topology;
+  if (text.starts_with("Rendering triangle strip")) topology = Topology::strip;
+  if (text.starts_with("Rendering triangle fan")) topology = Topology::fan;
   if (text.starts_with("Rendering ") && text.ends_with(" triangle(s):")) {
-    topology = DeqpTopology::list;
+    topology = Topology::triangles;
   }
   if (text == "Generated vertices:") {
     // These messages do not say how vertices form primitives; the test's name does.
-    if (name.starts_with("triangle_strip")) topology = DeqpTopology::strip;
-    if (name.starts_with("triangle_fan")) topology = DeqpTopology::fan;
-    if (name.starts_with("triangles")) topology = DeqpTopology::list;
+    if (name.starts_with("triangle_strip")) topology = Topology::strip;
+    if (name.starts_with("triangle_fan")) topology = Topology::fan;
+    if (name.starts_with("triangles")) topology = Topology::triangles;
     if (!topology) refuse("draws lines or points");
   }
   if (!topology) return false;
@@ -276,7 +276,7 @@ void TestReader::finish_drawing() {
   DeqpDrawing drawing = *std::exchange(drawing_, std::nullopt);
   std::vector<DeqpVertex>& vertices = drawing.vertices;
   const bool has_colors = !vertices.empty() && vertices.front().color.has_value();
-  const bool is_list = drawing.topology == DeqpTopology::list;
+  const bool is_list = drawing.topology == Topology::triangles;
   if (vertices.size() < 3 || (is_list && vertices.size() % 3 != 0)) {
     return refuse("the log lacks vertices");
   }

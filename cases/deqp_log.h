@@ -35,11 +35,9 @@
 
 #include "cases/case.h"
 #include "cases/error.h"
+#include "cases/topology.h"
 
 namespace rastercheck::cases {
-
-/// How vertices form triangles.
-enum class DeqpTopology { list, strip, fan };
 
 /// A number from the log: the float32 nearest to the printed number, and how far the number that
 /// was drawn may be from it.
@@ -66,7 +64,7 @@ struct DeqpImage {
 /// One drawing of a test, and the picture of this drawing that the test judged.
 struct DeqpDrawing {
   std::string section;  ///< "Test iteration 1 / 3"; empty outside of sections
-  DeqpTopology topology = DeqpTopology::list;
+  Topology topology = Topology::triangles;
   std::vector<DeqpVertex> vertices;
   DeqpImage image;
 };

@@ -1,78 +1,180 @@
-// `rastercheck import MESH`: turns a mesh into a case file.
+// `rastercheck import FILE`: turns a mesh, or a file of another program, into a case file.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "cases/case_writer.h"
 #include "cases/files.h"
+#include "cases/import_process.h"
+#include "cases/mesh_reader.h"
 #include "cases/names.h"
 #include "cli/command.h"
 #include "cli/mesh_file.h"
 #include "cli/output.h"
+#include "cli/own_program.h"
 
 namespace rastercheck::cli::import_command {
 namespace {
 
 struct Options {
   std::string file;
-  cases::MeshOptions mesh;
-  std::string rules = "vulkan";
+  cases::ImportOptions known;
   std::string format;
   std::string output = "-";
   bool quiet = false;
 };
 
-ExitCode run(Options options) {
-  options.mesh.rules = cases::from_name<cases::Rules>(options.rules).value_or(cases::Rules::vulkan);
-  const Result<cases::Case> c = case_from_mesh_file(options.file, options.format, options.mesh);
-  if (!c) return fail(c.error());
-  if (options.output == "-") {
-    fmt::print("{}", cases::to_json(*c));
-    return ExitCode::ok;
+/// Returns a case with a camera that frames a mesh.
+Result<cases::Imported> import_mesh(const Options& options) {
+  const cases::ImportOptions& known = options.known;
+  if (known.viewport || known.topology || known.cull || known.front_face || known.samples ||
+      !known.flat.empty() || !known.noperspective.empty()) {
+    return tl::unexpected(Error{options.file, "",
+                                "is a mesh, whose case takes no options but --width, --height, "
+                                "--rules and --format"});
   }
-  const Result<void> written = check_output_file(options.output, options.file).and_then([&] {
-    return cases::write_file(options.output, cases::to_json(*c));
+  cases::MeshOptions mesh;
+  mesh.width = known.width.value_or(mesh.width);
+  mesh.height = known.height.value_or(mesh.height);
+  mesh.rules = known.rules.value_or(mesh.rules);
+  return case_from_mesh_file(options.file, options.format, mesh).map([](cases::Case&& c) {
+    return cases::Imported{std::move(c), {}};
   });
-  return written ? ExitCode::ok : fail(written.error());
+}
+
+Result<cases::Imported> import_other(const Options& options) {
+  const cases::ProcessLimits limits = cases::default_reader_limits();
+  std::vector<std::string> command{kOwnProgram, "import-reader",
+                                   "--options=" + cases::to_json(options.known)};
+  if (!options.format.empty()) command.push_back("--format=" + options.format);
+  // After "--" a file name may begin with any character, even with "-".
+  command.insert(command.end(), {"--", options.file});
+  return cases::import_of_process(command, options.file, limits);
+}
+
+/// True if an importer reads the file, else assimp. Standard input can be read once only, so its
+/// format must be named.
+Result<bool> is_for_importer(const Options& options) {
+  if (cases::find_importer(options.format) != nullptr) return true;
+  if (options.file == "-" || !options.format.empty() || cases::is_mesh_file(options.file)) {
+    return false;
+  }
+  return cases::read_text(options.file).map([](const std::string& text) {
+    return cases::importer_of(text) != nullptr;
+  });
+}
+
+ExitCode run(const Options& options) {
+  const auto is_other = is_for_importer(options);
+  if (!is_other) return fail(is_other.error());
+  const auto imported = *is_other ? import_other(options) : import_mesh(options);
+  if (!imported) return fail(imported.error());
+  if (options.output == "-") {
+    fmt::print("{}", cases::to_json(imported->drawn));
+  } else {
+    const Result<void> written = check_output_file(options.output, options.file).and_then([&] {
+      return cases::write_file(options.output, cases::to_json(imported->drawn));
+    });
+    if (!written) return fail(written.error());
+  }
+  if (options.quiet) return ExitCode::ok;
+  for (const std::string& note : imported->notes) {
+    print_problem(fmt::format("rastercheck: {}: {}\n", options.file, note));
+  }
+  return ExitCode::ok;
+}
+
+template <typename Enum>
+void add_choice(CLI::App& app, const std::string& name, std::optional<Enum>& value,
+                const std::string& help, const std::string& type) {
+  constexpr auto kNames = names_of(Enum{});
+  app.add_option_function<std::string>(
+         name, [&value](const std::string& word) { value = cases::from_name<Enum>(word); }, help)
+      ->type_name(type)
+      ->check(CLI::IsMember(std::vector<std::string>(kNames.begin(), kNames.end())));
+}
+
+std::string format_names() {
+  std::string names;
+  for (const cases::Importer& importer : cases::importers()) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", importer.name);
+  }
+  return names;
 }
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MESH", options->file,
-                 "Mesh file: OBJ, PLY, OFF, glTF, 3DS or another format that assimp reads; - reads "
-                 "standard input")
+  cases::ImportOptions& known = options->known;
+  app.add_option("FILE", options->file,
+                 "Mesh (OBJ, PLY, OFF, glTF, 3DS or another format that assimp reads) or one of "
+                 "the formats below; - reads standard input")
       ->type_name(kFile)
       ->required();
-  app.add_option("--width", options->mesh.width, "Width of the picture, in pixels")
-      ->check(CLI::Range(1, cases::kMaxSize))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--height", options->mesh.height, "Height of the picture, in pixels")
-      ->check(CLI::Range(1, cases::kMaxSize))
-      ->type_name("N")
-      ->capture_default_str();
-  const auto names = names_of(cases::Rules{});
-  app.add_option("--rules", options->rules, "API whose rules the case follows")
-      ->type_name("API")
-      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
-      ->capture_default_str();
+  for (auto* size : {&known.width, &known.height}) {
+    const bool is_width = size == &known.width;
+    app.add_option(
+           is_width ? "--width" : "--height", *size,
+           fmt::format("{} of the picture, in pixels; default: 512", is_width ? "Width" : "Height"))
+        ->check(CLI::Range(1, cases::kMaxSize))
+        ->type_name("N");
+  }
+  app.add_option("--samples", known.samples, "Samples per pixel; default: 1")
+      ->check(CLI::IsMember(std::vector<int>{1, 2, 4, 8, 16}))
+      ->type_name("N");
+  app.add_option_function<std::vector<float>>(
+         "--viewport",
+         [options](const std::vector<float>& numbers) {
+           options->known.viewport.emplace();
+           std::copy_n(numbers.begin(), 4, options->known.viewport->begin());
+         },
+         "Viewport, in pixels; default: the whole picture")
+      ->delimiter(',')
+      ->expected(4)
+      ->check(CLI::Range(-double{cases::kMaxSize}, double{cases::kMaxSize}))
+      ->type_name("X,Y,W,H");
+  add_choice(app, "--rules", known.rules,
+             "API whose rules the case follows; default: vulkan, or what the file shows", "API");
+  add_choice(app, "--topology", known.topology,
+             "How vertices form triangles; default: what the file shows", "NAME");
+  add_choice(app, "--cull", known.cull, "Faces that are not drawn; default: none", "NAME");
+  add_choice(app, "--front-face", known.front_face,
+             "Orientation of front faces, as displayed; default: ccw", "NAME");
+  app.add_option("--flat", known.flat, "Attribute that does not vary over a triangle; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  app.add_option("--noperspective", known.noperspective,
+                 "Attribute that varies linearly in the window; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
   app.add_option("--format", options->format,
-                 "Format of standard input, as a file's ending, such as obj")
-      ->type_name("ENDING");
+                 fmt::format("Format of the file: {}, or a mesh file's ending, such as obj; "
+                             "default: what its name or content shows",
+                             format_names()))
+      ->type_name("NAME");
   app.add_option("--output", options->output, "Case file to write; - prints it")
       ->type_name(kFile)
       ->capture_default_str();
-  app.add_flag("-q,--quiet", options->quiet, "Accepted for consistency; has no effect");
+  app.add_flag("-q,--quiet", options->quiet, "Do not say what was guessed or left out");
+  std::string formats = "Formats:\n";
+  for (const cases::Importer& importer : cases::importers()) {
+    formats += fmt::format("  {:14} {}\n", importer.name, importer.summary);
+  }
   app.footer(
-      "Prints a case that draws the mesh with a camera that frames it.\n\n"
-      "Example:\n"
-      "  rastercheck import bunny.obj --width 256 --height 256 --output bunny.json");
+      "Prints a case. A mesh gets a camera that frames it; a file of another program is drawn as "
+      "it says, and what it does not say is guessed. Each guess is told, with the option that "
+      "sets it otherwise.\n\n" +
+      formats +
+      "\nExamples:\n"
+      "  rastercheck import bunny.obj --width 256 --height 256 --output bunny.json\n"
+      "  rastercheck import draw.csv --width 1920 --height 1080 --output draw.json");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("import", "Convert a mesh to a case file", &set_up);
+const Registration kRegistration("import", "Convert a mesh, or a captured draw, to a case file",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli::import_command

@@ -106,7 +106,7 @@ TEST(DeqpLog, TopologyFollowsTheTestsName) {
                                  : case_of(test, test.drawings[0]).triangles;
   };
   EXPECT_EQ(triangles(kTest + std::string("triangle_strip")),
-            (std::vector<Triangle>{{0, 1, 2}, {1, 2, 3}}));
+            (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
   EXPECT_EQ(triangles(kTest + std::string("triangle_fan")),
             (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
   // The provoking vertex of Vulkan is the first.

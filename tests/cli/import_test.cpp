@@ -108,6 +108,50 @@ TEST(Import, AFileThatNeedsTooMuchMemoryIsRefusedInOneLine) {
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
 }
 
+// Kills: guesses that nobody is told, a captured draw read as a mesh.
+TEST(Import, ReadsADrawThatRenderDocExported) {
+  const TemporaryFolder folder;
+  const std::string draw = folder.put("draw.csv",
+                                      "VTX, IDX, gl_Position.x, gl_Position.y, uv.x\n"
+                                      "0, 0, -1.00, -1.00, 0.1\n1, 1, 3.00, -1.00, 0\n"
+                                      "2, 2, -1.00, 3.00, 1\n");
+  const Outcome imported = run_program({"import", draw, "--width", "8", "--height", "4"});
+  ASSERT_EQ(imported.code, 0) << imported;
+  EXPECT_EQ(imported.err, "rastercheck: " + draw +
+                              ": rules of vulkan (--rules)\nrastercheck: " + draw +
+                              ": a list of triangles, because 3 vertices are a multiple of three "
+                              "(--topology)\n");
+  const auto c = cases::parse_case(imported.out, "-");
+  ASSERT_TRUE(c) << to_string(c.error());
+  EXPECT_EQ(c->framebuffer, (cases::FramebufferSize{8, 4, 1}));
+  const Outcome held = run_program({"replay", "-", "--backend", "cpu", "-q"}, imported.out);
+  EXPECT_EQ(held.code, 0) << held;
+  // Standard input, all said.
+  const Outcome quiet =
+      run_program({"import",    "-",          "--format", "renderdoc-csv", "--rules",
+                   "d3d",       "--topology", "strip",    "--viewport",    "1,0,6.5,-4",
+                   "--samples", "4",          "--cull",   "back",          "--front-face",
+                   "cw",        "--flat",     "uv",       "--width",       "8",
+                   "--height",  "4"},
+                  folder.content("draw.csv"));
+  EXPECT_EQ(quiet.code, 0) << quiet;
+  EXPECT_EQ(quiet.err, "");
+  const auto said = cases::parse_case(quiet.out, "-");
+  ASSERT_TRUE(said) << to_string(said.error());
+  EXPECT_EQ(said->viewport, (cases::Viewport{1, 0, 6.5F, -4, 0, 1}));
+  EXPECT_EQ(said->attributes[0].interpolation, cases::Interpolation::flat);
+}
+
+TEST(Import, RefusesOptionsThatDoNotApply) {
+  const Outcome outcome = run_program({"import", square_mesh(), "--topology", "strip"});
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  EXPECT_NE(outcome.err.find("is a mesh, whose case takes no options but"), std::string::npos);
+  for (const char* viewport : {"1,2,3", "1,2,3,4,5", "a,b,c,d", "1,2,inf,4", "1,2,99999,4"}) {
+    EXPECT_TRUE(is_failure(run_program({"import", square_mesh(), "--viewport", viewport}), 2))
+        << viewport;
+  }
+}
+
 TEST(Import, AFileNameMayBeginLikeAnOption) {
   const Outcome outcome = run_program({"import", "--", "--no-such.obj"});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;

@@ -447,16 +447,18 @@ class Probed(PluginTest):
                                        "one-edge-without-tie-rule": ["inclusive-edges"]})
         self.assertEqual(self.beyond, {
             "provoking-vertex-of-the-draw-before": ["drawing twice"],
-            **dict.fromkeys(("first-clip-distance-only", "front-face-ignored", "near-plane-at-zero",
-                             "sample-positions-ignored", "scissor-one-too-wide", "snapping-truncates",
-                             "viewport-upside-down"), ["coverage as measured"])})
+            **dict.fromkeys(("first-clip-distance-only", "front-face-ignored", "last-column-lost",
+                             "near-plane-at-zero", "sample-positions-ignored", "scissor-one-too-wide",
+                             "snapping-truncates", "viewport-upside-down"), ["coverage as measured"])})
 
     def setUp(self):
         super().setUp()
         self.faults, self.beyond = {}, {}
 
     def check(self, plugin, name):
-        done = self.run_command(RASTERCHECK, "probe", plugin, "--json", "--contract-out", f"{name}-contract.json")
+        # On a busy machine the usual time ends before the last measures.
+        done = self.run_command(RASTERCHECK, "probe", plugin, "--json", "--seconds", 600,
+                                "--contract-out", f"{name}-contract.json")
         self.assertIn(done.returncode, (0, 1), done.stderr)
         found = json.loads(done.stdout)
         if found["faults"]:
