@@ -13,6 +13,7 @@
 #include "cases/case_reader.h"
 #include "cases/json.h"
 #include "cli/backend_failure.h"
+#include "cli/case_check.h"
 #include "cli/command.h"
 #include "cli/contract_option.h"
 #include "cli/isolation.h"
@@ -58,22 +59,6 @@ struct Outcome {
   }
   bool is_violated() const { return check.violation_count > 0 && check.known.empty(); }
 };
-
-/// Returns the laws to check: the one that found the case, or all.
-Result<std::vector<const properties::Law*>> laws_for(const cases::Case& c,
-                                                     const std::string& file) {
-  std::vector<const properties::Law*> chosen;
-  for (const properties::Law& law : properties::laws()) {
-    if (!c.found || c.found->law == law.id) chosen.push_back(&law);
-  }
-  if (chosen.empty()) {
-    return tl::unexpected(
-        Error{file, "/found/property",
-              fmt::format("no property is called '{}' (see rastercheck list properties)",
-                          cases::printable(c.found->law))});
-  }
-  return chosen;
-}
 
 void print_outcome(const Outcome& outcome, bool quiet) {
   std::string note;
@@ -137,30 +122,12 @@ Result<std::vector<Input>> read_inputs(const Options& options) {
   return inputs;
 }
 
-/// A backend, and its known defects.
-struct Drawer {
-  std::unique_ptr<backends::Backend> backend;
-  std::optional<properties::KnownDefects> known;
-};
-
-Result<Drawer> make_drawer(const backends::BackendFactory& factory,
-                           const std::string& specification,
-                           const properties::KnownSources& known_sources) {
-  auto backend = factory.make(specification);
-  if (!backend) return tl::unexpected(backend.error());
-  auto known = properties::read_known_defects(known_sources, specification, **backend);
-  if (!known) return tl::unexpected(known.error());
-  return Drawer{*std::move(backend), *std::move(known)};
-}
-
 /// Checks one law on one input.
 Outcome check_law(const properties::Law& law, const Input& input, const Drawer& by) {
   const cases::Case& source = input.source;
   const cases::Found found = source.found.value_or(cases::Found());
   Outcome outcome{input.file, std::string(law.id), input.backend, {}, found.verdict, {}};
-  outcome.check = properties::check_or_note(law, source, *by.backend, found.index,
-                                            by.known ? &*by.known : nullptr);
-  if (found.law == law.id) properties::put_alike_first(outcome.check, source, found);
+  outcome.check = check_again(law, source, by);
   if (!outcome.check.is_applicable && outcome.check.why_not.empty()) {
     outcome.check.why_not = properties::reason_of(law, *by.backend, outcome.check);
   }
