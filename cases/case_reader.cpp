@@ -205,7 +205,7 @@ void check_header(const JsonNode& root) {
       {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
       {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
        "depth_clear", "depth_clamp", "attributes", "camera", "essential", "choices", "found",
-       "picture"});
+       "picture", "round"});
   if (root.failed()) return;
   if (root["version"].integer(0, std::numeric_limits<std::int32_t>::max()) != 1) {
     root["version"].refuse("version must be 1");
@@ -214,11 +214,15 @@ void check_header(const JsonNode& root) {
 
 }  // namespace
 
-Case read_case(const JsonNode& root) {
+namespace {
+
+Case read_rounded(const JsonNode& outer, DecimalRounding& rounding) {
+  const JsonNode root = outer.with(rounding);
   Case c;
   check_header(root);
   if (root.failed()) return c;
   if (root.has("name")) c.name = root["name"].text();
+  if (root.has("round") && root["round"].boolean()) rounding.is_allowed = true;
   c.framebuffer = read_framebuffer(root["framebuffer"]);
   c.rules = root["rules"].enumerator<Rules>();
   c.viewport = read_viewport(root["viewport"], c.rules);
@@ -248,6 +252,17 @@ Case read_case(const JsonNode& root) {
   if (root.failed()) return c;
   read_triangles(root["triangles"], c);
   return c;
+}
+
+}  // namespace
+
+Case read_case(const JsonNode& root) {
+  DecimalRounding rounding;
+  return read_rounded(root, rounding);
+}
+
+Result<Case> parse_case(std::string_view text, const std::string& file, DecimalRounding& rounding) {
+  return read_json(text, file, [&](const JsonNode& root) { return read_rounded(root, rounding); });
 }
 
 Result<Case> parse_case(std::string_view text, const std::string& file) {

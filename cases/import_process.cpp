@@ -10,6 +10,7 @@
 #include "cases/error_json.h"
 #include "cases/files.h"
 #include "cases/internal/reader_reply.h"
+#include "cases/json.h"
 #include "cases/json_members.h"
 
 namespace rastercheck::cases {
@@ -27,6 +28,7 @@ void members(Archive& archive, Options& options) {
   archive.optional("front_face", options.front_face);
   archive.optional("flat", options.flat);
   archive.optional("noperspective", options.noperspective);
+  archive.optional("round", options.round);
 }
 
 namespace {

@@ -34,6 +34,8 @@ struct ImportOptions {
   std::optional<FrontFace> front_face;
   std::vector<std::string> flat;           ///< names of attributes that do not vary
   std::vector<std::string> noperspective;  ///< names of attributes that vary in window space
+  bool round = false;                      ///< take the nearest float32 of decimals
+  bool operator==(const ImportOptions&) const = default;
 };
 
 struct Imported {

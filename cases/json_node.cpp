@@ -77,8 +77,19 @@ bool JsonNode::has(std::string_view key) const {
 
 JsonNode JsonNode::operator[](std::string_view key) const {
   static const json kMissing;
-  return {has(key) ? value_->at(std::string(key)) : kMissing, child_pointer(pointer_, key), *error_,
-          *file_};
+  return child(has(key) ? value_->at(std::string(key)) : kMissing, child_pointer(pointer_, key));
+}
+
+JsonNode JsonNode::child(const json& inner, std::string pointer) const {
+  JsonNode node(inner, std::move(pointer), *error_, *file_);
+  node.rounding_ = rounding_;
+  return node;
+}
+
+JsonNode JsonNode::with(DecimalRounding& rounding) const {
+  JsonNode node = *this;
+  node.rounding_ = &rounding;
+  return node;
 }
 
 std::vector<std::string> JsonNode::keys() const {
@@ -97,7 +108,7 @@ JsonNode JsonNode::element(std::size_t i) const {
   std::string pointer;
   pointer.reserve(pointer_.size() + 1 + index.size());
   pointer.append(pointer_).append(1, '/').append(index);
-  return {(*value_)[i], std::move(pointer), *error_, *file_};
+  return child((*value_)[i], std::move(pointer));
 }
 
 std::vector<JsonNode> JsonNode::elements() const {
@@ -207,9 +218,35 @@ float JsonNode::float32() const {
     refuse("must be a number or a hex-float string");
     return 0;
   }
-  const std::optional<float> value = exact_float(value_->get<double>());
-  if (!value) refuse(fmt::format("not exactly a float32: {}", value_->dump()));
-  return value.value_or(0.0F);
+  const auto value = value_->get<double>();
+  const std::optional<float> exact = exact_float(value);
+  return exact ? *exact : rounded_float32(value);
+}
+
+float JsonNode::rounded_float32(double value) const {
+  const auto nearest = static_cast<float>(value);
+  if (!std::isfinite(nearest)) {
+    refuse(fmt::format("not exactly a float32: {}", value_->dump()));
+    return 0;
+  }
+  if (rounding_ == nullptr || !rounding_->is_allowed) {
+    refuse(fmt::format("not exactly a float32: {}; the nearest is \"{}\"{}", value_->dump(),
+                       to_hex(nearest),
+                       rounding_ == nullptr ? "" : ", which \"round\": true would take"));
+    return 0;
+  }
+  // The document's decimals are doubles already. That double may lie halfway between two float32
+  // where the decimal did not, and then nobody knows which of the two was nearer.
+  const float other =
+      std::nextafter(nearest, value > double{nearest} ? std::numeric_limits<float>::infinity()
+                                                      : -std::numeric_limits<float>::infinity());
+  if (std::fabs(value - double{nearest}) == std::fabs(double{other} - value)) {
+    refuse(fmt::format("as near to \"{}\" as to \"{}\": {}; write one of these", to_hex(nearest),
+                       to_hex(other), value_->dump()));
+    return 0;
+  }
+  ++rounding_->rounded;
+  return nearest;
 }
 
 float JsonNode::float32(float least, float most) const {

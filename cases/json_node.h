@@ -22,6 +22,12 @@
 
 namespace rastercheck::cases {
 
+/// Whether decimals that are no float32 may be rounded to one, and how many were.
+struct DecimalRounding {
+  bool is_allowed = false;
+  std::uint64_t rounded = 0;
+};
+
 /// One value of a document from parse_json, with its place. After an error, reading continues with
 /// neutral values, so that decoding code mirrors the format; only the first error is kept.
 ///
@@ -32,6 +38,10 @@ class JsonNode {
   JsonNode(const nlohmann::json& value, std::string pointer, std::optional<Error>& error,
            const std::string& file)
       : value_(&value), pointer_(std::move(pointer)), error_(&error), file_(&file) {}
+
+  /// The same value, but float32() of it and of all values in it may round as `rounding` says,
+  /// which must outlive them, and an error names the document's key that allows it: "round".
+  JsonNode with(DecimalRounding& rounding) const;
 
   /// Records an error at this value, unless one is already recorded.
   void refuse(std::string reason) const;
@@ -89,7 +99,8 @@ class JsonNode {
   /// An object whose members are all counts.
   std::map<std::string, std::uint64_t> counts_by_name() const;
 
-  /// A float32: a number that is exactly a float32, or the text of a hex float.
+  /// A float32: a number that is exactly a float32, or the text of a hex float. With
+  /// DecimalRounding, any number within the range of float32, rounded to the nearest.
   float float32() const;
   /// A float32 from `least` to `most`, both inclusive.
   float float32(float least, float most) const;
@@ -103,11 +114,15 @@ class JsonNode {
   std::size_t index_in(std::span<const std::string_view> names) const;
   std::uint64_t count_up_to(std::uint64_t most) const;
   JsonNode element(std::size_t i) const;
+  /// The value `inner` of this one, with its place.
+  JsonNode child(const nlohmann::json& inner, std::string pointer) const;
+  float rounded_float32(double value) const;
 
   const nlohmann::json* value_;
   std::string pointer_;
   std::optional<Error>* error_;
   const std::string* file_;
+  DecimalRounding* rounding_ = nullptr;
 };
 
 /// Parses a text (json.h) and passes its root to `read`; returns the first error of either. `file`

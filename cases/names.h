@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "cases/case.h"
-#include "cases/picture.h"
 
 namespace rastercheck::cases {
 
@@ -31,9 +30,6 @@ constexpr auto names_of(Location /*type*/) {
 }
 constexpr auto names_of(DepthTest /*type*/) {
   return std::to_array<std::string_view>({"none", "less"});
-}
-constexpr auto names_of(Topology /*type*/) {
-  return std::to_array<std::string_view>({"triangles", "strip", "fan"});
 }
 constexpr auto names_of(DepthFormat /*type*/) {
   return std::to_array<std::string_view>({"float32", "float64", "unorm16", "unorm24", "unorm32"});

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "cases/case.h"
 #include "cases/picture.h"
 
 namespace rastercheck::cases {
+
+constexpr auto names_of(Topology /*type*/) {
+  return std::to_array<std::string_view>({"triangles", "strip", "fan"});
+}
 
 /// Returns the triangles of `count` successive vertices, as indices into these. Every triangle of a
 /// strip or fan has the winding of the first one, and the API's provoking vertex where cases have

@@ -108,7 +108,7 @@ std::optional<float> nearest_float(std::string_view text) {
   if (text == "---") return std::numeric_limits<float>::quiet_NaN();
   if (text.starts_with('+')) text.remove_prefix(1);
   const auto read = [text](auto& value) {
-    return std::from_chars(text.data(), text.data() + text.size(), value);
+    return std::from_chars(text.begin(), text.end(), value);
   };
   float value = 0;
   const auto [end, error] = read(value);

@@ -31,7 +31,7 @@ struct Options {
 Result<cases::Imported> import_mesh(const Options& options) {
   const cases::ImportOptions& known = options.known;
   if (known.viewport || known.topology || known.cull || known.front_face || known.samples ||
-      !known.flat.empty() || !known.noperspective.empty()) {
+      !known.flat.empty() || !known.noperspective.empty() || known.round) {
     return tl::unexpected(Error{options.file, "",
                                 "is a mesh, whose case takes no options but --width, --height, "
                                 "--rules and --format"});
@@ -149,6 +149,8 @@ Action set_up(CLI::App& app) {
                  "Attribute that varies linearly in the window; repeatable")
       ->allow_extra_args(false)
       ->type_name("NAME");
+  app.add_flag("--round", known.round,
+               "Take the nearest float32 of a case's decimals, and say how many there were");
   app.add_option("--format", options->format,
                  fmt::format("Format of the file: {}, or a mesh file's ending, such as obj; "
                              "default: what its name or content shows",

@@ -15,6 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "cases/case_writer.h"
+#include "cases/json_node.h"
+
 namespace rastercheck::cases::case_reader_test {
 namespace {
 
@@ -206,6 +209,25 @@ TEST(CaseReader, DecimalsThatAreFloatsAreTakenExactly) {
             (ClipVertex{0.5F, 16777216, -0.125F, std::numeric_limits<float>::max()}));
   EXPECT_EQ(read_position("1.401298464324817e-45, 0.100000001490116119384765625, 1, 1"),
             (ClipVertex{std::numeric_limits<float>::denorm_min(), 0.1F, 1, 1}));
+}
+
+// 0.1 and 1/3, to float32 by hand: 1.6 = 1.99999(9)…, which rounds up to …9a; 1/3 = 0x1.555555…p-2.
+TEST(CaseReader, DecimalsAreRoundedIfTheCaseSaysSo) {
+  json document = minimal();
+  document["vertices"][1]["position"] = {0.1, -0.3333333333333333, 0.5, 1};
+  const auto refused = parse_case(document.dump(), "test.json");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()),
+            "test.json: /vertices/1/position/0: not exactly a float32: 0.1; the nearest is "
+            "\"0x1.99999ap-4\", which \"round\": true would take");
+  document["round"] = true;
+  DecimalRounding rounding;
+  const auto rounded = parse_case(document.dump(), "test.json", rounding);
+  ASSERT_TRUE(rounded) << to_string(rounded.error());
+  EXPECT_EQ(rounded->positions[1], (ClipVertex{0x1.99999ap-4F, -0x1.555556p-2F, 0.5F, 1}));
+  EXPECT_EQ(rounding.rounded, 2U);
+  // Written, it is a case like any other.
+  EXPECT_EQ(read(to_json(*rounded)), *rounded);
 }
 
 TEST(CaseReader, FloatsThatAreIntegersAreSizesAndIndices) {

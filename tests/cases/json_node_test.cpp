@@ -151,7 +151,9 @@ TEST(JsonNode, FloatsAreExact) {
   EXPECT_EQ(elements[1].hex_float32(), 0.375F);
   EXPECT_EQ(document.error(), "");
   const auto read = [](const JsonNode& node) { node.float32(0, 3); };
-  EXPECT_EQ(error_of("0.1", read), "/: not exactly a float32: 0.1");
+  EXPECT_EQ(error_of("0.1", read),
+            "/: not exactly a float32: 0.1; the nearest is \"0x1.99999ap-4\"");
+  EXPECT_EQ(error_of("1e39", read), "/: not exactly a float32: 1e+39");
   EXPECT_EQ(error_of("4", read), "/: out of range: must be from 0 to 3");
   EXPECT_EQ(error_of(R"("x")", read),
             "/: must be a number or a hex float such as \"0x1.8p-2\", not \"x\"");

@@ -142,6 +142,25 @@ TEST(Import, ReadsADrawThatRenderDocExported) {
   EXPECT_EQ(said->attributes[0].interpolation, cases::Interpolation::flat);
 }
 
+// Kills: a message that leaves the user to guess what to write.
+TEST(Import, RoundsTheDecimalsOfACase) {
+  const TemporaryFolder folder;
+  const std::string decimals = folder.put(
+      "a.json",
+      R"({"format": "rastercheck-case", "version": 1, "framebuffer": {"width": 8, "height": 4},
+          "viewport": {"x": 0, "y": 0, "width": 8, "height": 4}, "rules": "vulkan",
+          "vertices": [{"position": [0.1, 0, 0, 1]}, {"position": [1, 0, 0, 1]},
+                       {"position": [0, 1, 0, 1]}], "triangles": [[0, 1, 2]]})");
+  const Outcome refused = run_program({"import", decimals});
+  EXPECT_TRUE(is_failure(refused, 2)) << refused;
+  EXPECT_NE(refused.err.find("the nearest is \"0x1.99999ap-4\""), std::string::npos) << refused;
+  const Outcome rounded = run_program({"import", decimals, "--round"});
+  EXPECT_EQ(rounded.code, 0) << rounded;
+  EXPECT_EQ(rounded.err,
+            "rastercheck: " + decimals + ": 1 number rounded to the nearest float32\n");
+  EXPECT_TRUE(cases::parse_case(rounded.out, "-"));
+}
+
 TEST(Import, RefusesOptionsThatDoNotApply) {
   const Outcome outcome = run_program({"import", square_mesh(), "--topology", "strip"});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
