@@ -212,10 +212,6 @@ void check_header(const JsonNode& root) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 Case read_rounded(const JsonNode& outer, DecimalRounding& rounding) {
   const JsonNode root = outer.with(rounding);
   Case c;

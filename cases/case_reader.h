@@ -12,8 +12,8 @@ class JsonNode;
 struct DecimalRounding;
 
 /// Reads a case file (version 1, docs/case-format.md). Every case it accepts can be
-/// drawn, and no part of the text was rounded, defaulted by guess, or ignored. `file` names the
-/// source in errors.
+/// drawn, and no part of the text was defaulted by guess or ignored, nor rounded unless the case
+/// says "round": true. `file` names the source in errors.
 Result<Case> parse_case(std::string_view text, const std::string& file);
 
 /// Like parse_case(), and says how many decimals were rounded. They are if `rounding` allows it, or

@@ -102,6 +102,17 @@ void add_known_entries(records::Exhibit& exhibit, const Checked& checked, const 
   }
 }
 
+/// The command that judges the exported case as it was judged here.
+std::string replay_command(const Options& options) {
+  std::vector<std::string> words{"rastercheck", "replay",        "case.json",
+                                 "--backend",   options.backend, "--no-known"};
+  if (!options.contract.empty()) words.insert(words.end(), {"--contract", options.contract});
+  if (options.promise) {
+    words.insert(words.end(), {"--promise", std::string(cases::name_of(*options.promise))});
+  }
+  return reports::command_line(words);
+}
+
 Result<records::Exhibit> exhibit_of(const Options& options, const cases::Case& c,
                                     const Drawer& drawer) {
   const auto checked = check(options, c, drawer);
@@ -125,8 +136,7 @@ Result<records::Exhibit> exhibit_of(const Options& options, const cases::Case& c
     exhibit.pixels = properties::close_up(c, *drawer.backend, exhibit.violations.front());
   }
   add_known_entries(exhibit, *checked, drawer);
-  exhibit.replay = reports::command_line(
-      {"rastercheck", "replay", "case.json", "--backend", options.backend, "--no-known"});
+  exhibit.replay = replay_command(options);
   return exhibit;
 }
 

@@ -211,7 +211,7 @@ TEST(CaseReader, DecimalsThatAreFloatsAreTakenExactly) {
             (ClipVertex{std::numeric_limits<float>::denorm_min(), 0.1F, 1, 1}));
 }
 
-// 0.1 and 1/3, to float32 by hand: 1.6 = 1.99999(9)…, which rounds up to …9a; 1/3 = 0x1.555555…p-2.
+// By hand: 0.1 is 0x1.999999…p-4 and 1/3 is 0x1.555555…p-2; the 24th bit of both rounds up.
 TEST(CaseReader, DecimalsAreRoundedIfTheCaseSaysSo) {
   json document = minimal();
   document["vertices"][1]["position"] = {0.1, -0.3333333333333333, 0.5, 1};
