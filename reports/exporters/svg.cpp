@@ -187,7 +187,7 @@ Result<std::string> write(const records::Exhibit& exhibit) {
 }
 
 const ExporterRegistration kRegistration(
-    {"svg", "a figure: pixels, samples, the triangle, what is drawn and what must be", &write});
+    {"svg", "a figure: pixels, samples, triangle, what is drawn, what must be", &write});
 
 }  // namespace
 }  // namespace rastercheck::reports::svg_exporter
