@@ -15,6 +15,7 @@
 #include "oracle/pixel_box.h"
 #include "oracle/rational.h"
 #include "records/enclosure.h"
+#include "records/float_range.h"
 #include "records/judgement.h"
 #include "records/verdict.h"
 
@@ -135,6 +136,12 @@ class TriangleTruth {
   /// points are possible, returns the largest of their bounds.
   std::optional<Rational> value_bound(std::optional<std::size_t> attribute, int x, int y,
                                       int sample) const;
+
+  /// The numbers that the judge takes for right; those that the rules and the bound allow together.
+  /// Empty if the value is undefined or free, or if any number is right. Says nothing about the
+  /// sign of a zero. The sample must not be forbidden.
+  std::optional<records::FloatRange> permitted_numbers(std::optional<std::size_t> attribute, int x,
+                                                       int y, int sample) const;
 
   /// The magnitude that scale ULP refer to: max |r_i|.
   Rational attribute_magnitude(std::size_t attribute) const;

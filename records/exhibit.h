@@ -9,10 +9,29 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/sample_place.h"
 #include "records/counterexample.h"
+#include "records/float_range.h"
 #include "records/inspection.h"
+#include "records/verdict.h"
 
 namespace rastercheck::records {
+
+/// The numbers that the depth or an attribute may have at a sample.
+struct PermittedValue {
+  std::optional<std::uint32_t> attribute;  ///< index into the case's attributes; empty for depth
+  FloatRange numbers;
+  bool is_right = true;  ///< whether the backend drew one of them
+};
+
+/// A sample of a triangle and what may be drawn there.
+struct JudgedPlace {
+  cases::SamplePlace place = {};
+  Verdict verdict = Verdict::forbidden;
+  std::vector<PermittedValue> values;  ///< those that are promised, if it is drawn
+  bool has_right_count = true;  ///< whether the backend drew it as often as it must: once, never,
+                                ///< or at most once if it is `permitted`
+};
 
 struct Exhibit {
   std::string file;  ///< the case's file, as the user named it
@@ -29,6 +48,9 @@ struct Exhibit {
   /// The first violation's sample, or the worst one, with the pixels around; empty if the case
   /// cannot be drawn or has no sample to show.
   std::optional<Inspection> inspection;
+  /// The samples of the inspected part, by triangle, y, x, sample; of the inspected triangle only,
+  /// if there are very many. Without those of which anything is right.
+  std::vector<JudgedPlace> places;
   std::vector<std::string> pixels;  ///< the pixels around, as signs, line by line
   std::string found_with;           ///< name and version of this program
   std::string replay;               ///< the command that checks it again

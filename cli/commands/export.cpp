@@ -21,6 +21,7 @@
 #include "properties/inspect/case_to_draw.h"
 #include "properties/inspect/focus.h"
 #include "properties/inspect/inspect.h"
+#include "properties/inspect/judged_places.h"
 #include "reports/commands.h"
 #include "reports/exporter.h"
 
@@ -64,12 +65,12 @@ Result<Checked> check(const Options& options, const cases::Case& c, const Drawer
   return best;
 }
 
-/// The sample of the first violation, or else the worst one, with the pixels around.
-std::optional<records::Inspection> inspection_of(const cases::ClipCase& clip,
-                                                 const Checked& checked, const Options& options,
-                                                 const Drawer& drawer) {
+/// Adds the sample of the first violation, or else the worst one, with the pixels around, and what
+/// may be drawn there.
+void add_drawing(records::Exhibit& exhibit, const cases::ClipCase& clip, const Checked& checked,
+                 const Options& options, const Drawer& drawer) {
   const Result<backends::Drawn> drawn = properties::draw(clip, *drawer.backend);
-  if (!drawn) return std::nullopt;
+  if (!drawn) return;
   properties::FocusRequest request;
   const auto& violations = checked.check.violations;
   if (!violations.empty() && violations.front().has_place()) {
@@ -83,11 +84,12 @@ std::optional<records::Inspection> inspection_of(const cases::ClipCase& clip,
   const properties::Focus focus = properties::find_focus(clip, *drawn, request);
   auto inspection = properties::inspect(clip, *drawn, focus,
                                         properties::trace_sample(clip, focus.at, *drawer.backend));
-  if (!inspection) return std::nullopt;
+  if (!inspection) return;
   inspection->occasion = records::Occasion::asked_for;
   inspection->backend = options.backend;
   inspection->law = checked.law->id;
-  return *std::move(inspection);
+  exhibit.places = properties::judged_places(clip, *drawn, *inspection);
+  exhibit.inspection = *std::move(inspection);
 }
 
 /// What the entries of known defects say that explain the check.
@@ -131,7 +133,7 @@ Result<records::Exhibit> exhibit_of(const Options& options, const cases::Case& c
   exhibit.found_with = "RasterCheck " RASTERCHECK_VERSION;
   exhibit.violation_count = checked->check.violation_count;
   exhibit.violations = checked->check.violations;
-  exhibit.inspection = inspection_of(*clip, *checked, options, drawer);
+  add_drawing(exhibit, *clip, *checked, options, drawer);
   if (!exhibit.violations.empty()) {
     exhibit.pixels = properties::close_up(c, *drawer.backend, exhibit.violations.front());
   }

@@ -192,7 +192,8 @@ class AffineCheck {
     if (!of_r || !of_q || !of_d) return;
     if (!is_beyond(difference, errors(*of_r, *of_q, *of_d) * (1 + kRounding))) return;
     findings_.report(values_.place(i), 0, values_.value(i, 0),
-                     "about " + value_text(static_cast<float>(q / d)),
+                     std::isfinite(q / d) ? "about " + value_text(static_cast<float>(q / d))
+                                          : "r/w divided by 1/w",
                      "r/w is " + value_text(values_.value(i, 1)) + " and 1/w " +
                          value_text(values_.value(i, 2)));
   }

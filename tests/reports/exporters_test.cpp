@@ -43,6 +43,12 @@ records::Exhibit exhibit() {
   violation.error = {4194304, 4194304};
   violation.bound = {0.5, 0.5};
   exhibit.violations = {violation};
+  exhibit.places = {{{0, 1, 1, 0}, records::Verdict::permitted, {{0, {0.25F, 0.5F}}}, true},
+                    {{0, 2, 2, 0},
+                     records::Verdict::required,
+                     {{std::nullopt, {0, 1}}, {0, {0.5F, 0.5F}, false}},
+                     true},
+                    {{0, 3, 3, 0}, records::Verdict::forbidden, {}, true}};
   exhibit.violation_count = 1;
   return exhibit;
 }
@@ -155,6 +161,112 @@ TEST(Svg, IsRefusedWithoutASample) {
   blank.inspection.reset();
   EXPECT_EQ(to_string(find_exporter("svg")->write(blank).error()),
             "case.json: has no sample to show");
+}
+
+// Records have three words: how often, depth, 'u'. Pixel (x, y) of the 8 × 8 begins at byte
+// 12 (8 y + x): 108, 216, 324.
+TEST(ShaderTest, ProbesEachPlace) {
+  const std::string text = written("shader_test", exhibit());
+  EXPECT_TRUE(
+      text.starts_with("# pixel (2, 2) of triangle 0: attribute 'u & v' was drawn as 0.75"));
+  EXPECT_THAT(text, AllOf(HasSubstr("\nssbo 0 768\nssbo 0 subdata float 116 0.25\ndraw arrays"),
+                          HasSubstr("\n# triangle 0, pixel (1, 1): may be drawn\n"
+                                    "probe ssbo uint 0 108 <= 1\n# attribute u & v\n"
+                                    "probe ssbo float 0 116 >= 0.25\n"
+                                    "probe ssbo float 0 116 <= 0.5\n"),
+                          HasSubstr("\nprobe ssbo uint 0 216 == 1\n# depth\n"
+                                    "probe ssbo float 0 220 >= 0\nprobe ssbo float 0 220 <= 1\n"),
+                          HasSubstr("must not be drawn\nprobe ssbo uint 0 324 == 0\n")));
+  EXPECT_THAT(text, AllOf(HasSubstr("fb ms GL_RGBA8 8 8 0\nviewport indexed 0 0 0 8 8\n"),
+                          HasSubstr("provoking vertex first\n"),
+                          HasSubstr("smooth out float value0;"), Not(HasSubstr("sample out"))));
+}
+
+// By hand: Vulkan's z of 1/4, 1/2 and 3/4 with w = 1 are OpenGL's −1/2, 0 and 1/2.
+TEST(ShaderTest, HandsOverBitsByOpenglsRules) {
+  EXPECT_THAT(written("shader_test", exhibit()),
+              AllOf(HasSubstr("[vertex data]\nposition/float/4 attributes0/float/4\n"),
+                    HasSubstr("\n0xbf400000 0xbf400000 0xbf000000 0x3f800000 0x00000000 "),
+                    HasSubstr(" 0x00000000 0x3f800000 0x3f800000 ")));
+}
+
+std::string refusal(const std::string& format, const records::Exhibit& from) {
+  const auto text = find_exporter(format)->write(from);
+  return text ? "" : to_string(text.error());
+}
+
+// Kills: a test that passes where the defect is.
+TEST(ExportedTest, IsRefusedIfItWouldNotFail) {
+  records::Exhibit seam = exhibit();
+  seam.places[1].values[1].is_right = true;
+  for (const char* const format : {"c", "shader_test"}) {
+    EXPECT_THAT(refusal(format, seam),
+                HasSubstr("no sample is wrong by itself, but only that “val"));
+  }
+  records::Exhibit clamped = seam;
+  clamped.source.depth_clamp = true;
+  clamped.places[1].values[0].is_right = false;
+  EXPECT_THAT(refusal("c", clamped), HasSubstr("only its depth is wrong, and that cannot be read"));
+  // One that holds is a test that passes.
+  seam.violations.clear();
+  seam.violation_count = 0;
+  EXPECT_THAT(written("c", seam),
+              HasSubstr("“values stay within the bound” holds on plugin:mine.so"));
+}
+
+TEST(ExportedTest, IsRefusedIfItsFormatCannotSayTheCase) {
+  records::Exhibit other = exhibit();
+  other.source.rules = cases::Rules::d3d;
+  EXPECT_THAT(refusal("c", other),
+              HasSubstr("case.json: a C program cannot say it: it is drawn by Di"));
+  EXPECT_THAT(refusal("shader_test", other),
+              HasSubstr("shader_test cannot say it: it is drawn by Dir"));
+  other = exhibit();
+  other.source.scissor = {{0, 0, 4, 4}};
+  EXPECT_THAT(refusal("shader_test", other), HasSubstr("no scissor"));
+  EXPECT_EQ(refusal("c", other), "");
+  other = exhibit();
+  other.source.cull = cases::Cull::back;
+  EXPECT_THAT(refusal("shader_test", other), HasSubstr("does not cull"));
+  other = exhibit();
+  other.source.positions[0].z = 0x1p-30F;  // 2^-29 − 1 has 29 digits
+  EXPECT_THAT(refusal("shader_test", other), HasSubstr("more digits than a float32"));
+  other = exhibit();
+  other.source.viewport.height = -8;
+  EXPECT_EQ(refusal("c", other), "");
+  other.backend = "gl:llvmpipe";
+  EXPECT_THAT(refusal("c", other), HasSubstr("negative height"));
+  other = exhibit();
+  other.places.clear();
+  other.violations.clear();
+  other.violation_count = 0;
+  EXPECT_THAT(refusal("c", other), HasSubstr("nothing is promised"));
+}
+
+// Vulkan for its rules, unless an OpenGL driver drew.
+TEST(CProgram, IsOfTheApiThatDrew) {
+  records::Exhibit by = exhibit();
+  EXPECT_THAT(written("c", by), AllOf(HasSubstr("#include <vulkan/vulkan.h>"),
+                                      HasSubstr("layout(location = 1) in vec4 attributes0;"),
+                                      HasSubstr("{0, 2, \"attribute u & v\", 0x1p-2F, 0x1p-1F},"),
+                                      HasSubstr("\nint main(")));
+  by.backend = "gl";
+  EXPECT_THAT(written("c", by), AllOf(HasSubstr("#include <EGL/egl.h>"), HasSubstr("IS_VULKAN 1"),
+                                      HasSubstr("static int check(int triangle")));
+  by.source.rules = cases::Rules::opengl;
+  EXPECT_THAT(written("c", by), HasSubstr("IS_VULKAN 0"));
+  by.backend = "vulkan";
+  EXPECT_THAT(refusal("c", by), HasSubstr("no depths by OpenGL's rules"));
+}
+
+// A name that ends the comment or the string would be code.
+TEST(CProgram, TakesNamesForNoCode) {
+  records::Exhibit rude = exhibit();
+  rude.source.name = "*/ int x; /*";
+  rude.source.attributes[0].name = "\"}; int y; //";
+  const std::string text = written("c", rude);
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("Case: * / int x; /*"), HasSubstr("attribute \\\"}; int y; //")));
 }
 
 }  // namespace

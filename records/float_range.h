@@ -1,0 +1,13 @@
+#pragma once
+
+namespace rastercheck::records {
+
+/// The float32 numbers from `least` to `greatest`, inclusive; the ends may be infinite. No number
+/// if `least` is greater.
+struct FloatRange {
+  float least = 0;
+  float greatest = 0;
+  bool operator==(const FloatRange&) const = default;
+};
+
+}  // namespace rastercheck::records
