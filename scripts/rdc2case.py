@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Makes case files of RasterCheck of the draws in a RenderDoc capture.
+"""Makes RasterCheck's case files of the draws in a RenderDoc capture of Vulkan or OpenGL.
 
     rdc2case.py FILE.rdc                              lists the draws of the captured frame
     rdc2case.py FILE.rdc --draw EVENT                 prints the case of one draw
     rdc2case.py FILE.rdc --draw EVENT --output CASE   writes it to a file
     rdc2case.py FILE.rdc --all --output FOLDER        writes FOLDER/event-EVENT.json for every draw
 
-A case has the vertices as the vertex stage left them, bit for bit, and the state of the
-rasterizer. Whatever a case cannot hold is said in one line on standard error; nothing is left out
-silently.
+A case has the vertices as the vertex stage leaves them on this machine, bit for bit, and the state
+of the rasterizer. Standard error says what is left out because a case cannot hold it.
 
-Needs nothing but RenderDoc's Python module (Debian: python3-renderdoc; written for 1.24) and a
-machine that can replay the capture. Exit code 2 if the input is bad, or no draw could be written.
+Needs nothing but RenderDoc's Python module (Debian: python3-renderdoc; tried with 1.24) and a
+machine that can replay the capture. Without a display, Mesa replays OpenGL if the environment has
+EGL_PLATFORM=surfaceless. Exit code 2 if the input is bad or no case could be written.
 """
 
 import argparse
@@ -21,28 +21,27 @@ import os
 import re
 import struct
 import sys
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple
 
 MAX_SIZE, MAX_ATTRIBUTES, MAX_CLIP_DISTANCES = 16384, 32, 8
-SAMPLE_COUNTS = (1, 2, 4, 8, 16)
 
 
 class Unsayable(Exception):
-    """A draw that a case file cannot hold; the message says why."""
+    """A draw that a case cannot hold; the message says why."""
 
 
 class BadInput(Exception):
     """A file or an option that cannot be used; the message says why."""
 
 
-# A draw as plain data, and the case made of it. Nothing from here to `Vertex stage` needs RenderDoc.
+# A draw as plain data, and its case. This part does not need RenderDoc.
 
 
 class Column(NamedTuple):
-    """One scalar that the vertex stage wrote for each vertex."""
+    """One number that the vertex stage wrote for each vertex."""
     kind: str  # "attribute" or "clip distance"
     name: str
-    values: List[float]  # of each vertex
+    values: List[float]
     interpolation: str = "smooth"
     location: str = "sample"
 
@@ -52,11 +51,11 @@ class Draw(NamedTuple):
     rules: str  # "vulkan" or "opengl"
     size: Tuple[int, int]  # of the framebuffer, in pixels
     samples: int
-    viewport: Tuple[float, float, float, float, float, float]  # x, y, width, height, depth range
-    scissor: Optional[Tuple[int, int, int, int]]  # x, y, width, height
+    viewport: Tuple[float, ...]  # x, y, width, height, near and far end of the depth range
+    scissor: Optional[Tuple[int, ...]]  # x, y, width, height; None: not enabled
     topology: str  # "list", "strip" or "fan"
-    provoking: str  # "first" or "last": which vertex flat attributes come from
-    positions: List[Tuple[float, ...]]  # clip coordinates of each vertex
+    provoking: str  # "first" or "last": the vertex that flat attributes come from
+    positions: List[Tuple[float, ...]]  # clip coordinates
     columns: List[Column]
     strips: List[List[int]]  # vertices in the order drawn, parted at restarts and instances
     cull: str = "none"
@@ -66,22 +65,23 @@ class Draw(NamedTuple):
 
 
 def triangles_of(draw):
-    """The triangles of a draw, each turned so that flat attributes come from the vertex that the
-    rules of a case take them from: the first in Vulkan, the last in OpenGL. Turning by one vertex
-    keeps the facing."""
-    is_last = draw.provoking == "last"
-    triangles = []
+    """The triangles of a draw. A case takes flat attributes from the first vertex in Vulkan and
+    from the last in OpenGL; if the draw does not, its triangles are turned, which keeps their
+    facing."""
+    is_last, triangles = draw.provoking == "last", []
     for strip in draw.strips:
         for i in range(0, len(strip) - 2, 3 if draw.topology == "list" else 1):
             a, b, c = strip[i:i + 3]
-            if draw.topology == "fan":  # Its first vertex provokes nothing.
+            if draw.topology == "fan":
                 triangle = (strip[0], b, c) if is_last else (b, c, strip[0])
             elif draw.topology == "strip" and i % 2 == 1:
                 triangle = (b, a, c) if is_last else (a, c, b)
             else:
                 triangle = (a, b, c)
-            if is_last != (draw.rules == "opengl"):
-                triangle = triangle[2:] + triangle[:2] if is_last else triangle[1:] + triangle[:1]
+            if is_last and draw.rules == "vulkan":
+                triangle = (triangle[2], *triangle[:2])
+            elif not is_last and draw.rules == "opengl":
+                triangle = (*triangle[1:], triangle[0])
             triangles.append(triangle)
     return triangles
 
@@ -90,78 +90,80 @@ def plural(count, noun):
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
-def held_columns(columns, used, kind, most, notes):
+def held_columns(draw, used, kind, most, notes):
     """The columns of a kind that a case can hold."""
-    all_of_kind = [column for column in columns if column.kind == kind]
-    finite = [column for column in all_of_kind if all(math.isfinite(column.values[i]) for i in used)]
-    names = [column.name for column in all_of_kind if column not in finite]
-    if names:
-        notes.append(f"left out {kind} {', '.join(names)}: has NaN or infinity")
+    every = [column for column in draw.columns if column.kind == kind]
+    finite = [column for column in every if all(math.isfinite(column.values[i]) for i in used)]
+    lost = [column.name for column in every if column not in finite]
+    if lost:
+        notes.append(f"left out {kind} {', '.join(lost)}: has NaN or infinity")
     if len(finite) > most:
-        notes.append(f"left out {plural(len(finite) - most, kind)}: a case has {most} at most")
+        names = ", ".join(column.name for column in finite[most:])
+        notes.append(f"left out {kind} {names}: a case has {most} at most")
     return finite[:most]
 
 
-def check_state(draw):
-    """Raises Unsayable if the state is beyond the limits of a case."""
-    width, height = draw.size
-    if not (1 <= width <= MAX_SIZE and 1 <= height <= MAX_SIZE):
-        raise Unsayable(f"its framebuffer has {width} x {height} pixels; a case has 1 to {MAX_SIZE}")
-    if draw.samples not in SAMPLE_COUNTS:
-        raise Unsayable(f"it has {draw.samples} samples per pixel; a case has 1, 2, 4, 8 or 16")
-    if not all(map(math.isfinite, draw.viewport)) or max(map(abs, draw.viewport[2:4])) > MAX_SIZE:
-        raise Unsayable(f"a side of its viewport is longer than {MAX_SIZE} pixels")
-    if not all(0 <= depth <= 1 for depth in draw.viewport[4:]):
-        raise Unsayable("its depth range is not within 0 to 1")
+def refuse(*reasons):
+    """Raises Unsayable with the first reason whose condition holds."""
+    for is_so, why in reasons:
+        if is_so:
+            raise Unsayable(why)
 
 
 def scissor_of(draw):
     """The part of the scissor rectangle that lies in the framebuffer; None if that is all of it."""
     if draw.scissor is None:
         return None
-    (x, y, width, height), (right, top) = draw.scissor, draw.size
-    left, bottom = min(max(x, 0), right), min(max(y, 0), top)
-    inside = {"x": left, "y": bottom,
-              "width": max(min(x + width, right) - left, 0),
-              "height": max(min(y + height, top) - bottom, 0)}
-    return None if inside == {"x": 0, "y": 0, "width": right, "height": top} else inside
+    x, y, width, height = draw.scissor
+    left, right = (min(max(at, 0), draw.size[0]) for at in (x, x + width))
+    low, high = (min(max(at, 0), draw.size[1]) for at in (y, y + height))
+    if (left, low, right, high) == (0, 0, *draw.size):
+        return None
+    return {"x": left, "y": low, "width": right - left, "height": high - low}
 
 
 def hex_float(value):
-    """The text of a float32 in a case file."""
+    """A float32 as case files have it."""
     digits, _, exponent = value.hex().partition("p")
     return f"{digits.rstrip('0').rstrip('.') if '.' in digits else digits}p{exponent}"
 
 
 def case_of(draw):
-    """The case of a draw, as what json.dumps() takes, and a note for all that is left out."""
-    check_state(draw)
-    notes = []
+    """The case of a draw, and a note for everything left out."""
+    refuse((not all(1 <= side <= MAX_SIZE for side in draw.size),
+            f"its framebuffer is not of 1 to {MAX_SIZE} pixels a side"),
+           (draw.samples not in (1, 2, 4, 8, 16), f"it has {draw.samples} samples per pixel"),
+           (not all(map(math.isfinite, draw.viewport)) or
+            max(map(abs, draw.viewport[2:4])) > MAX_SIZE,
+            f"its viewport has a side of more than {MAX_SIZE} pixels"),
+           (not all(0 <= depth <= 1 for depth in draw.viewport[4:]),
+            "its depth range is not within 0 to 1"))
     whole = triangles_of(draw)
     triangles = [triangle for triangle in whole
                  if all(math.isfinite(number) for i in triangle for number in draw.positions[i])]
+    refuse((not triangles, "it has no triangle"))
+    notes = []
     if len(triangles) < len(whole):
         lost = plural(len(whole) - len(triangles), "triangle")
         notes.append(f"left out {lost}: a position is NaN or infinite")
-    if not triangles:
-        raise Unsayable("it has no triangle")
-    used = list(dict.fromkeys(i for triangle in triangles for i in triangle))
-    place = {vertex: at for at, vertex in enumerate(used)}
-    attributes = held_columns(draw.columns, used, "attribute", MAX_ATTRIBUTES, notes)
-    distances = held_columns(draw.columns, used, "clip distance", MAX_CLIP_DISTANCES, notes)
+    place = {}  # of each vertex that is used, in the case
+    for triangle in triangles:
+        for i in triangle:
+            place.setdefault(i, len(place))
+    attributes = held_columns(draw, place, "attribute", MAX_ATTRIBUTES, notes)
+    distances = held_columns(draw, place, "clip distance", MAX_CLIP_DISTANCES, notes)
 
     def vertex(i):
         entry = {"position": [hex_float(number) for number in draw.positions[i]]}
-        if attributes:
-            entry["attributes"] = [hex_float(column.values[i]) for column in attributes]
-        if distances:
-            entry["clip_distances"] = [hex_float(column.values[i]) for column in distances]
+        for key, columns in (("attributes", attributes), ("clip_distances", distances)):
+            if columns:
+                entry[key] = [hex_float(column.values[i]) for column in columns]
         return entry
 
-    names = ("x", "y", "width", "height", "min_depth", "max_depth")
+    sides = zip(("x", "y", "width", "height", "min_depth", "max_depth"), draw.viewport)
     case = {"format": "rastercheck-case", "version": 1, "name": draw.name,
             "framebuffer": {"width": draw.size[0], "height": draw.size[1], "samples": draw.samples},
-            "viewport": {name: hex_float(value) for name, value in zip(names, draw.viewport)},
+            "viewport": {side: hex_float(value) for side, value in sides},
             "rules": draw.rules, "cull": draw.cull, "front_face": draw.front_face}
     if scissor_of(draw) is not None:
         case["scissor"] = scissor_of(draw)
@@ -171,7 +173,7 @@ def case_of(draw):
         case.update(depth_test="less", depth_clear=hex_float(draw.depth_clear))
     case["attributes"] = [{"name": column.name, "interpolation": column.interpolation,
                            "location": column.location} for column in attributes]
-    case["vertices"] = [vertex(i) for i in used]
+    case["vertices"] = [vertex(i) for i in place]
     case["triangles"] = [[place[i] for i in triangle] for triangle in triangles]
     return case, notes
 
@@ -187,165 +189,123 @@ def text_of(case):
     return "{\n" + ",\n".join(members) + "\n}\n"
 
 
-# Interpolation. Both APIs take it from the inputs of the fragment shader, which RenderDoc's
-# reflection has without their qualifiers, so the shader itself is read.
+# Interpolation. Both APIs take it from the inputs of the fragment shader. RenderDoc's reflection
+# does not have their qualifiers, so these are read from the shader itself: for each input, by
+# location (SPIR-V) or name (GLSL), a set of the words below.
+
+WORDS = {13: "noperspective", 14: "flat", 16: "centroid", 17: "sample"}  # decorations of SPIR-V
+BUILT_INS_OF_SAMPLES = ((18,), (19,))  # SampleId and SamplePosition of SPIR-V
 
 
-class Inputs:
-    """The qualifiers of a fragment shader's inputs, by location (SPIR-V) or name (GLSL)."""
-
-    def __init__(self):
-        self.qualifiers: Dict[Any, set] = {}
-        self.is_per_sample = False  # it runs once for each sample, whatever its qualifiers
-
-    def interpolation_of(self, key):
-        """The interpolation and the location of an attribute; None if no input has the key."""
-        if key not in self.qualifiers:
-            return None
-        words = self.qualifiers[key]
-        interpolation = next((word for word in ("flat", "noperspective") if word in words), "smooth")
-        location = "centroid" if "centroid" in words else "center"
-        return interpolation, "sample" if self.is_per_sample else location
+def set_per_sample(inputs):
+    """A shader that runs once for each sample takes all its inputs there."""
+    for words in inputs.values():
+        words.add("sample")
 
 
-class SpirvModule:
-    """The few instructions of a SPIR-V module that say how its inputs are interpolated. Numbers are
-    those of the SPIR-V specification, sections 3.32 (instructions) and 3.20 (decorations)."""
+def instructions_of(code):
+    """Yields the instructions of a SPIR-V module, each as its number and operands."""
+    words, at = struct.unpack(f"<{len(code) // 4}I", code), 5
+    while at < len(words) and words[at] >> 16:
+        yield words[at] & 0xffff, words[at + 1:at + (words[at] >> 16)]
+        at += words[at] >> 16
 
-    ENTRY_POINT, CONSTANT, VARIABLE, DECORATE, MEMBER_DECORATE = 15, 43, 59, 71, 72
-    VECTOR, MATRIX, ARRAY, STRUCT, POINTER = 23, 24, 28, 30, 32
-    FRAGMENT, INPUT = 4, 1
-    BUILT_IN, LOCATION, SAMPLE = 11, 30, 17
-    WORDS = {13: "noperspective", 14: "flat", 16: "centroid", SAMPLE: "sample"}
-    SAMPLE_ID, SAMPLE_POSITION = 18, 19
 
-    def __init__(self, code):
-        self.types, self.constants, self.variables, self.decorations = {}, {}, {}, {}
-        self.entries = []
-        words = struct.unpack(f"<{len(code) // 4}I", code[:len(code) // 4 * 4])
-        if not words or words[0] != 0x07230203:
-            raise ValueError("no SPIR-V")
-        at = 5
-        while at < len(words) and words[at] >> 16:
-            self.read(words[at] & 0xffff, words[at + 1:at + (words[at] >> 16)], code)
-            at += words[at] >> 16
-
-    def read(self, instruction, operands, _):
-        if instruction == self.ENTRY_POINT:
+def spirv_inputs(code, entry_point):
+    """The inputs of the fragment shader of this name in a SPIR-V module. All numbers are those of
+    the specification of SPIR-V."""
+    built_in, location = 11, 30
+    vector, matrix, array, structure, pointer = 23, 24, 28, 30, 32
+    types, constants, variables, decorations, interface = {}, {}, {}, {}, ()
+    for number, operands in instructions_of(code):
+        if number == 15 and operands[0] == 4:  # OpEntryPoint of a fragment shader
             name = struct.pack(f"<{len(operands) - 2}I", *operands[2:]).partition(b"\0")[0]
-            ids = operands[2 + len(name) // 4 + 1:]
-            self.entries.append((operands[0], name.decode(errors="replace"), ids))
-        elif instruction in (self.VECTOR, self.MATRIX, self.ARRAY, self.STRUCT, self.POINTER):
-            self.types[operands[0]] = (instruction, operands[1:])
-        elif instruction == self.CONSTANT:
-            self.constants[operands[1]] = operands[2]
-        elif instruction == self.VARIABLE:
-            self.variables[operands[1]] = (operands[0], operands[2])
-        elif instruction == self.DECORATE:
-            self.decorations.setdefault(operands[0], {})[operands[1]] = operands[2:]
-        elif instruction == self.MEMBER_DECORATE:
-            of_member = self.decorations.setdefault(tuple(operands[:2]), {})
-            of_member[operands[2]] = operands[3:]
+            if name == entry_point.encode():
+                interface = operands[2 + len(name) // 4 + 1:]
+        elif number in (vector, matrix, array, structure, pointer):
+            types[operands[0]] = (number, operands[1:])
+        elif number == 43:  # OpConstant
+            constants[operands[1]] = operands[2]
+        elif number == 59:  # OpVariable
+            variables[operands[1]] = (operands[0], operands[2])
+        elif number == 71:  # OpDecorate
+            decorations.setdefault(operands[0], {})[operands[1]] = operands[2:]
+        elif number == 72:  # OpMemberDecorate
+            decorations.setdefault(operands[:2], {})[operands[2]] = operands[3:]
 
-    def locations_of(self, type_id):
+    def size_of(type_id):
         """How many locations a type takes."""
-        kind, operands = self.types.get(type_id, (None, ()))
-        if kind == self.MATRIX:
-            return operands[1]
-        if kind == self.ARRAY:
-            return self.locations_of(operands[0]) * self.constants.get(operands[1], 1)
-        if kind == self.STRUCT:
-            return sum(map(self.locations_of, operands))
-        return 1
+        kind, of = types.get(type_id, (None, ()))
+        if kind == array:
+            return size_of(of[0]) * constants.get(of[1], 1)
+        return of[1] if kind == matrix else sum(map(size_of, of)) if kind == structure else 1
 
-    def inputs(self, entry_point):
-        """The inputs of the fragment shader with that name."""
-        found = Inputs()
-        for model, name, ids in self.entries:
-            if model == self.FRAGMENT and name == entry_point:
-                for variable in ids:
-                    self.add_variable(found, variable)
-        return found
-
-    def add_variable(self, found, variable):
-        pointer, storage = self.variables.get(variable, (None, None))
-        if storage != self.INPUT:
-            return
-        decorations = self.decorations.get(variable, {})
-        pointee = self.types[pointer][1][1]
-        kind, members = self.types.get(pointee, (None, ()))
-        location = decorations.get(self.LOCATION, (0,))[0]
-        if kind != self.STRUCT:
-            self.add(found, location, pointee, decorations)
-            return
-        for at, member in enumerate(members):
-            own = self.decorations.get((pointee, at), {})
-            location = own.get(self.LOCATION, (location,))[0]
-            self.add(found, location, member, {**decorations, **own})
-            location += self.locations_of(member)
-
-    def add(self, found, location, type_id, decorations):
-        built_in = decorations.get(self.BUILT_IN, (None,))[0]
-        found.is_per_sample |= (self.SAMPLE in decorations or
-                                built_in in (self.SAMPLE_ID, self.SAMPLE_POSITION))
-        if built_in is None:
-            words = {word for number, word in self.WORDS.items() if number in decorations}
-            for i in range(self.locations_of(type_id)):
-                found.qualifiers[location + i] = words
-
-
-def glsl_inputs(source):
-    """The inputs of a fragment shader in GLSL. Macros are not expanded."""
-    found = Inputs()
-    source = re.sub(r"//[^\n]*|/\*.*?\*/", " ", source, flags=re.DOTALL)
-    found.is_per_sample = bool(re.search(r"\bgl_Sample(ID|Position)\b", source))
-    plain = r"((?:\w+\s+|layout\s*\([^)]*\)\s*)*)"
-    declared = []
-    for before, block, members in re.findall(plain + r"\bin\s+(\w+)\s*\{([^}]*)\}", source):
-        declared += [(before + " " + own, name, block + ".")
-                     for own, name in re.findall(plain + r"\w+\s+(\w+)[^;]*;", members)]
-    declared += [(before, name, "") for before, name in re.findall(
-        plain + r"\b(?:in|varying)\s+(?:(?:high|medium|low)p\s+)?\w+\s+(\w+)[^;{(]*;", source)]
-    for qualifiers, name, block in declared:
-        found.qualifiers[block + name] = set(re.findall(r"\w+", qualifiers))
-        found.is_per_sample |= "sample" in found.qualifiers[block + name]
+    found, is_per_sample = {}, False
+    for variable in interface:
+        type_id, storage = variables[variable]
+        if storage != 1:  # Input
+            continue
+        type_id, common, at = types[type_id][1][1], decorations.get(variable, {}), 0
+        kind, members = types.get(type_id, (None, ()))
+        for i, member in enumerate(members if kind == structure else (type_id,)):
+            # A member of a block without a location has the one after the member before it.
+            own = decorations.get((type_id, i), {}) if kind == structure else {}
+            words = {**common, **own}
+            at = own.get(location, (at,) if i > 0 else common.get(location, (0,)))[0]
+            is_per_sample |= 17 in words or words.get(built_in) in BUILT_INS_OF_SAMPLES
+            for _ in range(0 if built_in in words else size_of(member)):
+                found[at] = {word for key, word in WORDS.items() if key in words}
+                at += 1
+    if is_per_sample:
+        set_per_sample(found)
     return found
 
 
-# Vertex stage and state, as RenderDoc tells them.
+def glsl_inputs(source):
+    """The inputs of a fragment shader in GLSL. Macros are not expanded, blocks not entered."""
+    source = re.sub(r"//[^\n]*|/\*.*?\*/", " ", source, flags=re.DOTALL)
+    declared = re.findall(r"((?:\w+\s+|layout\s*\([^)]*\)\s*)*)\b(?:in|varying)\s+"
+                          r"(?:\w+p\s+)?\w+\s+(\w+)[^;{(]*;", source)
+    found = {name: set(re.findall(r"\w+", before)) for before, name in declared}
+    if re.search(r"\bgl_Sample(ID|Position)\b|\bsample\s+in\b", source):
+        set_per_sample(found)
+    return found
+
+
+# RenderDoc.
 
 
 class Output(NamedTuple):
-    """A variable that the vertex shader writes, and where it is in the record of a vertex."""
+    """A variable that the vertex shader writes, and its place in RenderDoc's record of a vertex."""
     name: str
-    kind: str  # "position", "attribute", "clip distance", or "" for what a case has no room for
-    key: Any  # location or name, as Inputs has it
+    kind: str  # "position", "attribute" or "clip distance"; else a case does not have it
+    key: Any  # location or name, as that of a fragment shader's input
     components: int
     offset: int  # in bytes
 
 
-def outputs_of(rd, reflection, is_spirv, is_aligned):
-    """The outputs in the order of RenderDoc's records: the position first, the others as in the
-    reflection; Vulkan's are aligned as in std430."""
+def outputs_of(rd, reflection, is_aligned):
+    """The outputs in the order of RenderDoc's records: the position first, all others as in the
+    reflection. Vulkan's are aligned as in std430, OpenGL's are not."""
     kinds = {rd.ShaderBuiltin.Position: "position", rd.ShaderBuiltin.ClipDistance: "clip distance"}
     found, offset = [], 0
     for s in sorted(reflection.outputSignature,
                     key=lambda s: s.systemValue != rd.ShaderBuiltin.Position):
         size = 8 if rd.VarTypeByteSize(s.varType) > 4 else 4
         if is_aligned:
-            alignment = size * {1: 1, 2: 2}.get(s.compCount, 4)
-            offset += -offset % alignment
+            offset += -offset % (size * {1: 1, 2: 2}.get(s.compCount, 4))
         kind = kinds.get(s.systemValue, "")
         if s.systemValue == rd.ShaderBuiltin.Undefined and s.varType == rd.VarType.Float:
             kind = "attribute"
         name = s.varName or s.semanticIdxName
-        found.append(Output(name, kind, s.regIndex if is_spirv else name, s.compCount, offset))
+        key = s.regIndex if reflection.encoding == rd.ShaderEncoding.SPIRV else name
+        found.append(Output(name, kind, key, s.compCount, offset))
         offset += s.compCount * size
     return found
 
 
 class Capture:
-    """An opened capture, replayed on this machine."""
+    """A capture, replayed on this machine."""
 
     def __init__(self, rd, file):
         self.rd, self.file = rd, file
@@ -358,16 +318,16 @@ class Capture:
             raise BadInput(f"RenderDoc cannot read it: {result.Message()}")
         self.api = opened.DriverName()
         if self.api not in ("Vulkan", "OpenGL"):
-            raise BadInput(f"is a capture of {self.api}; only Vulkan's and OpenGL's become cases")
+            raise BadInput(f"is a capture of {self.api}, not of Vulkan or OpenGL")
         result, self.controller = opened.OpenCapture(rd.ReplayOptions(), None)
         if not result.OK():
             raise BadInput(f"RenderDoc cannot replay it on this machine: {result.Message()}")
-        self.actions = list(self.draws_below(self.controller.GetRootActions()))
+        self.actions = list(self.draws_among(self.controller.GetRootActions()))
 
-    def draws_below(self, actions):
+    def draws_among(self, actions):
         for action in actions:
             if action.children:
-                yield from self.draws_below(action.children)
+                yield from self.draws_among(action.children)
             elif action.flags & self.rd.ActionFlags.Drawcall:
                 yield action
 
@@ -375,196 +335,178 @@ class Capture:
         return action.GetName(self.controller.GetStructuredFile())
 
     def topology_of(self, action):
+        """Replays the frame up to a draw, and returns what that draws."""
         self.controller.SetFrameEvent(action.eventId, True)
         return self.rd.Topology(self.controller.GetPipelineState().GetPrimitiveTopology()).name
 
-    def draw_of(self, action, notes):
-        """The draw of an event. Raises Unsayable if a case cannot hold it."""
-        return Reader(self, action, notes).draw()
-
 
 class Reader:
-    """Reads the state at one event."""
+    """Reads one draw of a capture. Raises Unsayable if a case cannot hold it."""
 
     TOPOLOGIES = {"TriangleList": "list", "TriangleStrip": "strip", "TriangleFan": "fan"}
 
     def __init__(self, capture, action, notes):
         self.capture, self.action, self.notes = capture, action, notes
         self.rd, self.controller = capture.rd, capture.controller
-        self.topology = capture.topology_of(action)  # goes to the event
+        self.topology = capture.topology_of(action)
         self.state = self.controller.GetPipelineState()
         self.is_vulkan = capture.api == "Vulkan"
-        self.is_per_sample = False  # the fragment shader runs for each sample
         self.api_state = (self.controller.GetVulkanPipelineState() if self.is_vulkan
                           else self.controller.GetGLPipelineState())
+        self.inputs = self.fragment_inputs()
 
     def draw(self):
-        self.check_stages()
-        rasterizer = (self.vulkan_rasterizer if self.is_vulkan else self.gl_rasterizer)()
-        positions, columns, strips = self.vertices(rasterizer["samples"])
+        reflection, stage = self.state.GetShaderReflection, self.rd.ShaderStage
+        refuse((self.topology not in self.TOPOLOGIES,
+                f"it draws a {self.topology}; a case has only triangles"),
+               (reflection(stage.Hull) or reflection(stage.Domain), "it has tessellation shaders"),
+               (reflection(stage.Geometry), "it has a geometry shader"),
+               (not reflection(stage.Vertex), "it has no vertex shader"))
+        state = self.vulkan_state() if self.is_vulkan else self.gl_state()
+        positions, columns, strips = self.vertices(state["samples"])
         name = f"{os.path.basename(self.capture.file)}, event {self.action.eventId}: "
         return Draw(name=name + self.capture.name_of(self.action),
                     rules="vulkan" if self.is_vulkan else "opengl",
                     topology=self.TOPOLOGIES[self.topology], positions=positions, columns=columns,
-                    strips=strips, depth_clear=self.depth_clear(), **rasterizer)
+                    strips=strips, depth_clear=self.depth_clear(), **state)
 
-    def check_stages(self):
-        if self.topology not in self.TOPOLOGIES:
-            what = re.sub("(List|Strip|Loop)(_Adj)?.*$", "", self.topology)
-            has_neighbours = " with adjacency" if self.topology.endswith("_Adj") else ""
-            raise Unsayable(f"it draws {what.lower()}s{has_neighbours}; a case has only triangles")
-        stage = self.rd.ShaderStage
-        for name, of in (("tessellation", stage.Hull), ("geometry", stage.Geometry)):
-            if self.state.GetShaderReflection(of) is not None:
-                raise Unsayable(f"it has a {name} shader; cases are made of the vertex stage")
-        if self.state.GetShaderReflection(stage.Vertex) is None:
-            raise Unsayable("it has no vertex shader")
+    def fragment_inputs(self):
+        shader = self.state.GetShaderReflection(self.rd.ShaderStage.Pixel)
+        if shader is None:
+            return {}
+        if shader.encoding == self.rd.ShaderEncoding.SPIRV:
+            return spirv_inputs(shader.rawBytes, shader.entryPoint)
+        return glsl_inputs(shader.rawBytes.decode(errors="replace"))
 
     # State
 
-    def vulkan_rasterizer(self):
-        state, rasterizer = self.api_state, self.api_state.rasterizer
-        views, multisample = state.viewportScissor, state.multisample
-        if multisample.sampleLocations.customLocations:
-            raise Unsayable("it sets sample locations; a case has the standard ones")
-        if views.depthNegativeOneToOne:
-            raise Unsayable("its clip depth goes from -w to w, and in a Vulkan case from 0 to w")
-        if rasterizer.conservativeRasterization != self.rd.ConservativeRaster.Disabled:
-            raise Unsayable("its rasterization is conservative")
-        if tuple(rasterizer.pipelineShadingRate) != (1, 1):
-            raise Unsayable("its shading rate is not one fragment per pixel")
+    def vulkan_state(self):
+        state, rasterizer, views = (self.api_state, self.api_state.rasterizer,
+                                    self.api_state.viewportScissor)
+        multisample, framebuffer = state.multisample, state.currentPass.framebuffer
+        # Dynamic rendering has no framebuffer.
+        size = (framebuffer.width, framebuffer.height) if framebuffer.width else self.target()[0]
+        refuse((multisample.sampleLocations.customLocations, "it sets sample locations"),
+               (views.depthNegativeOneToOne, "its clip depth begins at -w, not at 0"),
+               (rasterizer.conservativeRasterization != self.rd.ConservativeRaster.Disabled,
+                "its rasterization is conservative"),
+               (tuple(rasterizer.pipelineShadingRate) != (1, 1),
+                "its shading rate is not one fragment per pixel"))
         if state.currentPass.renderpass.multiviews:
-            self.notes.append("only the first of its views: a case has one")
+            self.notes.append("only the first of its views is taken")
         mask = (1 << multisample.rasterSamples) - 1
         if multisample.sampleMask & mask != mask:
-            self.notes.append("its sample mask is left out: the case draws all samples")
+            self.notes.append("left out the sample mask")
         if multisample.sampleShadingEnable and multisample.minSampleShading > 0:
-            self.is_per_sample = True
-        common = self.common(rasterizer, rasterizer.rasterizerDiscardEnable,
-                             [(both.vp, both.scissor) for both in views.viewportScissors])
-        framebuffer = state.currentPass.framebuffer
-        return dict(common, size=(framebuffer.width, framebuffer.height), provoking="first",
+            set_per_sample(self.inputs)
+        return dict(self.state_of(rasterizer, rasterizer.rasterizerDiscardEnable,
+                                  [(both.vp, both.scissor) for both in views.viewportScissors]),
+                    size=size, provoking="first",
                     samples=multisample.rasterSamples, depth_clamp=self.vulkan_depth_clamp())
 
     def vulkan_depth_clamp(self):
-        """True if depths are clamped and not clipped. RenderDoc 1.24 calls clipping enabled unless
-        VK_EXT_depth_clip_enable disables it; in Vulkan, clamping disables it if that extension does
-        not enable it."""
+        """True if depths are clamped instead of clipped. RenderDoc 1.24 calls clipping enabled
+        unless VK_EXT_depth_clip_enable disables it; in Vulkan, clamping disables it unless that
+        extension enables it."""
         rasterizer = self.api_state.rasterizer
         is_clipped = rasterizer.depthClipEnable
         if is_clipped and rasterizer.depthClampEnable:
-            is_clipped = self.says_depth_clip_enable()
-        if not is_clipped and not rasterizer.depthClampEnable:
-            raise Unsayable("its depth is neither clipped nor clamped")
+            pipeline = self.api_state.graphics.pipelineResourceId
+            chunks = self.controller.GetStructuredFile().chunks
+            is_clipped = any(chunks[at].FindChildRecursively("depthClipEnable") is not None
+                             for resource in self.controller.GetResources()
+                             if resource.resourceId == pipeline
+                             for at in resource.initialisationChunks)
+        refuse((not is_clipped and not rasterizer.depthClampEnable,
+                "its depths are neither clipped nor clamped"))
         return not is_clipped
 
-    def says_depth_clip_enable(self):
-        """True if the pipeline was made with a structure of VK_EXT_depth_clip_enable."""
-        pipeline = self.api_state.graphics.pipelineResourceId
-        chunks = self.controller.GetStructuredFile().chunks
-        return any(chunks[at].FindChildRecursively("depthClipEnable") is not None
-                   for resource in self.controller.GetResources()
-                   if resource.resourceId == pipeline
-                   for at in resource.initialisationChunks)
+    def gl_state(self):
+        state, rasterizer = self.api_state, self.api_state.rasterizer.state
+        size, samples = self.target()
+        vertices = state.vertexProcessing
+        refuse((not vertices.clipNegativeOneToOne, "its clip depth begins at 0, not at -w"),
+               (not vertices.clipOriginLowerLeft, "its window begins at the upper left"),
+               (samples > 1 and not rasterizer.multisampleEnable,
+                "its framebuffer has several samples, and multisampling is disabled"))
+        if rasterizer.sampleMask or rasterizer.sampleCoverage:
+            self.notes.append("left out the sample mask")
+        if rasterizer.sampleShading and rasterizer.minSampleShadingRate > 0:
+            set_per_sample(self.inputs)
+        views = list(zip(state.rasterizer.viewports, state.rasterizer.scissors))
+        return dict(self.state_of(rasterizer, vertices.discard, views),
+                    size=size, samples=samples,
+                    depth_clamp=rasterizer.depthClamp,
+                    provoking="last" if state.vertexInput.provokingVertexLast else "first")
 
-    def gl_rasterizer(self):
-        state, rasterizer = self.api_state, self.api_state.rasterizer
-        processing = state.vertexProcessing
-        if not processing.clipNegativeOneToOne:
-            raise Unsayable("its clip depth goes from 0 to w, and in an OpenGL case from -w to w")
-        if not processing.clipOriginLowerLeft:
-            raise Unsayable("its window has its origin at the upper left")
-        target = self.texture((list(self.state.GetOutputTargets()) + [self.state.GetDepthTarget()]))
-        if target is None:
-            raise Unsayable("it has no framebuffer of a known size")
-        if target.msSamp > 1 and not rasterizer.state.multisampleEnable:
-            raise Unsayable("it draws into several samples with multisampling disabled")
-        if rasterizer.state.sampleMask or rasterizer.state.sampleCoverage:
-            self.notes.append("its sample mask is left out: the case draws all samples")
-        if rasterizer.state.sampleShading and rasterizer.state.minSampleShadingRate > 0:
-            self.is_per_sample = True
-        common = self.common(rasterizer.state, processing.discard,
-                             list(zip(rasterizer.viewports, rasterizer.scissors)))
-        is_last = state.vertexInput.provokingVertexLast
-        return dict(common, size=(target.width, target.height), samples=max(target.msSamp, 1),
-                    depth_clamp=rasterizer.state.depthClamp, provoking="last" if is_last else "first")
-
-    def common(self, rasterizer, is_discarded, views):
-        """What both APIs say alike."""
-        rd = self.rd
-        if is_discarded or rasterizer.cullMode == rd.CullMode.FrontAndBack:
-            raise Unsayable("it draws nothing: all of its triangles are discarded or culled")
-        if rasterizer.fillMode != rd.FillMode.Solid:
-            raise Unsayable("it draws the outlines of triangles; a case has only filled ones")
-        if not views:
-            raise Unsayable("it has no viewport")
-        view, scissor = views[0]
-        culls = {rd.CullMode.NoCull: "none", rd.CullMode.Back: "back", rd.CullMode.Front: "front"}
-        return {"viewport": (view.x, view.y, view.width, view.height, view.minDepth, view.maxDepth),
-                "scissor": (scissor.x, scissor.y, scissor.width, scissor.height)
-                           if scissor.enabled else None,
-                "cull": culls[rasterizer.cullMode],
+    def state_of(self, rasterizer, is_discarded, views):
+        """The state that RenderDoc has by the same names for both APIs."""
+        culls = self.rd.CullMode
+        refuse((is_discarded or rasterizer.cullMode == culls.FrontAndBack, "it draws no triangle"),
+               (rasterizer.fillMode != self.rd.FillMode.Solid, "it draws outlines"),
+               (not views, "it has no viewport"))
+        v, s = views[0]
+        return {"viewport": (v.x, v.y, v.width, v.height, v.minDepth, v.maxDepth),
+                "scissor": (s.x, s.y, s.width, s.height) if s.enabled else None,
+                "cull": {culls.Back: "back", culls.Front: "front"}.get(rasterizer.cullMode, "none"),
                 "front_face": "ccw" if rasterizer.frontCCW else "cw"}
 
-    def texture(self, targets):
-        """The first texture among these targets; None if there is none."""
-        wanted = [target.resourceId for target in targets]
+    def texture(self, target):
+        """The texture that is bound as a target; None if there is none."""
         return next((texture for texture in self.controller.GetTextures()
-                     if texture.resourceId in wanted), None)
+                     if texture.resourceId == target.resourceId), None)
+
+    def target(self):
+        """Size and number of samples of what is drawn into."""
+        for target in (*self.state.GetOutputTargets(), self.state.GetDepthTarget()):
+            texture = self.texture(target)
+            if texture is not None:
+                size = tuple(max(side >> target.firstMip, 1)
+                             for side in (texture.width, texture.height))
+                return size, max(texture.msSamp, 1)
+        raise Unsayable("it draws into no texture")
 
     # Depth
 
     def depth_clear(self):
-        """What the depth buffer holds before the draw, if a case can have its depth test; else
-        None, with a note."""
-        rd = self.rd
-        state = self.api_state.depthStencil if self.is_vulkan else self.api_state.depthState
-        is_tested = state.depthTestEnable if self.is_vulkan else state.depthEnable
-        target = self.texture([self.state.GetDepthTarget()])
-        if self.has_stencil_test():
-            self.notes.append("its stencil test is left out")
-        if not is_tested or state.depthFunction == rd.CompareFunction.AlwaysTrue or target is None:
-            return None
-        rasterizer = self.api_state.rasterizer
-        bias = rasterizer if self.is_vulkan else rasterizer.state
-        why = None
-        if state.depthFunction != rd.CompareFunction.Less:
-            why = f"its depth test is {rd.CompareFunction(state.depthFunction).name}, not Less"
-        elif not (state.depthWriteEnable if self.is_vulkan else state.depthWrites):
-            why = "its depths are not written"
-        elif bias.depthBias != 0 or bias.slopeScaledDepthBias != 0:
-            why = "its depths are biased"
+        """The depth that the whole buffer has before the draw; None, with a note, if a case cannot
+        have the draw's depth test."""
+        state = self.api_state
+        if self.is_vulkan:
+            depth, stencil, bias = state.depthStencil, state.depthStencil, state.rasterizer
+            is_tested, is_written = depth.depthTestEnable, depth.depthWriteEnable
         else:
-            depths = self.depths_before(target)
-            if depths is None:
-                why = "its depths are not stored as float32"
-            elif len(depths) != 1 or not 0 <= min(depths) <= 1:
-                why = "the depth buffer is not cleared before it"
-            else:
-                return depths.pop()
-        self.notes.append(f"each triangle as if drawn alone: {why}")
-        return None
-
-    def has_stencil_test(self):
-        return (self.api_state.depthStencil.stencilTestEnable if self.is_vulkan
-                else self.api_state.stencilState.stencilEnable)
+            depth, stencil, bias = state.depthState, state.stencilState, state.rasterizer.state
+            is_tested, is_written = depth.depthEnable, depth.depthWrites
+        if stencil.stencilTestEnable if self.is_vulkan else stencil.stencilEnable:
+            self.notes.append("left out the stencil test")
+        function = self.rd.CompareFunction(depth.depthFunction).name
+        target = self.texture(self.state.GetDepthTarget())
+        if not is_tested or target is None or function == "AlwaysTrue":
+            return None
+        depths = self.depths_before(target)
+        for is_so, why in ((function != "Less", f"is {function}, not Less"),
+                           (not is_written, "does not write depths"),
+                           (bias.depthBias or bias.slopeScaledDepthBias, "biases depths"),
+                           (depths is None, "has no buffer of float32"),
+                           (len(depths or ()) != 1, "is against depths of earlier draws")):
+            if is_so:
+                self.notes.append(f"left out the depth test: it {why}")
+                return None
+        return depths.pop()[0]
 
     def depths_before(self, texture):
-        """The set of depths in the buffer before the draw; None if they are not float32."""
-        rd, form = self.rd, texture.format
-        if form.type == rd.ResourceFormatType.D32S8:
-            step = 8  # a float, a byte of stencil and three unused ones
-        elif form.type == rd.ResourceFormatType.Regular and form.compByteWidth == 4:
-            step = 4
-        else:
+        """The depths in the buffer before the draw, as a set of 1-tuples; None if they are not float32."""
+        formats, form = self.rd.ResourceFormatType, texture.format
+        has_stencil = form.type == formats.D32S8
+        if not has_stencil and (form.type != formats.Regular or form.compByteWidth != 4):
             return None
-        bound = self.state.GetDepthTarget()
-        depths = set()
+        bound, depths = self.state.GetDepthTarget(), set()
         self.controller.SetFrameEvent(self.action.eventId - 1, True)
         for sample in range(max(texture.msSamp, 1)):
-            where = rd.Subresource(bound.firstMip, bound.firstSlice, sample)
-            data = self.controller.GetTextureData(texture.resourceId, where)
-            depths.update(number[0] for number in struct.iter_unpack(f"<f{step - 4}x", data))
+            data = self.controller.GetTextureData(
+                texture.resourceId, self.rd.Subresource(bound.firstMip, bound.firstSlice, sample))
+            depths.update(struct.iter_unpack("<f4x" if has_stencil else "<f", data))
         self.controller.SetFrameEvent(self.action.eventId, True)
         return depths
 
@@ -574,78 +516,63 @@ class Reader:
         """The positions, columns and strips of all instances."""
         rd = self.rd
         reflection = self.state.GetShaderReflection(rd.ShaderStage.Vertex)
-        is_spirv = reflection.encoding == rd.ShaderEncoding.SPIRV
-        outputs = outputs_of(rd, reflection, is_spirv,
-                             self.state.HasAlignedPostVSData(rd.MeshDataStage.VSOut))
+        is_aligned = self.state.HasAlignedPostVSData(rd.MeshDataStage.VSOut)
+        outputs = outputs_of(rd, reflection, is_aligned)
         self.check_outputs(reflection, outputs)
         records, strips = [], []
         for instance in range(max(self.action.numInstances, 1)):
             mesh = self.controller.GetPostVSData(instance, 0, rd.MeshDataStage.VSOut)
-            if mesh.vertexResourceId == rd.ResourceId.Null():
-                raise Unsayable("RenderDoc has no vertices of it"
-                                + (f": {mesh.status}" if mesh.status else ""))
-            first = len(records)
-            own = self.strips_of(mesh)
-            strips += [[first + i for i in strip] for strip in own]
+            refuse((mesh.vertexResourceId == rd.ResourceId.Null(),
+                    f"RenderDoc has no vertices of it {mesh.status}".strip()))
+            of_instance, stride = self.strips_of(mesh), mesh.vertexByteStride
+            strips += [[len(records) + i for i in strip] for strip in of_instance]
             data = self.controller.GetBufferData(mesh.vertexResourceId, mesh.vertexByteOffset, 0)
-            count = 1 + max((i for strip in own for i in strip), default=-1)
-            if len(data) < (count - 1) * mesh.vertexByteStride + 16:
-                raise Unsayable("RenderDoc has fewer vertices than its indices name")
-            stride = mesh.vertexByteStride
+            count = 1 + max((i for strip in of_instance for i in strip), default=-1)
+            refuse((len(data) < count * stride, "RenderDoc has not all of its vertices"))
             records += [data[i * stride:(i + 1) * stride] for i in range(count)]
 
-        def numbers(output):
-            form = struct.Struct(f"<{output.components}f")
-            return [form.unpack_from(record, output.offset) for record in records]
-
-        positions = numbers(next(output for output in outputs if output.kind == "position"))
         columns, distance = [], 0
         for output in outputs:
-            if output.kind == "position" or not output.kind:
+            numbers = struct.Struct(f"<{output.components}f")
+            rows = [numbers.unpack_from(record, output.offset) for record in records]
+            if output.kind == "position":
+                positions = rows
+            if output.kind not in ("attribute", "clip distance"):
                 continue
-            interpolation = self.interpolation_of(output, samples)
-            for i, values in enumerate(zip(*numbers(output))):
+            qualifiers = self.qualifiers_of(output, samples)
+            for i in range(output.components):
                 name = output.name if output.components == 1 else f"{output.name}.{'xyzw'[i]}"
                 if output.kind == "attribute" or self.is_enabled(distance):
-                    columns.append(Column(output.kind, name, list(values), *interpolation))
+                    columns.append(Column(output.kind, name, [row[i] for row in rows], *qualifiers))
                 distance += output.kind == "clip distance"
         return positions, columns, strips
 
-    def is_enabled(self, distance):
-        """True if a clip distance clips: in OpenGL each is enabled by itself."""
-        return self.is_vulkan or self.api_state.vertexProcessing.clipPlanes[distance]
-
-    def interpolation_of(self, output, samples):
-        if output.kind != "attribute":
-            return ()
-        inputs = self.fragment_inputs()
-        found = inputs.interpolation_of(output.key)
-        if found is None:
-            self.notes.append(f"smooth for {output.name}: its fragment shader does not read that")
-            found = ("smooth", "center")
-        interpolation, location = found
-        is_anywhere = samples == 1 or interpolation == "flat"
-        return interpolation, "sample" if is_anywhere or self.is_per_sample else location
-
-    def fragment_inputs(self):
-        """The inputs of the fragment shader; of none, no inputs."""
-        shader = self.state.GetShaderReflection(self.rd.ShaderStage.Pixel)
-        if shader is None:
-            return Inputs()
-        if shader.encoding == self.rd.ShaderEncoding.SPIRV:
-            return SpirvModule(shader.rawBytes).inputs(shader.entryPoint)
-        return glsl_inputs(shader.rawBytes.decode(errors="replace"))
+    def check_outputs(self, reflection, outputs):
+        rd = self.rd
+        builtins = {s.systemValue for s in reflection.outputSignature}
+        refuse((rd.ShaderBuiltin.Position not in builtins, "its vertex shader writes no position"),
+               (rd.ShaderBuiltin.CullDistance in builtins, "it has cull distances"),
+               (rd.ShaderBuiltin.ViewportIndex in builtins, "its vertex shader sets the viewport"))
+        if rd.ShaderBuiltin.RTIndex in builtins:
+            self.notes.append("all layers are drawn into one")
+        others = [s.varName for s in reflection.outputSignature
+                  if s.systemValue == rd.ShaderBuiltin.Undefined and s.varType != rd.VarType.Float]
+        if others:
+            self.notes.append(f"left out attribute {', '.join(others)}: not float32")
+        unread = [output.name for output in outputs
+                  if output.kind == "attribute" and output.key not in self.inputs]
+        if unread:
+            self.notes.append(f"smooth for {', '.join(unread)}: no fragment shader reads that")
 
     def strips_of(self, mesh):
         """The vertices of an instance in the order drawn, parted at restarts."""
         if mesh.indexResourceId == self.rd.ResourceId.Null():
             return [list(range(mesh.numIndices))]
-        width = mesh.indexByteStride
+        width, strips = mesh.indexByteStride, [[]]
         data = self.controller.GetBufferData(mesh.indexResourceId, mesh.indexByteOffset,
                                              mesh.numIndices * width)
         indices = struct.unpack(f"<{mesh.numIndices}{ {1: 'B', 2: 'H', 4: 'I'}[width]}", data)
         restart = self.state.GetRestartIndex() & (1 << 8 * width) - 1
-        strips = [[]]
         for index in indices:
             if self.state.IsRestartEnabled() and index == restart:
                 strips.append([])
@@ -653,28 +580,32 @@ class Reader:
                 strips[-1].append(max(index + mesh.baseVertex, 0))
         return strips
 
-    def check_outputs(self, reflection, outputs):
-        rd = self.rd
-        builtins = {s.systemValue for s in reflection.outputSignature}
-        if rd.ShaderBuiltin.Position not in builtins:
-            raise Unsayable("its vertex shader writes no position")
-        if rd.ShaderBuiltin.CullDistance in builtins:
-            raise Unsayable("it has cull distances, which a case has not")
-        if rd.ShaderBuiltin.ViewportIndex in builtins:
-            raise Unsayable("its vertex shader chooses the viewport; a case has one")
-        if rd.ShaderBuiltin.RTIndex in builtins:
-            self.notes.append("all layers drawn into one: its vertex shader chooses the layer")
-        left_out = [s.varName for s in reflection.outputSignature
-                    if s.systemValue == rd.ShaderBuiltin.Undefined and s.varType != rd.VarType.Float]
-        if left_out:
-            self.notes.append(f"left out attribute {', '.join(left_out)}: not of 32-bit floats")
+    def is_enabled(self, distance):
+        """True if a clip distance clips. In OpenGL each has a switch of its own."""
+        return self.is_vulkan or self.api_state.vertexProcessing.clipPlanes[distance]
+
+    def qualifiers_of(self, output, samples):
+        words = self.inputs.get(output.key, ())
+        interpolation = next((w for w in ("flat", "noperspective") if w in words), "smooth")
+        if samples == 1 or interpolation == "flat" or "sample" in words:
+            return interpolation, "sample"
+        return interpolation, "centroid" if "centroid" in words else "center"
 
 
-# Command line
+# Command line.
 
 
 def say(text):
     print(f"rdc2case: {text}", file=sys.stderr)
+
+
+def write(file, text):
+    try:
+        os.makedirs(os.path.dirname(file) or ".", exist_ok=True)
+        with open(file, "w", encoding="utf-8") as out:
+            out.write(text)
+    except OSError as error:
+        raise BadInput(f"cannot write {file}: {error.strerror}") from error
 
 
 def list_draws(capture):
@@ -684,76 +615,59 @@ def list_draws(capture):
               f"{action.numInstances:<10} {capture.name_of(action)}")
 
 
-def converted(capture, action):
-    """The text of a draw's case; None if there is none. Says what is left out."""
+def convert(capture, action, output):
+    """Writes the case of a draw. Returns False if there is none; says what is left out."""
     notes, text = [], None
     try:
-        case, more = case_of(capture.draw_of(action, notes))
-        notes += more
+        case, of_case = case_of(Reader(capture, action, notes).draw())
         text = text_of(case)
+        notes += of_case
     except Unsayable as reason:
         notes = [f"left out: {reason}"]
     for note in notes:
         say(f"{capture.file}: event {action.eventId}: {note}")
-    return text
+    if text is not None and output:
+        write(output, text)
+    elif text is not None:
+        print(text, end="")
+    return text is not None
 
 
-def write(file, text):
-    try:
-        with open(file, "w", encoding="utf-8") as out:
-            out.write(text)
-    except OSError as error:
-        raise BadInput(f"cannot write {file}: {error.strerror}") from error
-
-
-def convert(capture, options):
-    """Writes the case of one draw or of all. True if there is at least one."""
-    if options.draw is not None:
-        action = next((action for action in capture.actions if action.eventId == options.draw), None)
-        if action is None:
-            raise BadInput(f"event {options.draw} is no draw; without --draw, all draws are listed")
-        text = converted(capture, action)
-        if text is not None:
-            write(options.output, text) if options.output else print(text, end="")
-        return text is not None
-    written = 0
-    try:
-        os.makedirs(options.output, exist_ok=True)
-    except OSError as error:
-        raise BadInput(f"cannot write {options.output}: {error.strerror}") from error
+def run(rd, options):
+    """Does what the options ask for. Returns the exit code."""
+    capture = Capture(rd, options.file)
+    if options.all:
+        written = sum(convert(capture, action, f"{options.output}/event-{action.eventId}.json")
+                      for action in capture.actions)
+        print(f"{written} of {plural(len(capture.actions), 'draw')} written to {options.output}")
+        return 0 if written else 2
+    if options.draw is None:
+        list_draws(capture)
+        return 0
     for action in capture.actions:
-        text = converted(capture, action)
-        if text is not None:
-            write(os.path.join(options.output, f"event-{action.eventId}.json"), text)
-            written += 1
-    print(f"{written} of {plural(len(capture.actions), 'draw')} written to {options.output}")
-    return written > 0
+        if action.eventId == options.draw:
+            return 0 if convert(capture, action, options.output) else 2
+    raise BadInput(f"event {options.draw} is no draw; without --draw, all draws are listed")
 
 
 def main():
     parser = argparse.ArgumentParser(prog="rdc2case", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", metavar="FILE.rdc")
-    parser.add_argument("--draw", type=int, metavar="EVENT")
-    parser.add_argument("--all", action="store_true")
-    parser.add_argument("--output", metavar="PATH")
+    parser.add_argument("--draw", type=int, metavar="EVENT", help="the draw with this event id")
+    parser.add_argument("--all", action="store_true", help="every draw of the frame")
+    parser.add_argument("--output", metavar="PATH", help="file, or with --all folder, to write")
     options = parser.parse_args()
-    if options.all and (options.draw is not None or options.output is None):
+    if options.all and (options.draw is not None or not options.output):
         parser.error("--all needs --output FOLDER, and no --draw")
     try:
         import renderdoc
+        return run(renderdoc, options)
     except ImportError as error:
-        say(f"{error}; it is in the package python3-renderdoc, for /usr/bin/python3")
-        return 2
-    try:
-        capture = Capture(renderdoc, options.file)
-        if options.draw is None and not options.all:
-            list_draws(capture)
-            return 0
-        return 0 if convert(capture, options) else 2
+        say(f"{error}; Debian's package python3-renderdoc has it, for /usr/bin/python3")
     except BadInput as reason:
         say(f"{options.file}: {reason}")
-        return 2
+    return 2
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 layout(location = 0) in vec4 position;
 layout(location = 1) in vec4 values;
 layout(location = 2) in float distance_to_plane;
-layout(push_constant) uniform Push { vec4 scale; };
+layout(push_constant) uniform Push { float scale; };
 layout(location = 0) out vec2 uv;
 layout(location = 1) out float in_window;
 layout(location = 3) out float of_first;
