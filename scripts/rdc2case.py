@@ -10,8 +10,7 @@ A case has the vertices as the vertex stage leaves them on this machine, bit for
 of the rasterizer. Standard error says what is left out because a case cannot hold it.
 
 Needs nothing but RenderDoc's Python module (Debian: python3-renderdoc; tried with 1.24) and a
-machine that can replay the capture. Without a display, Mesa replays OpenGL if the environment has
-EGL_PLATFORM=surfaceless. Exit code 2 if the input is bad or no case could be written.
+machine that can replay the capture. Exit code 2 if the input is bad or no case could be written.
 """
 
 import argparse
@@ -64,25 +63,26 @@ class Draw(NamedTuple):
     depth_clear: Optional[float] = None  # None: no depth test
 
 
+def is_turned(draw):
+    """True if flat attributes come from another vertex than in a case, which has them from the first
+    in Vulkan and from the last in OpenGL."""
+    usual = "last" if draw.rules == "opengl" else "first"
+    return draw.provoking != usual and any(column.interpolation == "flat" for column in draw.columns)
+
+
 def triangles_of(draw):
-    """The triangles of a draw. A case takes flat attributes from the first vertex in Vulkan and
-    from the last in OpenGL; if the draw does not, its triangles are turned, which keeps their
-    facing."""
+    """The triangles of a draw, each turned if the draw is, which keeps their facing."""
     is_last, triangles = draw.provoking == "last", []
     for strip in draw.strips:
         for i in range(0, len(strip) - 2, 3 if draw.topology == "list" else 1):
             a, b, c = strip[i:i + 3]
             if draw.topology == "fan":
-                triangle = (strip[0], b, c) if is_last else (b, c, strip[0])
+                a, b, c = (strip[0], b, c) if is_last else (b, c, strip[0])
             elif draw.topology == "strip" and i % 2 == 1:
-                triangle = (b, a, c) if is_last else (a, c, b)
-            else:
-                triangle = (a, b, c)
-            if is_last and draw.rules == "vulkan":
-                triangle = (triangle[2], *triangle[:2])
-            elif not is_last and draw.rules == "opengl":
-                triangle = (*triangle[1:], triangle[0])
-            triangles.append(triangle)
+                a, b, c = (b, a, c) if is_last else (a, c, b)
+            if is_turned(draw):
+                a, b, c = (c, a, b) if is_last else (b, c, a)
+            triangles.append((a, b, c))
     return triangles
 
 
@@ -143,6 +143,9 @@ def case_of(draw):
                  if all(math.isfinite(number) for i in triangle for number in draw.positions[i])]
     refuse((not triangles, "it has no triangle"))
     notes = []
+    if is_turned(draw):
+        notes.append(f"turned its triangles, whose {draw.provoking} vertex provokes; the last bits of "
+                     "values may differ")
     if len(triangles) < len(whole):
         lost = plural(len(whole) - len(triangles), "triangle")
         notes.append(f"left out {lost}: a position is NaN or infinite")
@@ -311,6 +314,8 @@ class Capture:
         self.rd, self.file = rd, file
         if not os.path.isfile(file):
             raise BadInput("no such file")
+        if not os.environ.get("DISPLAY"):
+            os.environ.setdefault("EGL_PLATFORM", "surfaceless")  # or Mesa does not replay OpenGL
         rd.InitialiseReplay(rd.GlobalEnvironment(), [])
         opened = rd.OpenCaptureFile()
         result = opened.OpenFile(file, "", None)
@@ -496,7 +501,8 @@ class Reader:
         return depths.pop()[0]
 
     def depths_before(self, texture):
-        """The depths in the buffer before the draw, as a set of 1-tuples; None if they are not float32."""
+        """The set of depths in the buffer before the draw, each in a tuple of its own; None if they
+        are not float32."""
         formats, form = self.rd.ResourceFormatType, texture.format
         has_stencil = form.type == formats.D32S8
         if not has_stencil and (form.type != formats.Regular or form.compByteWidth != 4):

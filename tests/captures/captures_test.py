@@ -50,20 +50,28 @@ class Captured(unittest.TestCase):
 
     # The driver that draws and replays, whatever graphics cards the machine has.
     DRIVER = {"VK_ICD_FILENAMES": ":".join(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json"))}
-    maxDiff = None
+    ATTRIBUTES = ["uv.x", "uv.y", "in_window", "of_first"]
 
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="captures-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.build()
+        (cls.folder / "none").mkdir()
+        cls.make_headers()
+        cls.command(CC, "-std=c11", "-Wall", "-Wextra", "-Werror", "-I.", SOURCE / "tests/captures" / cls.PROGRAM,
+                    "-o", "draw", cls.LIBRARY, "-ldl")
         done = cls.command("renderdoccmd", "capture", "--wait-for-exit", "--capture-file", "frame", "./draw")
         # Before and after what the program prints, renderdoccmd says what it does.
         cls.drawn = json.loads(re.search(r"\{.*\}", done.stdout, re.DOTALL)[0])
         cls.capture, = (file.name for file in cls.folder.glob("frame*.rdc"))
-        cls.listed = cls.command(sys.executable, SOURCE / "scripts/rdc2case.py", cls.capture).stdout
+        cls.listed = cls.convert(cls.capture).stdout
         # The event of each draw, in the order of the frame.
         cls.events = [int(line.split()[0]) for line in cls.listed.splitlines()[1:]]
+        cls.every = cls.convert(cls.capture, "--all", "--output", "every")
+
+    @classmethod
+    def make_headers(cls):
+        """Makes what the program includes."""
 
     @classmethod
     def command(cls, *words, code=0):
@@ -72,16 +80,16 @@ class Captured(unittest.TestCase):
             raise AssertionError(f"{words}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
         return done
 
-    def convert(self, *words, code=0):
-        done = self.command(sys.executable, SOURCE / "scripts/rdc2case.py", *words, code=code)
-        self.assertNotIn("Traceback", done.stderr)
+    @classmethod
+    def convert(cls, *words, code=0):
+        done = cls.command(sys.executable, SOURCE / "scripts/rdc2case.py", *words, code=code)
+        if "Traceback" in done.stderr:
+            raise AssertionError(done.stderr)
         return done
 
     def case_of(self, number):
-        """The case of a draw, and the name of its file."""
-        file = f"draw-{number}.json"
-        done = self.convert(self.capture, "--draw", self.events[number], "--output", file)
-        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        """The case of a draw, and its file."""
+        file = f"every/event-{self.events[number]}.json"
         return json.loads((self.folder / file).read_text(encoding="utf-8")), file
 
     def check_state(self, case, number):
@@ -95,13 +103,12 @@ class Captured(unittest.TestCase):
         is_all = drawn["scissor"] == [0, 0, width, height]
         self.assertEqual(case.get("scissor"), None if is_all else scissor)
 
-    def check_vertices(self, case, number, triangles, scale=1.0):
-        """Holds triangles, given by the program's vertices, against those of a case. float.fromhex() is
-        exact, and a product with a power of two as well."""
-        numbers = list(map(float.fromhex, self.drawn["draws"][number]["vertices"]))
-        rows = [numbers[i:i + 9] for i in range(0, len(numbers), 9)]
-        expected = [[[value * scale for value in rows[i][:4]] + rows[i][4:] for i in triangle]
-                    for triangle in triangles]
+    def drawn_row(self, number, vertex):
+        """The nine numbers of a vertex that the program gave to its shader."""
+        return list(map(float.fromhex, self.drawn["draws"][number]["vertices"][9 * vertex:9 * vertex + 9]))
+
+    def check_vertices(self, case, rows):
+        """Holds the rows of a case's triangles against expected ones, bit for bit."""
         order = [self.ATTRIBUTES.index(attribute["name"]) for attribute in case["attributes"]]
         self.assertEqual(sorted(order), [0, 1, 2, 3])
 
@@ -109,34 +116,36 @@ class Captured(unittest.TestCase):
             attributes = dict(zip(order, vertex["attributes"]))
             words = [*vertex["position"], *(attributes[i] for i in range(4)), *vertex["clip_distances"]]
             return [float.fromhex(word) for word in words]
-        self.assertEqual([[row(case["vertices"][i]) for i in triangle] for triangle in case["triangles"]],
-                         expected)
-
-    ATTRIBUTES = ["uv.x", "uv.y", "in_window", "of_first"]
+        self.assertEqual([[row(case["vertices"][i]) for i in triangle] for triangle in case["triangles"]], rows)
 
     def check_judged(self, file):
-        (self.folder / "none").mkdir(exist_ok=True)
+        """Has the driver draw and judge a case: all is correct. Returns the share that could be judged."""
         said = self.command(RASTERCHECK, "run", "--backend", self.BACKEND, "--scene", file, "--cases", 0,
                             "--corpus", "none", "--no-known").stdout
-        judged, samples = map(int, re.search(r"(\d+) of (\d+) samples judged \(.*\), all correct", said).groups())
-        self.assertGreater(judged, 0)
-        return judged / samples
+        found = re.search(r"(\d+)(?: of (\d+))? samples judged.*, all correct", said)
+        self.assertIsNotNone(found, said)
+        return int(found[1]) / int(found[2] or found[1])
 
-    def check_pixels(self, case, file, number):
-        """The driver draws the case as it drew for the program, bit for bit. A case is drawn as one fragment
-        for each pixel here: triangles do not overlap, or the nearest one is seen."""
+    def check_pixels(self, case, file, number, names=ATTRIBUTES):
+        """The driver draws a case as it drew for the program: the same pixels, and in them the same bits of
+        these attributes. A pixel has one fragment here: triangles do not overlap, or the nearest is seen."""
         said = json.loads(self.command(RASTERCHECK, "render", file, "--backend", self.BACKEND, "--json").stdout)
-        width, height = self.drawn["width"], self.drawn["height"]
         order = [self.ATTRIBUTES.index(attribute["name"]) for attribute in case["attributes"]]
-        picture = [["0x0p+0"] * 4 for _ in range(width * height)]
+        width, texels = self.drawn["width"], self.drawn["draws"][number]["pixels"]
+        seen = {}  # Nothing that is drawn has 0 of its first vertex, as the background has.
+        for i in range(0, len(texels), 4):
+            if texels[i + 3] != "0x0p+0":
+                seen[i // 4 % width, i // 4 // width] = texels[i:i + 4]
+        drawn = {}
         for fragment in said["fragments"]:
-            pixel = picture[fragment["y"] * width + fragment["x"]]
-            self.assertEqual(pixel, ["0x0p+0"] * 4, fragment)
-            for at, value in zip(order, fragment["attributes"]):
-                pixel[at] = value
-        seen = self.drawn["draws"][number]["pixels"]
-        self.assertEqual(picture, [seen[i:i + 4] for i in range(0, len(seen), 4)])
-        self.assertGreater(len(said["fragments"]), 100)
+            at = fragment["x"], fragment["y"]
+            self.assertNotIn(at, drawn)
+            drawn[at] = [value for _, value in sorted(zip(order, fragment["attributes"]))]
+        self.assertGreater(len(seen), 100)
+        self.assertEqual(sorted(drawn), sorted(seen))
+        compared = [self.ATTRIBUTES.index(name) for name in names]
+        for at, values in seen.items():
+            self.assertEqual([drawn[at][i] for i in compared], [values[i] for i in compared], at)
 
 
 def interpolations(case):
@@ -145,16 +154,15 @@ def interpolations(case):
 
 class Vulkan(Captured):
     BACKEND = "vulkan:lavapipe"
+    PROGRAM, LIBRARY = "draw.c", "-lvulkan"
 
     @classmethod
-    def build(cls):
+    def make_headers(cls):
         here = SOURCE / "tests/captures"
         cls.command(GLSLANG, "-V", "--vn", "vertex_code", "-o", "draw.vert.h", here / "draw.vert")
         for name in ("noperspective", "smooth"):
             cls.command(GLSLANG, "-V", f"-DLINEAR={name}", "--vn", f"{name}_code", "-o", f"{name}.frag.h",
                         here / "draw.frag")
-        cls.command(CC, "-std=c11", "-Wall", "-Wextra", "-Werror", "-I.", here / "draw.c", "-o", "draw",
-                    "-lvulkan", "-ldl")
 
     def test_lists_the_draws(self):
         lines = [line.split() for line in self.listed.splitlines()]
@@ -170,7 +178,11 @@ class Vulkan(Captured):
         self.assertEqual(interpolations(case), {"uv.x": "smooth", "uv.y": "smooth", "in_window": "noperspective",
                                                 "of_first": "flat"})
         # Indices 1, 0, 4, 2, restart, 5, 6, 7; the second triangle of a strip begins with its own vertex.
-        self.check_vertices(case, 0, [(1, 0, 4), (0, 2, 4), (5, 6, 7)], scale=0.5)
+        # The vertex shader halves positions.
+        def row(vertex):
+            whole = self.drawn_row(0, vertex)
+            return [value / 2 for value in whole[:4]] + whole[4:]
+        self.check_vertices(case, [[row(i) for i in triangle] for triangle in [(1, 0, 4), (0, 2, 4), (5, 6, 7)]])
         # Lavapipe may shift the fractional viewport by pixels, so much is open.
         self.assertGreater(self.check_judged(file), 0.3)
         self.check_pixels(case, file, 0)
@@ -181,40 +193,79 @@ class Vulkan(Captured):
         self.assertEqual((case["rules"], case["cull"], case["front_face"]), ("vulkan", "back", "cw"))
         self.assertEqual((case["depth_clamp"], case["depth_test"], case["depth_clear"]), (True, "less", "0x1.cp-1"))
         self.assertEqual(interpolations(case)["in_window"], "smooth")
-        self.check_vertices(case, 1, [(0, 1, 2), (3, 4, 5), (6, 7, 8)])
+        self.check_vertices(case, [[self.drawn_row(1, i) for i in range(at, at + 3)] for at in (0, 3, 6)])
         self.assertGreater(self.check_judged(file), 0.9)
         self.check_pixels(case, file, 1)
 
     def test_all_draws_and_what_is_left_out(self):
-        done = self.convert(self.capture, "--all", "--output", "every")
-        self.assertEqual(done.stdout, "2 of 3 draws written to every\n")
+        self.assertEqual(self.every.stdout, "2 of 3 draws written to every\n")
         reason = f"event {self.events[2]}: left out: it draws a LineList; a case has only triangles\n"
-        self.assertEqual(done.stderr, f"rdc2case: {self.capture}: {reason}")
+        self.assertEqual(self.every.stderr, f"rdc2case: {self.capture}: {reason}")
         self.assertEqual({file.name for file in (self.folder / "every").iterdir()},
                          {f"event-{event}.json" for event in self.events[:2]})
+
+    def test_one_draw(self):
         alone = self.convert(self.capture, "--draw", self.events[0])
-        self.assertEqual(alone.stdout, (self.folder / f"every/event-{self.events[0]}.json").read_text(encoding="utf-8"))
-        alone = self.convert(self.capture, "--draw", self.events[2], code=2)
-        self.assertEqual((alone.stdout, alone.stderr), ("", done.stderr))
+        whole = (self.folder / f"every/event-{self.events[0]}.json").read_text(encoding="utf-8")
+        self.assertEqual((alone.stdout, alone.stderr), (whole, ""))
+        alone = self.convert(self.capture, "--draw", self.events[2], "--output", "lines.json", code=2)
+        self.assertEqual((alone.stdout, alone.stderr), ("", self.every.stderr))
+        self.assertFalse((self.folder / "lines.json").exists())
 
     def test_bad_input_is_one_line(self):
         (self.folder / "text.rdc").write_text("no capture\n", encoding="utf-8")
         (self.folder / "cut.rdc").write_bytes((self.folder / self.capture).read_bytes()[:5000])
-        capture, event = self.capture, self.events[0]
+        capture = self.capture
         for words, message in (
                 (["none.rdc"], "rdc2case: none.rdc: no such file"),
                 (["text.rdc"], "rdc2case: text.rdc: RenderDoc cannot read it: "),
                 (["cut.rdc", "--all", "--output", "cut"], "rdc2case: cut.rdc: RenderDoc cannot read it: "),
                 ([capture, "--draw", 1],
                  f"rdc2case: {capture}: event 1 is no draw; without --draw, all draws are listed"),
-                ([capture, "--draw", event, "--output", "text.rdc/case.json"],
-                 f"rdc2case: {capture}: cannot write text.rdc/case.json: "),
                 ([capture, "--all", "--output", "text.rdc"], f"rdc2case: {capture}: cannot write text.rdc/")):
             with self.subTest(words):
                 done = self.convert(*words, code=2)
                 self.assertEqual((done.stdout, len(done.stderr.splitlines())), ("", 1))
                 self.assertTrue(done.stderr.startswith(message), done.stderr)
         self.assertIn("--all needs --output FOLDER", self.convert(capture, "--all", code=2).stderr)
+
+
+class OpenGL(Captured):
+    BACKEND = "gl:llvmpipe"
+    PROGRAM, LIBRARY = "draw_gl.c", "-lepoxy"
+
+    def test_says_what_it_changes(self):
+        left_out = [f"event {event}: left out attribute number: not float32" for event in self.events]
+        turned = (f"event {self.events[1]}: turned its triangles, whose first vertex provokes; the last bits of "
+                  "values may differ")
+        self.assertEqual(self.every.stderr.splitlines(),
+                         [f"rdc2case: {self.capture}: {line}" for line in [*left_out, turned]])
+
+    def test_a_fan_of_two_instances(self):
+        case, file = self.case_of(0)
+        self.check_state(case, 0)
+        self.assertEqual((case["rules"], case["cull"], case["front_face"]), ("opengl", "none", "cw"))
+        self.assertEqual(interpolations(case), {"uv.x": "smooth", "uv.y": "smooth", "in_window": "noperspective",
+                                                "of_first": "flat"})
+
+        def row(vertex, is_mirrored):
+            x, *others = self.drawn_row(0, vertex)
+            return [-x if is_mirrored else x, *others]
+        self.check_vertices(case, [[row(i, is_mirrored) for i in triangle] for is_mirrored in (False, True)
+                                   for triangle in [(1, 2, 3), (1, 3, 4)]])
+        self.assertGreater(self.check_judged(file), 0.2)
+        self.check_pixels(case, file, 0)
+
+    def test_a_strip_whose_first_vertices_provoke(self):
+        case, file = self.case_of(1)
+        self.check_state(case, 1)
+        self.assertEqual((case["rules"], case["cull"], case["front_face"]), ("opengl", "front", "cw"))
+        # Indices 0, 1, 3, 2, restart, 0, 1 from vertex 1 on: triangles (1, 2, 4) and (2, 3, 4), in which the
+        # first vertex provokes, and so has to come last.
+        self.check_vertices(case, [[self.drawn_row(1, i) for i in triangle] for triangle in [(2, 4, 1), (3, 4, 2)]])
+        self.assertGreater(self.check_judged(file), 0.9)
+        # The driver starts from another vertex, so only what does not vary keeps its bits.
+        self.check_pixels(case, file, 1, ["of_first"])
 
 
 if __name__ == "__main__":
