@@ -64,10 +64,10 @@ class Draw(NamedTuple):
 
 
 def is_turned(draw):
-    """True if flat attributes come from another vertex than in a case, which has them from the first
-    in Vulkan and from the last in OpenGL."""
-    usual = "last" if draw.rules == "opengl" else "first"
-    return draw.provoking != usual and any(column.interpolation == "flat" for column in draw.columns)
+    """True if flat attributes come from another vertex than in a case, which has them from the
+    first in Vulkan and from the last in OpenGL."""
+    of_case = "last" if draw.rules == "opengl" else "first"
+    return draw.provoking != of_case and any(c.interpolation == "flat" for c in draw.columns)
 
 
 def triangles_of(draw):
@@ -144,8 +144,8 @@ def case_of(draw):
     refuse((not triangles, "it has no triangle"))
     notes = []
     if is_turned(draw):
-        notes.append(f"turned its triangles, whose {draw.provoking} vertex provokes; the last bits of "
-                     "values may differ")
+        notes.append(f"turned its triangles, whose {draw.provoking} vertex provokes; the last bits "
+                     "of values may differ")
     if len(triangles) < len(whole):
         lost = plural(len(whole) - len(triangles), "triangle")
         notes.append(f"left out {lost}: a position is NaN or infinite")
@@ -269,7 +269,8 @@ def glsl_inputs(source):
     source = re.sub(r"//[^\n]*|/\*.*?\*/", " ", source, flags=re.DOTALL)
     declared = re.findall(r"((?:\w+\s+|layout\s*\([^)]*\)\s*)*)\b(?:in|varying)\s+"
                           r"(?:\w+p\s+)?\w+\s+(\w+)[^;{(]*;", source)
-    found = {name: set(re.findall(r"\w+", before)) for before, name in declared}
+    found = {name: set(WORDS.values()).intersection(re.findall(r"\w+", before))
+             for before, name in declared}
     if re.search(r"\bgl_Sample(ID|Position)\b|\bsample\s+in\b", source):
         set_per_sample(found)
     return found
@@ -677,4 +678,8 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    exit_code = main()
+    sys.stdout.flush()
+    # Not sys.exit(): a thread of RenderDoc may still be loading drivers, whose constructors and
+    # the destructors of a regular end wait for each other for ever.
+    os._exit(exit_code)

@@ -268,10 +268,141 @@ class OpenGL(Captured):
         self.check_pixels(case, file, 1, ["of_first"])
 
 
+class Cases(unittest.TestCase):
+    """What needs no RenderDoc: draws as data, and qualifiers in shaders."""
+
+    maxDiff = None
+
+    def draw(self, **changes):
+        """A draw of two triangles by a list, changed."""
+        draw = {"name": "a draw", "rules": "vulkan", "size": (8, 4), "samples": 1,
+                "viewport": (0.0, 0.0, 8.0, 4.0, 0.0, 1.0), "scissor": None, "topology": "list", "provoking": "first",
+                "positions": [(float(i), 0.0, 0.0, 1.0) for i in range(6)], "columns": [], "strips": [list(range(6))]}
+        return converter().Draw(**{**draw, **changes})
+
+    def column(self, *values, interpolation="smooth", kind="attribute", name="u"):
+        return converter().Column(kind, name, list(map(float, values)), interpolation)
+
+    def triangles(self, **changes):
+        return converter().triangles_of(self.draw(**changes))
+
+    def refused(self, **changes):
+        with self.assertRaises(converter().Unsayable) as caught:
+            converter().case_of(self.draw(**changes))
+        return str(caught.exception)
+
+    def test_triangles_are_those_of_the_specifications(self):
+        # Vulkan 1.3, 21.1.3 to 21.1.5, and OpenGL 4.6, 10.1.8 to 10.1.10 and table 13.2, of vertices 5, 6, ...
+        five = [[5, 6, 7, 8, 9]]
+        self.assertEqual(self.triangles(strips=five), [(5, 6, 7)])
+        self.assertEqual(self.triangles(topology="strip", strips=five), [(5, 6, 7), (6, 8, 7), (7, 8, 9)])
+        self.assertEqual(self.triangles(topology="fan", strips=five), [(6, 7, 5), (7, 8, 5), (8, 9, 5)])
+        opengl = {"rules": "opengl", "provoking": "last"}
+        self.assertEqual(self.triangles(topology="strip", strips=five, **opengl), [(5, 6, 7), (7, 6, 8), (7, 8, 9)])
+        self.assertEqual(self.triangles(topology="fan", strips=five, **opengl), [(5, 6, 7), (5, 7, 8), (5, 8, 9)])
+        # Strips begin anew after a restart.
+        self.assertEqual(self.triangles(topology="strip", strips=[[0, 1, 2], [], [3, 4], [5, 4, 3, 2]]),
+                         [(0, 1, 2), (5, 4, 3), (4, 2, 3)])
+
+    def test_triangles_are_turned_for_flat_attributes_only(self):
+        flat, smooth = self.column(*range(6), interpolation="flat"), self.column(*range(6))
+        for rules, provoking, expected in (("opengl", "first", (1, 2, 0)), ("vulkan", "last", (2, 0, 1))):
+            changes = {"rules": rules, "provoking": provoking, "strips": [[0, 1, 2]]}
+            self.assertEqual(self.triangles(columns=[flat], **changes), [expected])
+            self.assertEqual(self.triangles(columns=[smooth], **changes), [(0, 1, 2)])
+
+    def test_only_what_lies_in_the_framebuffer_of_a_scissor_counts(self):
+        for scissor, expected in (
+                (None, None), ((0, 0, 8, 4), None), ((-5, -1, 2**31 - 1, 90), None),
+                ((1, 2, 3, 1), (1, 2, 3, 1)), ((-2, 1, 5, 90), (0, 1, 3, 3)), ((9, 9, 5, 5), (8, 4, 0, 0)),
+                ((0, 0, 0, 0), (0, 0, 0, 0))):
+            case, _ = converter().case_of(self.draw(scissor=scissor))
+            inside = expected and dict(zip(("x", "y", "width", "height"), expected))
+            self.assertEqual(case.get("scissor"), inside, scissor)
+
+    def test_what_is_not_finite_is_left_out_and_said(self):
+        positions = [(0.0, 0.0, 0.0, 1.0)] * 5 + [(0.0, math.nan, 0.0, 1.0)]
+        columns = [self.column(*[0.5] * 6), self.column(0, math.inf, 0, 0, 0, 0, name="v"),
+                   self.column(0, 0, 0, 0, 0, math.nan, name="w"),
+                   self.column(*[0.25] * 6, kind="clip distance", name="c")]
+        case, notes = converter().case_of(self.draw(positions=positions, columns=columns))
+        self.assertEqual(notes, ["left out 1 triangle: a position is NaN or infinite",
+                                 "left out attribute v: has NaN or infinity"])
+        # Vertex 5 is not drawn, so its NaN does not matter.
+        self.assertEqual([attribute["name"] for attribute in case["attributes"]], ["u", "w"])
+        self.assertEqual(case["triangles"], [[0, 1, 2]])
+        self.assertEqual(case["vertices"][0]["clip_distances"], ["0x1p-2"])
+        many = [self.column(*[0] * 6, name=f"u{i}") for i in range(34)]
+        case, notes = converter().case_of(self.draw(columns=many))
+        self.assertEqual(len(case["attributes"]), 32)
+        self.assertEqual(notes, ["left out attribute u32, u33: a case has 32 at most"])
+
+    def test_what_a_case_cannot_hold_is_refused(self):
+        for changes, reason in (
+                ({"size": (0, 4)}, "its framebuffer is not of 1 to 16384 pixels a side"),
+                ({"samples": 32}, "it has 32 samples per pixel"),
+                ({"viewport": (0.0, 0.0, 16385.0, 4.0, 0.0, 1.0)}, "its viewport has a side of more than 16384 pixels"),
+                ({"viewport": (0.0, 0.0, 8.0, 4.0, 0.0, 1.5)}, "its depth range is not within 0 to 1"),
+                ({"strips": [[0, 1], []]}, "it has no triangle")):
+            self.assertEqual(self.refused(**changes), reason)
+
+    def test_numbers_keep_their_bits(self):
+        numbers = [0.0, -0.0, 1.0, -0.1, 2.0**-149, 2.0**-126, 1 + 2.0**-23, (2 - 2.0**-23) * 2.0**127, 1e9, 3.0e-39]
+        numbers = [converter().struct.unpack("<f", converter().struct.pack("<f", number))[0] for number in numbers]
+        columns = [self.column(number, *[0.0] * 5, name=f"u{i}") for i, number in enumerate(numbers)]
+        case, _ = converter().case_of(self.draw(columns=columns, scissor=(1, 1, 2, 2), depth_clear=0.5,
+                                                depth_clamp=True))
+        with tempfile.TemporaryDirectory(prefix="captures-") as folder:
+            (pathlib.Path(folder) / "case.json").write_text(converter().text_of(case), encoding="utf-8")
+            done = run(RASTERCHECK, "import", "case.json", folder=folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        read = json.loads(done.stdout)
+        self.assertEqual(read["vertices"][0]["attributes"], case["vertices"][0]["attributes"])
+        self.assertEqual({key: read[key] for key in case}, case)
+        self.assertEqual(list(map(float.hex, map(float.fromhex, read["vertices"][0]["attributes"]))),
+                         list(map(float.hex, numbers)))
+
+    QUALIFIED = """#version 450
+        layout(location = 0) flat in vec4 a;
+        layout(location = 1) noperspective in mat3 m;
+        layout(location = 4) centroid in float c[2];
+        layout(location = 6) in Block { vec2 first; flat vec2 second; noperspective centroid float third; } b;
+        layout(location = 9) in vec3 plain;
+        layout(location = 0) out vec4 color;
+        void main() { color = a + vec4(m * plain, c[0] + c[1]) + vec4(b.first, b.second) * b.third MORE; }"""
+
+    def spirv_inputs(self, source):
+        with tempfile.TemporaryDirectory(prefix="captures-") as name:
+            folder = pathlib.Path(name)
+            (folder / "shader.frag").write_text(source, encoding="utf-8")
+            done = run(GLSLANG, "-V", "-o", "shader.spv", "shader.frag", folder=folder)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            return converter().spirv_inputs((folder / "shader.spv").read_bytes(), "main")
+
+    def test_qualifiers_in_spirv(self):
+        expected = {0: {"flat"}, **{i: {"noperspective"} for i in (1, 2, 3)}, **{i: {"centroid"} for i in (4, 5)},
+                    6: set(), 7: {"flat"}, 8: {"noperspective", "centroid"}, 9: set()}
+        self.assertEqual(self.spirv_inputs(self.QUALIFIED.replace("MORE", "")), expected)
+        per_sample = {key: words | {"sample"} for key, words in expected.items()}
+        self.assertEqual(self.spirv_inputs(self.QUALIFIED.replace("MORE", "* gl_SampleID")), per_sample)
+        source = self.QUALIFIED.replace("MORE", "").replace("in vec3", "sample in vec3")
+        self.assertEqual(self.spirv_inputs(source), per_sample)
+
+    def test_qualifiers_in_glsl(self):
+        inputs = converter().glsl_inputs
+        self.assertEqual(inputs(self.QUALIFIED),
+                         {"a": {"flat"}, "m": {"noperspective"}, "c": {"centroid"}, "plain": set()})
+        self.assertEqual(inputs("in vec4 a; // flat in vec4 b;\n/* flat in\nvec4 c; */ flat\nin highp int d;"
+                                "varying vec2 e;"),
+                         {"a": set(), "d": {"flat"}, "e": set()})
+        self.assertIn("sample", inputs("in vec4 a; sample in vec4 b;")["a"])
+        self.assertIn("sample", inputs("in vec4 a; void main() { gl_SampleID; }")["a"])
+
+
 if __name__ == "__main__":
     SOURCE, RASTERCHECK, CC, GLSLANG = pathlib.Path(sys.argv[1]).resolve(), *sys.argv[2:5]
     CLASS = sys.argv[5]
     if CLASS != "Cases" and missing():
-        print(f"captures_test.py: {missing()}: scripts/setup test installs RenderDoc")
+        print(f"captures_test.py: {missing()}: scripts/setup test installs RenderDoc on Debian 12")
         sys.exit(1 if os.environ.get("RASTERCHECK_REQUIRE_BACKENDS") == "all" else 77)
     unittest.main(argv=[sys.argv[0], *sys.argv[5:]])
