@@ -172,7 +172,7 @@ class Vulkan(Captured):
     def test_a_strip_with_a_restart(self):
         case, file = self.case_of(0)
         self.check_state(case, 0)
-        self.assertEqual((case["rules"], case["cull"], case["front_face"]), ("vulkan", "none", "cw"))
+        self.assertEqual((case["rules"], case["cull"], case["front_face"]), ("vulkan", "none", "ccw"))
         self.assertNotIn("depth_clamp", case)
         self.assertNotIn("depth_test", case)
         self.assertEqual(interpolations(case), {"uv.x": "smooth", "uv.y": "smooth", "in_window": "noperspective",
@@ -244,7 +244,7 @@ class OpenGL(Captured):
     def test_a_fan_of_two_instances(self):
         case, file = self.case_of(0)
         self.check_state(case, 0)
-        self.assertEqual((case["rules"], case["cull"], case["front_face"]), ("opengl", "none", "cw"))
+        self.assertEqual((case["rules"], case["cull"], case["front_face"]), ("opengl", "none", "ccw"))
         self.assertEqual(interpolations(case), {"uv.x": "smooth", "uv.y": "smooth", "in_window": "noperspective",
                                                 "of_first": "flat"})
 

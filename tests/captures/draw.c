@@ -80,7 +80,7 @@ static const struct Draw kDraws[] = {
     {"strip", VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, kStrip, COUNT(kStrip), kStripIndices,
      COUNT(kStripIndices), 0.5f, noperspective_code, sizeof noperspective_code,
      {2.25f, 1.5f, 43.5f, 28.75f, 0.25f, 0.75f}, {{5, 3}, {37, 24}},
-     VK_CULL_MODE_NONE, VK_FRONT_FACE_CLOCKWISE, VK_FALSE, VK_FALSE},
+     VK_CULL_MODE_NONE, VK_FRONT_FACE_COUNTER_CLOCKWISE, VK_FALSE, VK_FALSE},
     {"behind", VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, kBehind, COUNT(kBehind), NULL,
      0, 1.0f, smooth_code, sizeof smooth_code,
      {0.0f, 32.0f, 48.0f, -32.0f, 0.0f, 1.0f}, {{0, 0}, {WIDTH, HEIGHT}},

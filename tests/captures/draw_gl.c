@@ -57,12 +57,12 @@ static const struct Draw {
   GLenum topology, provoking;
   float viewport[6];
   int scissor[4];
-  GLenum culled;  // GL_NONE: nothing is culled
+  GLenum front, culled;  // GL_NONE: nothing is culled
 } kDraws[] = {
     {"fan", GL_TRIANGLE_FAN, GL_LAST_VERTEX_CONVENTION, {2.25f, 1.5f, 43.5f, 28.75f, 0.25f, 0.75f},
-     {5, 3, 37, 24}, GL_NONE},
+     {5, 3, 37, 24}, GL_CCW, GL_NONE},
     {"strip", GL_TRIANGLE_STRIP, GL_FIRST_VERTEX_CONVENTION, {0.0f, 0.0f, 48.0f, 32.0f, 0.0f, 1.0f},
-     {0, 0, WIDTH, HEIGHT}, GL_FRONT},
+     {0, 0, WIDTH, HEIGHT}, GL_CW, GL_FRONT},
 };
 
 static float pixels[WIDTH * HEIGHT * 4];
@@ -116,7 +116,6 @@ static int make_shared(void) {
   glEnable(GL_SCISSOR_TEST);
   glEnable(GL_CLIP_DISTANCE1);
   glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
-  glFrontFace(GL_CW);
   return glGetError() == GL_NO_ERROR;
 }
 
@@ -126,6 +125,7 @@ static void draw(const struct Draw* d) {
   glEnable(GL_SCISSOR_TEST);
   (d->culled == GL_NONE ? glDisable : glEnable)(GL_CULL_FACE);
   if (d->culled != GL_NONE) glCullFace(d->culled);
+  glFrontFace(d->front);
   glProvokingVertex(d->provoking);
   const float* v = d->viewport;
   glViewportIndexedf(0, v[0], v[1], v[2], v[3]);
