@@ -311,8 +311,9 @@ def outputs_of(rd, reflection, is_aligned):
 class Capture:
     """A capture, replayed on this machine."""
 
-    def __init__(self, rd, file):
+    def __init__(self, rd, file, chosen):
         self.rd, self.file = rd, file
+        self.chosen = chosen  # interpolations by name, whatever the fragment shader says
         if not os.path.isfile(file):
             raise BadInput("no such file")
         if not os.environ.get("DISPLAY"):
@@ -393,6 +394,7 @@ class Reader:
         # Dynamic rendering has no framebuffer.
         size = (framebuffer.width, framebuffer.height) if framebuffer.width else self.target()[0]
         refuse((multisample.sampleLocations.customLocations, "it sets sample locations"),
+               (views.discardRectangles, "it has discard rectangles"),
                (views.depthNegativeOneToOne, "its clip depth begins at -w, not at 0"),
                (rasterizer.conservativeRasterization != self.rd.ConservativeRaster.Disabled,
                 "its rasterization is conservative"),
@@ -479,13 +481,18 @@ class Reader:
         have the draw's depth test."""
         state = self.api_state
         if self.is_vulkan:
-            depth, stencil, bias = state.depthStencil, state.depthStencil, state.rasterizer
+            depth, bias, blend = state.depthStencil, state.rasterizer, state.colorBlend
             is_tested, is_written = depth.depthTestEnable, depth.depthWriteEnable
+            others = depth.stencilTestEnable, depth.depthBoundsEnable, blend.alphaToCoverageEnable
+            is_biased = bias.depthBiasEnable
         else:
-            depth, stencil, bias = state.depthState, state.stencilState, state.rasterizer.state
+            depth, bias = state.depthState, state.rasterizer.state
             is_tested, is_written = depth.depthEnable, depth.depthWrites
-        if stencil.stencilTestEnable if self.is_vulkan else stencil.stencilEnable:
-            self.notes.append("left out the stencil test")
+            others = state.stencilState.stencilEnable, depth.depthBounds, bias.alphaToCoverage
+            is_biased = True
+        for is_on, what in zip(others, ("stencil test", "depth bounds test", "alpha to coverage")):
+            if is_on:
+                self.notes.append(f"left out the {what}")
         function = self.rd.CompareFunction(depth.depthFunction).name
         target = self.texture(self.state.GetDepthTarget())
         if not is_tested or target is None or function == "AlwaysTrue":
@@ -493,8 +500,9 @@ class Reader:
         depths = self.depths_before(target)
         for is_so, why in ((function != "Less", f"is {function}, not Less"),
                            (not is_written, "does not write depths"),
-                           (bias.depthBias or bias.slopeScaledDepthBias, "biases depths"),
-                           (depths is None, "has a buffer of another kind than float32 with one sample"),
+                           (is_biased and (bias.depthBias or bias.slopeScaledDepthBias),
+                            "biases depths"),
+                           (depths is None, "has no buffer of float32 with one sample"),
                            (len(depths or ()) != 1, "is against depths of earlier draws")):
             if is_so:
                 self.notes.append(f"left out the depth test: it {why}")
@@ -566,9 +574,11 @@ class Reader:
         if others:
             self.notes.append(f"left out attribute {', '.join(others)}: not float32")
         unread = [output.name for output in outputs
-                  if output.kind == "attribute" and output.key not in self.inputs]
+                  if output.kind == "attribute" and output.key not in self.inputs
+                  and output.name not in self.capture.chosen]
         if unread:
-            self.notes.append(f"smooth for {', '.join(unread)}: no fragment shader reads that")
+            self.notes.append(f"smooth for {', '.join(unread)}: no fragment shader reads that "
+                              "(--flat, --noperspective)")
 
     def strips_of(self, mesh):
         """The vertices of an instance in the order drawn, parted at restarts."""
@@ -591,7 +601,9 @@ class Reader:
         return self.is_vulkan or self.api_state.vertexProcessing.clipPlanes[distance]
 
     def qualifiers_of(self, output, samples):
-        words = self.inputs.get(output.key, ())
+        words = self.inputs.get(output.key, set())
+        if output.name in self.capture.chosen:
+            words = {self.capture.chosen[output.name]}
         interpolation = next((w for w in ("flat", "noperspective") if w in words), "smooth")
         if samples == 1 or interpolation == "flat" or "sample" in words:
             return interpolation, "sample"
@@ -641,7 +653,9 @@ def convert(capture, action, output):
 
 def run(rd, options):
     """Does what the options ask for. Returns the exit code."""
-    capture = Capture(rd, options.file)
+    chosen = {**dict.fromkeys(options.flat, "flat"),
+              **dict.fromkeys(options.noperspective, "noperspective")}
+    capture = Capture(rd, options.file, chosen)
     if options.all:
         written = sum(convert(capture, action, f"{options.output}/event-{action.eventId}.json")
                       for action in capture.actions)
@@ -663,7 +677,12 @@ def main():
     parser.add_argument("--draw", type=int, metavar="EVENT", help="the draw with this event id")
     parser.add_argument("--all", action="store_true", help="every draw of the frame")
     parser.add_argument("--output", metavar="PATH", help="file, or with --all folder, to write")
+    for option in ("--flat", "--noperspective"):
+        parser.add_argument(option, action="append", default=[], metavar="NAME",
+                            help="a variable of the vertex shader that is interpolated so")
     options = parser.parse_args()
+    if options.output and options.draw is None and not options.all:
+        parser.error("--output needs --draw EVENT or --all")
     if options.all and (options.draw is not None or not options.output):
         parser.error("--all needs --output FOLDER, and no --draw")
     try:

@@ -205,8 +205,10 @@ class Vulkan(Captured):
                          {f"event-{event}.json" for event in self.events[:2]})
 
     def test_one_draw(self):
-        alone = self.convert(self.capture, "--draw", self.events[0])
+        alone = self.convert(self.capture, "--draw", self.events[0], "--flat", "uv")
         whole = (self.folder / f"every/event-{self.events[0]}.json").read_text(encoding="utf-8")
+        whole, count = re.subn(r'("name": "uv\..", "interpolation": )"smooth"', r'\1"flat"', whole)
+        self.assertEqual(count, 2)
         self.assertEqual((alone.stdout, alone.stderr), (whole, ""))
         alone = self.convert(self.capture, "--draw", self.events[2], "--output", "lines.json", code=2)
         self.assertEqual((alone.stdout, alone.stderr), ("", self.every.stderr))
@@ -228,6 +230,7 @@ class Vulkan(Captured):
                 self.assertEqual((done.stdout, len(done.stderr.splitlines())), ("", 1))
                 self.assertTrue(done.stderr.startswith(message), done.stderr)
         self.assertIn("--all needs --output FOLDER", self.convert(capture, "--all", code=2).stderr)
+        self.assertIn("--output needs --draw", self.convert(capture, "--output", "case.json", code=2).stderr)
 
 
 class OpenGL(Captured):
