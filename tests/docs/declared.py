@@ -17,6 +17,7 @@ NOT_RUN = {
     r"--corpus large\b": "judges 110 million fragments",
     r"^scripts/image-defects\b": "takes minutes, and needs ImageMagick",
     r"^(python3 -m venv|environment/bin/pip) ": "test python.package installs with pip, without a network",
+    r"\brdc2case\.py\b|\bevent-29\.json\b": "needs a capture; tests captures.* make and convert some",
     r"^valgrind ": "stops at an instruction that libhwy uses (RDTSCP) where the processor is said to lack it",
     r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",
 }
