@@ -695,9 +695,18 @@ def main():
     return 2
 
 
-if __name__ == "__main__":
-    exit_code = main()
+def leave(code):
+    """Ends the process without destructors: a thread of RenderDoc may still be loading drivers, and
+    at a regular end the two may wait for each other for ever. RenderDoc then keeps its log, which
+    a regular end removes."""
     sys.stdout.flush()
-    # Not sys.exit(): a thread of RenderDoc may still be loading drivers, whose constructors and
-    # the destructors of a regular end wait for each other for ever.
-    os._exit(exit_code)
+    if "renderdoc" in sys.modules:
+        try:
+            os.remove(sys.modules["renderdoc"].GetLogFile())
+        except OSError:
+            pass
+    os._exit(code)
+
+
+if __name__ == "__main__":
+    leave(main())
