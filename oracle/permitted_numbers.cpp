@@ -17,16 +17,16 @@
 namespace rastercheck::oracle {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
 /// The greatest float32 that is not greater. Infinite from 2^128 on, which is what an infinity
 /// counts as.
 float greatest_float_within(const Field& limit) {
   float f = nearest_float(limit);
   // The nearest float32 is infinite from the middle between the greatest one and 2^128 on.
-  while (f > -kInfinity && Field(computed_ring(f)) > limit) f = std::nextafter(f, -kInfinity);
-  for (float next = std::nextafter(f, kInfinity);
-       f < kInfinity && Field(computed_ring(next)) <= limit; next = std::nextafter(f, kInfinity)) {
+  while (f > -kInfinite && Field(computed_ring(f)) > limit) f = std::nextafter(f, -kInfinite);
+  for (float next = std::nextafter(f, kInfinite);
+       f < kInfinite && Field(computed_ring(next)) <= limit; next = std::nextafter(f, kInfinite)) {
     f = next;
   }
   return f;
@@ -74,7 +74,7 @@ std::optional<records::FloatRange> TriangleTruth::permitted_numbers(
       attribute ? to_field(attribute_magnitude(*attribute)) : magnitude_of_depth(*setup_->scene);
   const Field& lo = to_field(range->lo);
   const Field& hi = to_field(range->hi);
-  records::FloatRange numbers{-kInfinity, kInfinity};
+  records::FloatRange numbers{-kInfinite, kInfinite};
   if (allowed.below)
     numbers.least = 0 - greatest_float_within(in_units(*allowed.below, lo, size) - lo);
   if (allowed.above)

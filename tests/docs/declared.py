@@ -56,6 +56,7 @@ ENDS_WITH = [
     ("findings.md", r"^rastercheck replay .*\Z", (0, 4), "4 where the machine has no such driver"),
     ("from-formula-to-property.md", r"rastercheck_with_mutants .*\Z", (1,), "mutants"),
     ("image-tests.md", r"^rastercheck deqp .*\Z", (1,), "two verdicts of the log are wrong"),
+    ("judge-a-driver.md", r"^\./bug llvmpipe\Z", (1,), "a driver's defect"),
     ("judge-a-driver.md", r"^rastercheck (run|replay) .*(--no-known|quarter\.json).*\Z", (1,), "a driver's defects"),
     ("python.md", r"^python3 -m pytest .*-k random\Z", (1,), "the rasterizer made wrong"),
     ("judge-your-rasterizer.md", r"^sed .*\n.*\nrastercheck run .*\Z", (1,), "the division is gone"),
