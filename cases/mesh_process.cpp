@@ -42,7 +42,7 @@ bool all_finite(const std::vector<std::array<float, size>>& vectors) {
   });
 }
 
-bool is_finite(const MeshCamera& camera) {
+bool has_finite_numbers(const MeshCamera& camera) {
   const auto finite = [](double x) { return std::isfinite(x); };
   return std::all_of(camera.to_object.begin(), camera.to_object.end(), finite) &&
          finite(camera.yfov) && finite(camera.aspect_ratio.value_or(0)) && finite(camera.xmag) &&
@@ -52,7 +52,7 @@ bool is_finite(const MeshCamera& camera) {
 /// The reason why a mesh cannot be drawn, or "".
 std::string fault_of(const Mesh& mesh) {
   if (mesh.cameras.size() > kMaxMeshCameras) return "too many cameras";
-  if (!std::all_of(mesh.cameras.begin(), mesh.cameras.end(), &is_finite)) {
+  if (!std::all_of(mesh.cameras.begin(), mesh.cameras.end(), &has_finite_numbers)) {
     return "a camera's number is not finite";
   }
   if (!all_finite(mesh.positions) || !all_finite(mesh.texture)) return "a number is not finite";

@@ -202,14 +202,14 @@ Vector3 fitted_eye(const Reach& reach, const HalfSize& slopes, const ViewAxes& a
   return eye;
 }
 
-bool is_finite(const Camera& camera) {
+bool fits_float32(const Camera& camera) {
   const auto finite = [](float value) { return std::isfinite(value); };
   return std::all_of(camera.view.begin(), camera.view.end(), finite) &&
          std::all_of(camera.projection.begin(), camera.projection.end(), finite);
 }
 
 /// The reason why a file's camera makes no sense, or "".
-std::string fault_of(const MeshCamera& camera) {
+std::string fault_of_camera(const MeshCamera& camera) {
   if (camera.is_orthographic) {
     if (!(camera.xmag > 0)) return fmt::format("its xmag, {}, is not above 0", camera.xmag);
     if (!(camera.ymag > 0)) return fmt::format("its ymag, {}, is not above 0", camera.ymag);
@@ -262,12 +262,12 @@ Result<Camera> frame(std::span<const std::array<float, 3>> points, const View& v
     return refuse_view("too large for a float32 camera to frame, or too far away from the eye");
   }
   const Camera camera{kIdentity, view_matrix(*axes, eye), perspective(slopes, near, far, rules)};
-  if (!is_finite(camera)) return refuse_view("too large for a float32 camera to frame");
+  if (!fits_float32(camera)) return refuse_view("too large for a float32 camera to frame");
   return camera;
 }
 
 Result<Camera> place(const MeshCamera& camera, Rules rules, double width_over_height) {
-  if (const std::string fault = fault_of(camera); !fault.empty()) return refuse_view(fault);
+  if (const std::string fault = fault_of_camera(camera); !fault.empty()) return refuse_view(fault);
   const auto column = [&camera](std::size_t i) {
     return Vector3{camera.to_object[i], camera.to_object[4 + i], camera.to_object[8 + i]};
   };
@@ -290,7 +290,7 @@ Result<Camera> place(const MeshCamera& camera, Rules rules, double width_over_he
       view_matrix(*axes, {dot(axes->right, eye), dot(axes->up, eye), dot(axes->back, eye)}),
       camera.is_orthographic ? orthographic(half, camera.znear, far, rules)
                              : perspective(half, camera.znear, far, rules)};
-  if (!is_finite(placed)) return refuse_view("it is too large for float32");
+  if (!fits_float32(placed)) return refuse_view("it is too large for float32");
   return placed;
 }
 

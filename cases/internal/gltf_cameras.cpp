@@ -50,9 +50,9 @@ std::optional<std::size_t> index_in(const json& value) {
   return value.is_number_unsigned() ? std::optional(value.get<std::size_t>()) : std::nullopt;
 }
 
-double number_in(const json& value) { return value.is_number() ? value.get<double>() : 0; }
+double number_or_zero(const json& value) { return value.is_number() ? value.get<double>() : 0; }
 
-std::optional<double> optional_number_in(const json& value) {
+std::optional<double> optional_number(const json& value) {
   return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
@@ -61,15 +61,19 @@ template <std::size_t size>
 std::optional<std::array<double, size>> numbers_in(const json& value) {
   if (!value.is_array() || value.size() != size) return std::nullopt;
   std::array<double, size> numbers{};
-  for (std::size_t i = 0; i < size; ++i) numbers[i] = number_in(value[i]);
+  for (std::size_t i = 0; i < size; ++i) numbers[i] = number_or_zero(value[i]);
   return numbers;
+}
+
+std::string_view text_in(const json& value) {
+  return value.is_string() ? std::string_view(value.get_ref<const std::string&>())
+                           : std::string_view();
 }
 
 /// A name, shortened: the answer's first line has a limit.
 std::string name_in(const json& value) {
   constexpr std::size_t kLongestName = 200;
-  if (!value.is_string()) return "";
-  return value.get_ref<const std::string&>().substr(0, kLongestName);
+  return std::string(text_in(value).substr(0, kLongestName));
 }
 
 /// A node's own transform: a matrix column by column, or translation · rotation · scale.
@@ -101,14 +105,14 @@ MeshCamera camera_in(const json& camera, const json& node, const Affine& to_obje
   MeshCamera made;
   made.name = name_in(part(camera, "name"));
   if (made.name.empty()) made.name = name_in(part(node, "name"));
-  made.is_orthographic = part(camera, "type") == "orthographic";
+  made.is_orthographic = text_in(part(camera, "type")) == "orthographic";
   const json& numbers = part(camera, made.is_orthographic ? "orthographic" : "perspective");
-  made.yfov = number_in(part(numbers, "yfov"));
-  made.aspect_ratio = optional_number_in(part(numbers, "aspectRatio"));
-  made.xmag = number_in(part(numbers, "xmag"));
-  made.ymag = number_in(part(numbers, "ymag"));
-  made.znear = number_in(part(numbers, "znear"));
-  made.zfar = optional_number_in(part(numbers, "zfar"));
+  made.yfov = number_or_zero(part(numbers, "yfov"));
+  made.aspect_ratio = optional_number(part(numbers, "aspectRatio"));
+  made.xmag = number_or_zero(part(numbers, "xmag"));
+  made.ymag = number_or_zero(part(numbers, "ymag"));
+  made.znear = number_or_zero(part(numbers, "znear"));
+  made.zfar = optional_number(part(numbers, "zfar"));
   // A transform that overflows has no direction.
   const auto finite = [](double x) { return std::isfinite(x); };
   if (std::all_of(to_object.begin(), to_object.end(), finite)) made.to_object = to_object;
@@ -186,12 +190,12 @@ std::vector<MeshCamera> gltf_cameras(std::string_view content) {
   // Keeps only what is needed: buffers may be part of the text.
   const auto keep = [](int depth, json::parse_event_t event, json& value) {
     if (depth != 1 || event != json::parse_event_t::key) return true;
-    return value == "asset" || value == "cameras" || value == "nodes" || value == "scene" ||
-           value == "scenes";
+    const std::string_view key = text_in(value);
+    return key == "asset" || key == "cameras" || key == "nodes" || key == "scene" ||
+           key == "scenes";
   };
   const json file = json::parse(text, keep, /*allow_exceptions=*/false);
-  const json& version = part(part(file, "asset"), "version");
-  if (!version.is_string() || !version.get_ref<const std::string&>().starts_with("2")) return {};
+  if (!text_in(part(part(file, "asset"), "version")).starts_with("2")) return {};
   return cameras_in(file);
 }
 

@@ -236,7 +236,7 @@ TEST(Import, RefusesViewsThatAreNone) {
                 "direction)\n");
   EXPECT_EQ(refusal({"--camera", "0"}),
             "rastercheck: " + square_mesh() + ": has no cameras, so no '0'\n");
-  EXPECT_NE(refusal({"--camera", "0", "--fov", "60"}).find("--camera excludes --fov"),
+  EXPECT_NE(refusal({"--camera", "0", "--fov", "60"}).find("--fov excludes --camera"),
             std::string::npos);
 }
 
