@@ -181,7 +181,7 @@ TEST(CameraFrame, TwoOppositeSidesOfThePictureAreReached) {
 // Kills: a frontal view, in which a cube looks like a flat square.
 TEST(CameraFrame, ThreeFacesOfACubeAreSeen) {
   for (const double aspect_ratio : kAspectRatios) {
-    // Of the picture's largest square.
+    // The share of the picture that its largest square fills.
     const double square = std::min(aspect_ratio, 1 / aspect_ratio);
     const Camera camera = framed(cube(), Rules::opengl, aspect_ratio);
     EXPECT_GT(share_of_picture(camera, {{1, -1, 1}, {1, -1, -1}, {1, 1, -1}, {1, 1, 1}}),

@@ -139,7 +139,7 @@ TEST(GltfCameras, OtherFilesHaveNone) {
   }
 }
 
-// What is missing or of the wrong kind is found out where the camera is used.
+// Whoever uses the camera refuses them.
 TEST(GltfCameras, NumbersThatAreNoneAreZero) {
   const auto cameras = gltf_cameras(
       R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],

@@ -182,7 +182,7 @@ TEST(Import, RefusesOptionsThatDoNotApply) {
   EXPECT_NE(no_mesh.err.find("is no mesh, so it takes no --eye"), std::string::npos);
 }
 
-/// What the command says of a square mesh with these options.
+/// The error for a square mesh with these options.
 std::string refusal(const std::vector<std::string>& options) {
   std::vector<std::string> arguments{"import", square_mesh()};
   arguments.insert(arguments.end(), options.begin(), options.end());
