@@ -76,6 +76,15 @@ TEST(GltfCameras, AreTurnedByQuaternionsOfAnyLength) {
                                                 0, 1, 0, 0));
 }
 
+// A third of a turn about (1, 1, 1) turns x to y, y to z and z to x. Kills: one wrong sign of nine.
+TEST(GltfCameras, AreTurnedAboutAnyAxis) {
+  const auto cameras = gltf_cameras(file_of(R"({"rotation": [0.5, 0.5, 0.5, 0.5], "camera": 0})"));
+  ASSERT_THAT(cameras, SizeIs(1));
+  EXPECT_THAT(cameras[0].to_object, ElementsAre(0, 0, 1, 0,  //
+                                                1, 0, 0, 0,  //
+                                                0, 1, 0, 0));
+}
+
 // Kills: a matrix read row by row; it is written column by column.
 TEST(GltfCameras, MatricesAreReadByColumns) {
   const auto cameras = gltf_cameras(
