@@ -1,10 +1,13 @@
 #include "cases/mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
+#include <optional>
+#include <utility>
 
 #include "cases/internal/camera_frame.h"
 #include "cases/json.h"
@@ -12,23 +15,94 @@
 namespace rastercheck::cases {
 namespace {
 
-Bounds bounds_of(const std::vector<ClipVertex>& positions) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Bounds bounds{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  for (const ClipVertex& p : positions) {
-    const std::array<double, 3> xyz{p.x, p.y, p.z};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.lo[axis] = std::min(bounds.lo[axis], xyz[axis]);
-      bounds.hi[axis] = std::max(bounds.hi[axis], xyz[axis]);
-    }
-  }
-  return bounds;
+/// "0 'front'", as messages name a camera.
+std::string shown(const Mesh& mesh, std::size_t index) {
+  const std::string& name = mesh.cameras[index].name;
+  return name.empty() ? fmt::format("{}", index) : fmt::format("{} '{}'", index, printable(name));
 }
 
-bool is_finite_camera(const Camera& camera) {
-  const auto finite = [](float value) { return std::isfinite(value); };
-  return std::all_of(camera.view.begin(), camera.view.end(), finite) &&
-         std::all_of(camera.projection.begin(), camera.projection.end(), finite);
+/// The index of the camera with that name, else of that index; empty if none.
+std::optional<std::size_t> find_camera(const Mesh& mesh, const std::string& wanted) {
+  for (std::size_t i = 0; i < mesh.cameras.size(); ++i) {
+    if (mesh.cameras[i].name == wanted) return i;
+  }
+  for (std::size_t i = 0; i < mesh.cameras.size(); ++i) {
+    if (std::to_string(i) == wanted) return i;
+  }
+  return std::nullopt;
+}
+
+std::string no_such_camera(const Mesh& mesh, const std::string& wanted) {
+  if (mesh.cameras.empty()) return fmt::format("has no cameras, so no '{}'", printable(wanted));
+  std::string all;
+  for (std::size_t i = 0; i < mesh.cameras.size(); ++i) {
+    all += fmt::format("{}{}", i == 0 ? "" : ", ", shown(mesh, i));
+  }
+  return fmt::format("has no camera '{}', but {}", printable(wanted), all);
+}
+
+/// A note that the picture shows more than the camera's own; "" if it does not.
+std::string note_on_shape(const MeshCamera& camera, const MeshOptions& options) {
+  const std::optional<double> wanted = aspect_ratio_of(camera);
+  if (!wanted) return "";
+  // The camera's picture as large as it fits into this one.
+  const int width =
+      static_cast<int>(std::lround(std::min<double>(options.width, options.height * *wanted)));
+  const int height =
+      static_cast<int>(std::lround(std::min<double>(options.height, options.width / *wanted)));
+  if (width == options.width && height == options.height) return "";
+  return fmt::format(
+      "its camera's picture is {} times as wide as high, so that this one shows more {} "
+      "(--width {} --height {} shows what the camera does)",
+      *wanted, width == options.width ? "above and below" : "at the sides", std::max(width, 1),
+      std::max(height, 1));
+}
+
+struct Viewed {
+  Camera camera;
+  std::vector<std::string> notes;
+};
+
+/// The camera with that index.
+Result<Viewed> through(const Mesh& mesh, std::size_t index, const MeshOptions& options,
+                       double width_over_height) {
+  const MeshCamera& chosen = mesh.cameras[index];
+  const Result<Camera> camera = place(chosen, options.rules, width_over_height);
+  if (!camera) {
+    return tl::unexpected(Error{
+        "", "",
+        fmt::format("camera {} cannot be used: {}", shown(mesh, index), camera.error().reason)});
+  }
+  Viewed viewed{*camera, {}};
+  const std::string note = note_on_shape(chosen, options);
+  if (!note.empty()) viewed.notes.push_back(note);
+  return viewed;
+}
+
+/// The camera that the options ask for. Fails with a reason only.
+Result<Viewed> look_at(const Mesh& mesh, const MeshOptions& options) {
+  const double width_over_height = double(options.width) / double(options.height);
+  if (options.camera && *options.camera != kNoCamera) {
+    const std::optional<std::size_t> index = find_camera(mesh, *options.camera);
+    if (!index) return tl::unexpected(Error{"", "", no_such_camera(mesh, *options.camera)});
+    return through(mesh, *index, options, width_over_height);
+  }
+  std::vector<std::string> notes;
+  if (!options.camera && options.view == View() && !mesh.cameras.empty()) {
+    Result<Viewed> first = through(mesh, 0, options, width_over_height);
+    if (first) {
+      first->notes.insert(first->notes.begin(),
+                          fmt::format("camera {} of {} (--camera NAME|INDEX, or none to see all)",
+                                      shown(mesh, 0), mesh.cameras.size()));
+      return first;
+    }
+    // A mesh need not be refused for a camera that nobody asked for.
+    notes.push_back(first.error().reason + "; all of the mesh is shown instead");
+  }
+  return frame(mesh.positions, options.view, options.rules, width_over_height)
+      .map([&notes](const Camera& camera) {
+        return Viewed{camera, std::move(notes)};
+      });
 }
 
 /// A case without vertices and triangles.
@@ -38,7 +112,7 @@ Case empty_case(const std::string& file, const MeshOptions& options, bool textur
   c.rules = options.rules;
   c.fill_rule = default_fill_rule(c.rules);
   c.basis = default_basis(c.rules);
-  c.framebuffer = {options.width, options.height, 1};
+  c.framebuffer = {options.width, options.height, options.samples};
   c.viewport.width = static_cast<float>(options.width);
   c.viewport.height = static_cast<float>(options.height);
   c.attributes = {{textured ? "u" : "x", Interpolation::smooth, Location::sample},
@@ -48,7 +122,8 @@ Case empty_case(const std::string& file, const MeshOptions& options, bool textur
 
 }  // namespace
 
-Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshOptions& options) {
+Result<Imported> case_of_mesh(const Mesh& mesh, const std::string& file,
+                              const MeshOptions& options) {
   const auto refuse = [&file](const std::string& reason) {
     return tl::unexpected(Error{file, "", reason});
   };
@@ -63,10 +138,10 @@ Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshO
     c.positions.push_back({x, y, z, 1});
     c.attribute_values.insert(c.attribute_values.end(), attributes.begin(), attributes.end());
   }
-  c.camera =
-      frame(bounds_of(c.positions), c.rules, double{c.viewport.width} / double{c.viewport.height});
-  if (!is_finite_camera(*c.camera)) return refuse("too large for a float32 camera to frame");
-  return c;
+  Result<Viewed> viewed = look_at(mesh, options);
+  if (!viewed) return refuse(viewed.error().reason);
+  c.camera = viewed->camera;
+  return Imported{std::move(c), std::move(viewed->notes)};
 }
 
 }  // namespace rastercheck::cases

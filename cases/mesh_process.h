@@ -4,10 +4,11 @@
 // a broken file becomes an error of the file, and the process's answer is checked like any input.
 // The answer is one line of JSON followed by the mesh's numbers, little-endian, without separators:
 //
-//   {"vertices": 3, "triangles": 1, "textured": true}
+//   {"vertices": 3, "triangles": 1, "textured": true, "cameras": [{"name": "front", "yfov": …}]}
 //   x y z of every vertex, u v of every vertex where textured (float32), corners of every triangle
 //   (uint32)
 //
+// without "cameras" if the file has none,
 // or one line alone, {"error": {"file": "…", "place": "…", "reason": "…"}}.
 //
 // This keeps a broken file from bringing the program down. It is no sandbox: the process has all

@@ -15,8 +15,11 @@
 #include <map>
 #include <new>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "cases/files.h"
+#include "cases/internal/gltf_cameras.h"
 #include "cases/json.h"
 
 namespace rastercheck::cases {
@@ -181,15 +184,18 @@ Result<Mesh> read_mesh(const std::string& file, const std::string& format) {
   Result<std::string> text = read_text(file);
   if (!text) return tl::unexpected(text.error());
   if (text->empty()) return tl::unexpected(Error{file, "", "not a mesh: empty"});
-  if (!is_input) *text = std::string();  // assimp reads the file itself
   try {
+    std::vector<MeshCamera> cameras = gltf_cameras(*text);
+    if (!is_input) *text = std::string();  // assimp reads the file itself
     Assimp::Importer importer;
     if (is_input) {
       importer.ReadFileFromMemory(text->data(), text->size(), 0, format.c_str());
     } else {
       importer.ReadFile(file, 0);
     }
-    return mesh_of_scene(importer, file, format);
+    Result<Mesh> mesh = mesh_of_scene(importer, file, format);
+    if (mesh) mesh->cameras = std::move(cameras);
+    return mesh;
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{file, "", "not enough memory to read it"});
   }

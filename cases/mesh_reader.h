@@ -13,6 +13,7 @@ namespace rastercheck::cases {
 /// Reads a mesh file (OBJ, PLY, OFF, glTF, 3DS and whatever else assimp reads), or standard input
 /// for "-". For standard input, `format` is the file name ending without the dot ("obj"), or empty
 /// to detect it by content; external references (a material, a separate buffer) are not found.
+/// The mesh has the cameras of a glTF 2.0 file; those of other formats are left out.
 /// Fails if the file cannot be read, if a coordinate is not finite, if an index is beyond the
 /// vertices, or if the mesh has more than 2^32 - 1 vertices. Faults that assimp's readers repair
 /// silently go unnoticed: OFF and 3DS indices beyond the vertices are clamped, and an OBJ object

@@ -34,9 +34,13 @@ Result<records::Picture> picture(std::string name, std::string caption,
 Result<cases::Case> read_scene(const records::Plan& plan) {
   const std::string& file = plan.scene;
   const int size = plan.scene_size;
+  const auto with_notes = [&file](cases::Imported imported) {
+    print_notes(file, imported.notes);
+    return std::move(imported.drawn);
+  };
   const bool is_mesh = cases::is_mesh_file(file);
   Result<cases::Case> scene =
-      is_mesh ? case_from_mesh_file(file, "", {size, size, cases::Rules::vulkan})
+      is_mesh ? case_from_mesh_file(file, "", {size, size, cases::Rules::vulkan}).map(with_notes)
               : cases::read_case(file);
   if (scene) scene = oracle::to_clip_case(*scene, file);
   if (scene && (is_mesh || scene->name.empty())) {

@@ -16,6 +16,7 @@ namespace rastercheck::cli {
 
 /// Returns the clip-space case of the plan's mesh or case file ("-": a case on standard input),
 /// named after its file if it has no name. The case has a depth test if the plan draws a frame.
+/// Prints a note to standard error if a mesh is seen by a camera of its file.
 Result<cases::Case> read_scene(const records::Plan& plan);
 
 /// A scene as drawn by all of a plan's backends.

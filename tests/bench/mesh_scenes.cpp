@@ -1,11 +1,16 @@
 #include "tests/bench/mesh_scenes.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <numbers>
 #include <string>
 
-#include "cases/mesh.h"
 #include "cases/mesh_reader.h"
 #include "oracle/transform.h"
 #include "tests/bench/quake_level.h"
@@ -46,9 +51,9 @@ Result<Scene> framed_mesh(const std::string& file, const char* origin, const glm
       check_there(file, origin)
           .and_then([&] { return cases::read_mesh(file); })
           .and_then([&](const cases::Mesh& mesh) {
-            return cases::case_of_mesh(mesh, file, {size.x, size.y});
+            return cases::case_of_mesh(mesh, file, seen_from_the_front(mesh, size));
           })
-          .and_then([&](const cases::Case& c) { return oracle::to_clip_case(c, file); });
+          .and_then([&](const cases::Imported& c) { return oracle::to_clip_case(c.drawn, file); });
   if (!framed) return tl::unexpected(framed.error());
   Scene scene;
   scene.size = size;
@@ -62,6 +67,29 @@ Result<Scene> framed_mesh(const std::string& file, const char* origin, const glm
 }
 
 }  // namespace
+
+cases::MeshOptions seen_from_the_front(const cases::Mesh& mesh, const glm::ivec2& size) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  glm::dvec3 lo(kInfinity);
+  glm::dvec3 hi(-kInfinity);
+  for (const auto& [x, y, z] : mesh.positions) {
+    lo = glm::min(lo, glm::dvec3(x, y, z));
+    hi = glm::max(hi, glm::dvec3(x, y, z));
+  }
+  // A sphere touches the sides of a view cone of slope s at distance radius · sqrt(1 + s²) / s.
+  constexpr double kSlope = 0.5;
+  const glm::dvec3 middle = (lo + hi) / 2.0;
+  const double radius = 1.05 * glm::length(hi - lo) / 2;
+  const glm::dvec3 eye = middle + glm::normalize(glm::dvec3(0.25, 0.25, 1)) *
+                                      (radius * std::sqrt(1 + kSlope * kSlope) / kSlope);
+  const double slope = kSlope * std::max(1.0, double(size.y) / double(size.x));
+  cases::MeshOptions options{size.x, size.y};
+  options.view = {std::array{eye.x, eye.y, eye.z},
+                  std::array{middle.x, middle.y, middle.z},
+                  {},
+                  std::atan(slope) * 360 / std::numbers::pi};
+  return options;
+}
 
 Result<Scene> bunny(const glm::ivec2& size) {
   return framed_mesh(RASTERCHECK_BUNNY, "glmark2-data", size);

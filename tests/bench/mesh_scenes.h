@@ -16,9 +16,15 @@
 #include <glm/vec2.hpp>
 
 #include "cases/error.h"
+#include "cases/mesh.h"
 #include "tests/bench/bench_scenes.h"
 
 namespace rastercheck::bench {
+
+/// The view in which all of this program's meshes are drawn, and have been since its first figures:
+/// from the front, a little from above and from the right, as close as a sphere around the mesh's
+/// box allows.
+cases::MeshOptions seen_from_the_front(const cases::Mesh& mesh, const glm::ivec2& size);
 
 /// These meshes are seen from outside and fill the target.
 Result<Scene> bunny(const glm::ivec2& size);

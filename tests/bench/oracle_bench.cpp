@@ -20,6 +20,7 @@
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
 #include "tests/bench/bench_scenes.h"
+#include "tests/bench/mesh_scenes.h"
 
 namespace rastercheck::bench {
 namespace {
@@ -47,7 +48,8 @@ cases::Case to_case(const Scene& scene, int width = kTarget, int height = kTarge
 /// The bunny, filling a target of 512 × 512.
 cases::Case bunny() {
   const cases::Mesh mesh = cases::read_mesh(kBunny).value();
-  return oracle::to_clip_case(cases::case_of_mesh(mesh, kBunny, {}).value(), kBunny).value();
+  const auto made = cases::case_of_mesh(mesh, kBunny, seen_from_the_front(mesh, {512, 512}));
+  return oracle::to_clip_case(made->drawn, kBunny).value();
 }
 
 /// A case, and the fragments that a backend drew of it.

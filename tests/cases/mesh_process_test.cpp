@@ -33,6 +33,22 @@ Mesh textured_quad() {
   return mesh;
 }
 
+Mesh filmed_triangle() {
+  Mesh mesh = triangle();
+  MeshCamera& first = mesh.cameras.emplace_back();
+  first.name = "a \"b\"\n";
+  first.yfov = 0.1;
+  first.znear = 1e-300;
+  first.to_object = {1, 0, 0, 1.0 / 3, 0, 1, 0, -1e300, 0, 0, 1, 1e-7};
+  MeshCamera& second = mesh.cameras.emplace_back();
+  second.is_orthographic = true;
+  second.xmag = 7;
+  second.ymag = -0.25;
+  second.zfar = 5;
+  second.aspect_ratio = 16.0 / 9;
+  return mesh;
+}
+
 /// The error for the answer of a shell script.
 std::string refusal(const std::string& script) {
   const Result<Mesh> mesh = mesh_of_process({"/bin/sh", "-c", script}, "a.glb", kLimits);
@@ -45,7 +61,7 @@ std::string reply_refusal(const std::string& reply) {
 }
 
 TEST(MeshReply, ComesBackAsItWas) {
-  for (const Mesh& mesh : {triangle(), textured_quad(), Mesh()}) {
+  for (const Mesh& mesh : {triangle(), textured_quad(), filmed_triangle(), Mesh()}) {
     const Result<Mesh> again = mesh_from_reply(mesh_to_reply(mesh), "a.glb");
     ASSERT_TRUE(again.has_value()) << to_string(again.error());
     EXPECT_EQ(*again, mesh);
@@ -88,6 +104,42 @@ TEST(MeshReply, IsRefusedWithANumberThatIsNotFinite) {
   mesh = textured_quad();
   mesh.texture[0][1] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(reply_refusal(mesh_to_reply(mesh)), expected);
+}
+
+// Kills: a camera's number that is used as it comes.
+TEST(MeshReply, IsRefusedWithCamerasThatNoReaderFinds) {
+  const std::string fault = "a.glb: the mesh reader's answer: ";
+  Mesh mesh = filmed_triangle();
+  mesh.cameras[1].to_object[11] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(reply_refusal(mesh_to_reply(mesh)), fault + "a camera's number is not finite");
+  mesh = filmed_triangle();
+  mesh.cameras[0].yfov = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(reply_refusal(mesh_to_reply(mesh)), fault + "a camera's number is not finite");
+  mesh = filmed_triangle();
+  mesh.cameras.resize(kMaxMeshCameras + 1);
+  EXPECT_EQ(reply_refusal(mesh_to_reply(mesh)), fault + "too many cameras");
+  for (const std::string& cameras :
+       {std::string("7"), std::string("[{}]"), std::string(R"([{"to_object": [1]}])"),
+        std::string(R"([{"to_object": [0,0,0,0,0,0,0,0,0,0,0,0], "zoom": 2}])")}) {
+    EXPECT_THAT(reply_refusal(R"({"vertices": 0, "triangles": 0, "textured": false, "cameras": )" +
+                              cameras + "}\n"),
+                HasSubstr(fault));
+  }
+}
+
+// As long as the names and numbers of cameras can be.
+TEST(MeshReply, HasRoomForTheMostCameras) {
+  Mesh mesh = filmed_triangle();
+  mesh.cameras.assign(kMaxMeshCameras, mesh.cameras[0]);
+  for (MeshCamera& camera : mesh.cameras) {
+    camera.name = std::string(200, '\1');
+    camera.to_object.fill(-1.0 / 3e-300);
+    for (double* number : {&camera.yfov, &camera.xmag, &camera.ymag, &camera.znear}) {
+      *number = -1.0 / 3e-300;
+    }
+    camera.aspect_ratio = camera.zfar = camera.yfov;
+  }
+  EXPECT_EQ(mesh_from_reply(mesh_to_reply(mesh), "a.glb").value(), mesh);
 }
 
 TEST(MeshProcess, AnswersWithAMesh) {

@@ -20,13 +20,16 @@
 namespace rastercheck::cases::mesh_test {
 namespace {
 
+using ::testing::DoubleNear;
 using ::testing::ElementsAre;
+using ::testing::Pointwise;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
 Result<Case> case_of_file(const std::string& file, const MeshOptions& options = {}) {
-  return read_mesh(file).and_then(
-      [&](const Mesh& mesh) { return case_of_mesh(mesh, file, options); });
+  return read_mesh(file)
+      .and_then([&](const Mesh& mesh) { return case_of_mesh(mesh, file, options); })
+      .map([](Imported&& imported) { return std::move(imported.drawn); });
 }
 
 Case read(const std::string& name, const std::string& content, const MeshOptions& options = {}) {
@@ -115,15 +118,18 @@ std::string base64(const std::string& data) {
   return text;
 }
 
-/// A glTF 2.0 file: one triangle in a node that is moved by (10, 20, 30).
-std::string gltf(const std::array<float, 9>& coordinates, std::uint16_t last_index) {
+/// A glTF 2.0 file: one triangle in a node that is moved by (10, 20, 30). `cameras` are further
+/// members of the file, whose node 1, next to that of the mesh, is `camera_node`.
+std::string gltf(const std::array<float, 9>& coordinates, std::uint16_t last_index,
+                 const std::string& camera_node = "{}", const std::string& cameras = "") {
   std::string buffer;
   for (const float coordinate : coordinates) buffer += bytes(coordinate);
   for (const std::uint16_t index : {std::uint16_t{0}, std::uint16_t{1}, last_index}) {
     buffer += bytes(index);
   }
-  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-    "nodes": [{"mesh": 0, "translation": [10, 20, 30]}],
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"mesh": 0, "translation": [10, 20, 30]}, )" +
+         camera_node + "], " + cameras + R"(
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
     "accessors": [
       {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
@@ -170,12 +176,12 @@ TEST(Mesh, WithoutTextureCoordinatesTheAttributesAreObjectXAndY) {
 
 TEST(Mesh, TheCaseHasTheStateThatWasAskedForAndIsNamedAfterTheFile) {
   for (const Rules rules : {Rules::opengl, Rules::vulkan, Rules::d3d}) {
-    const Case c = read("state.obj", kTriangle, {40, 30, rules});
+    const Case c = read("state.obj", kTriangle, {40, 30, rules, 4, {}, {}});
     EXPECT_EQ(c.name, "state.obj");
     EXPECT_EQ(c.rules, rules);
     EXPECT_EQ(c.fill_rule, default_fill_rule(rules));
     EXPECT_EQ(c.basis, default_basis(rules));
-    EXPECT_EQ(c.framebuffer, (FramebufferSize{40, 30, 1}));
+    EXPECT_EQ(c.framebuffer, (FramebufferSize{40, 30, 4}));
     EXPECT_EQ(c.viewport, (Viewport{0, 0, 40, 30, 0, 1}));
     EXPECT_TRUE(c.camera.has_value());
   }
@@ -202,6 +208,97 @@ TEST(Mesh, GltfNodesMoveTheirVertices) {
   EXPECT_THAT(corners(c), ElementsAre(ClipVertex{10, 20, 30, 1}, ClipVertex{12, 20, 30, 1},
                                       ClipVertex{10, 24, 31, 1}));
   EXPECT_TRUE(is_framed(c));
+}
+
+/// A glTF file with two cameras 7 in front of the triangle's first corner. By hand (glTF 2.0,
+/// section 3.10.3): that corner has the clip position (0, 0, z, 7).
+std::string filmed(const std::string& perspective) {
+  return gltf({0, 0, 0, 2, 0, 0, 0, 4, 1}, 2,
+              R"({"name": "tripod", "translation": [10, 20, 37], "camera": 0, "children": [2]},
+                 {"name": "plan", "camera": 1})",
+              R"("cameras": [{"type": "perspective", "perspective": )" + perspective + R"(},
+                 {"type": "orthographic",
+                  "orthographic": {"xmag": 4, "ymag": 2, "znear": 1, "zfar": 9}}],)");
+}
+
+Result<Imported> import(const std::string& content, const MeshOptions& options) {
+  const TemporaryFolder folder;
+  const std::string file = folder.put("a.gltf", content);
+  return read_mesh(file).and_then(
+      [&](const Mesh& mesh) { return case_of_mesh(mesh, "a.gltf", options); });
+}
+
+/// The clip position of the corner (12, 20, 30).
+std::array<double, 4> corner_seen_by(const Case& c) {
+  std::array<double, 4> at{12, 20, 30, 1};
+  for (const Matrix4& m : {c.camera->view, c.camera->projection}) {
+    std::array<double, 4> product{};
+    for (std::size_t i = 0; i < 16; ++i) product[i / 4] += double{m[i]} * at[i % 4];
+    at = product;
+  }
+  return at;
+}
+
+// By hand: (12, 20, 30) is 2 to the right of the camera's axis and 7 away. With a slope of 1/2, an
+// aspect ratio of 2 and no far plane, x = 2 / (2 · 1/2), z = 7 − 2 · 1 in OpenGL, w = 7.
+// Kills: assimp's cameras, whose far plane is at 100 if the file has none.
+TEST(Mesh, AGltfFileIsSeenByItsFirstCamera) {
+  const std::string file = filmed(R"({"yfov": 0.9272952180016122, "aspectRatio": 2, "znear": 1})");
+  const auto first = import(file, {512, 256, Rules::opengl, 1, {}, {}});
+  ASSERT_TRUE(first.has_value()) << first.error().reason;
+  EXPECT_THAT(corner_seen_by(first->drawn),
+              Pointwise(DoubleNear(1e-5), std::array{2.0, 0.0, 5.0, 7.0}));
+  EXPECT_THAT(first->notes,
+              ElementsAre("camera 0 'tripod' of 2 (--camera NAME|INDEX, or none to see all)"));
+  // Asked for, it needs no note.
+  for (const char* name : {"tripod", "0"}) {
+    const auto same = import(file, {512, 256, Rules::opengl, 1, {}, name});
+    EXPECT_EQ(same->drawn, first->drawn);
+    EXPECT_THAT(same->notes, SizeIs(0));
+  }
+}
+
+// By hand: x = 2 / 4, z = −(2 · 7 − (9 + 1)) / (1 − 9) = 1/2 in OpenGL.
+TEST(Mesh, AGltfFileIsSeenByTheCameraThatIsAskedFor) {
+  const std::string file = filmed(R"({"yfov": 0.5, "znear": 1})");
+  for (const char* name : {"plan", "1"}) {
+    const auto second = import(file, {512, 256, Rules::opengl, 1, {}, name});
+    EXPECT_THAT(corner_seen_by(second->drawn),
+                Pointwise(DoubleNear(1e-5), std::array{0.5, 0.0, 0.5, 1.0}));
+  }
+  const auto none = import(file, {512, 256, Rules::opengl, 1, {}, kNoCamera});
+  EXPECT_TRUE(is_framed(none->drawn));
+  EXPECT_THAT(none->notes, SizeIs(0));
+  View view;
+  view.fov = 60;
+  EXPECT_TRUE(is_framed(import(file, {512, 256, Rules::opengl, 1, view, {}})->drawn));
+  EXPECT_EQ(import(file, {512, 256, Rules::opengl, 1, {}, "top"}).error().reason,
+            "has no camera 'top', but 0 'tripod', 1 'plan'");
+  EXPECT_EQ(import(gltf({0, 0, 0, 2, 0, 0, 0, 4, 1}, 2), {8, 8, {}, 1, {}, "0"}).error().reason,
+            "has no cameras, so no '0'");
+}
+
+TEST(Mesh, APictureOfAnotherShapeIsNoted) {
+  const std::string file = filmed(R"({"yfov": 0.5, "aspectRatio": 2, "znear": 1})");
+  EXPECT_THAT(import(file, {512, 512, {}, 1, {}, "0"})->notes,
+              ElementsAre("its camera's picture is 2 times as wide as high, so that this one shows "
+                          "more above and below (--width 512 --height 256 shows what the camera "
+                          "does)"));
+  EXPECT_THAT(import(file, {512, 128, {}, 1, {}, "0"})->notes,
+              ElementsAre("its camera's picture is 2 times as wide as high, so that this one shows "
+                          "more at the sides (--width 256 --height 128 shows what the camera "
+                          "does)"));
+}
+
+// Kills: a mesh that cannot be drawn because of a camera that nobody asked for.
+TEST(Mesh, ACameraThatMakesNoSenseIsRefusedIfAskedFor) {
+  const std::string file = filmed(R"({"yfov": 4, "znear": 1})");
+  const std::string reason =
+      "camera 0 'tripod' cannot be used: its yfov, 4 radians, is not between 0 and π";
+  EXPECT_EQ(import(file, {8, 8, {}, 1, {}, "0"}).error().reason, reason);
+  const auto framed = import(file, {8, 8, {}, 1, {}, {}});
+  EXPECT_TRUE(is_framed(framed->drawn));
+  EXPECT_THAT(framed->notes, ElementsAre(reason + "; all of the mesh is shown instead"));
 }
 
 // In 3DS, z points up. assimp turns it by the root node's transform, from (x, y, z) to (x, z, -y).

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numbers>
 #include <string_view>
 
 #include "cases/case_reader.h"
@@ -170,9 +171,98 @@ TEST(Import, RefusesOptionsThatDoNotApply) {
                                       "VTX, IDX, gl_Position.x, gl_Position.y\n0, 0, 0, 0\n"
                                       "1, 1, 1, 0\n2, 2, 0, 1\n");
   EXPECT_EQ(run_program({"import", draw, "--viewport", "1,2,3,4"}).code, 0);
-  for (const char* viewport : {"1,2,3", "1,2,3,4,5", "a,b,c,d", "1,2,inf,4", "1,2,99999,4"}) {
-    EXPECT_TRUE(is_failure(run_program({"import", draw, "--viewport", viewport}), 2)) << viewport;
+  for (const char* viewport :
+       {"1,2,3", "1,2,3,4,5", "a,b,c,d", "1,2,inf,4", "nan,2,3,4", "1,2,99999,4"}) {
+    const Outcome wrong = run_program({"import", draw, "--viewport", viewport});
+    EXPECT_TRUE(is_failure(wrong, 2)) << viewport;
+    EXPECT_TRUE(wrong.err.starts_with("rastercheck: --viewport: ")) << wrong;
   }
+  const Outcome no_mesh = run_program({"import", draw, "--fov", "60"});
+  EXPECT_TRUE(is_failure(no_mesh, 2)) << no_mesh;
+  EXPECT_NE(no_mesh.err.find("is no mesh, so it takes no --eye"), std::string::npos);
+}
+
+/// The error for a square mesh with these options.
+std::string refusal(const std::vector<std::string>& options) {
+  std::vector<std::string> arguments{"import", square_mesh()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = run_program(arguments);
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  return outcome.err;
+}
+
+// By hand: from (0, 0, 4), a square picture and 2 tan(90° / 2) wide at distance 1: projection and
+// view are these, and z is 0 at the near plane, at 4 − √2/16, and w at the far plane.
+TEST(Import, LooksAtAMeshFromWhereTheUserSays) {
+  const Outcome imported =
+      run_program({"import", square_mesh(), "--eye", "-0,0,4", "--target", "0,0,-1", "--fov", "90",
+                   "--samples", "4", "--rules", "d3d", "--up", "0,3,0"});
+  ASSERT_EQ(imported.code, 0) << imported;
+  EXPECT_EQ(imported.err, "");
+  const auto c = cases::parse_case(imported.out, "-");
+  ASSERT_TRUE(c) << to_string(c.error());
+  EXPECT_EQ(c->framebuffer.samples, 4);
+  EXPECT_EQ(c->camera->view, (cases::Matrix4{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -4, 0, 0, 0, 1}));
+  const cases::Matrix4& projection = c->camera->projection;
+  EXPECT_FLOAT_EQ(projection[0], 1);
+  EXPECT_FLOAT_EQ(projection[5], 1);
+  const double near = 4 - std::numbers::sqrt2 / 16;
+  EXPECT_NEAR(projection[10] * -near + projection[11], 0, 1e-4);
+}
+
+// Kills: a wrong option that shows another picture than the one asked for.
+TEST(Import, RefusesViewsThatAreNone) {
+  const auto of_options = [](const std::string& what) {
+    return "rastercheck: " + what + " (see rastercheck import --help)\n";
+  };
+  for (const char* text :
+       {"1,2", "1,2,3,4", "nan,0,0", "0,inf,0", "1,2,", "1 2 3", "x", "1e39,0,0"}) {
+    for (const char* option : {"--eye", "--target", "--up"}) {
+      EXPECT_EQ(refusal({option, text}), of_options(std::string(option) + ": '" + text +
+                                                    "' is not X,Y,Z of finite numbers"));
+    }
+  }
+  for (const char* text : {"0", "180", "-1", "200", "nan", "wide", "60,60"}) {
+    EXPECT_EQ(refusal({"--fov", text}),
+              of_options(std::string("--fov: '") + text + "' is not between 0 and 180"));
+  }
+  EXPECT_NE(refusal({"--samples", "3"}), "");
+  EXPECT_EQ(
+      refusal({"--eye", "1,2,3", "--target", "1,2,3"}),
+      "rastercheck: " + square_mesh() + ": the eye lies at the target, 1,2,3 (--eye, --target)\n");
+  EXPECT_EQ(refusal({"--eye", "0,5,0"}),
+            "rastercheck: " + square_mesh() +
+                ": the view goes along 0,1,0, which is to point up (--up X,Y,Z names another "
+                "direction)\n");
+  EXPECT_EQ(refusal({"--camera", "0"}),
+            "rastercheck: " + square_mesh() + ": has no cameras, so no '0'\n");
+  EXPECT_NE(refusal({"--camera", "0", "--fov", "60"}).find("--fov excludes --camera"),
+            std::string::npos);
+}
+
+// Kills: a guess that nobody is told.
+TEST(Import, SaysWhichCameraOfAFileIsUsed) {
+  const TemporaryFolder folder;
+  const std::string mesh =
+      folder.put("a.gltf",
+                 R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+          "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 9]}],
+          "cameras": [{"name": "front", "type": "perspective",
+                       "perspective": {"yfov": 0.5, "znear": 1}}],
+          "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+          "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+          "bufferViews": [{"buffer": 0, "byteLength": 36}],
+          "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)" +
+                     std::string("AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA") + R"("}]})");
+  const std::string note = "rastercheck: " + mesh +
+                           ": camera 0 'front' of 1 (--camera NAME|INDEX, or none to see all)\n";
+  EXPECT_EQ(run_program({"import", mesh}).err, note);
+  EXPECT_EQ(run_program({"import", mesh, "--quiet"}).err, "");
+  EXPECT_EQ(run_program({"import", mesh, "--camera", "front"}).err, "");
+  const Outcome run = run_program({"run", "--cases", "0", "--property", "cov*", "--scene", mesh,
+                                   "--output", folder.path("out"), "--quiet"});
+  EXPECT_EQ(run.code, 0) << run;
+  EXPECT_EQ(run.err, note);
 }
 
 TEST(Import, AFileNameMayBeginLikeAnOption) {

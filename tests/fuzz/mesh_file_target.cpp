@@ -45,12 +45,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!format.empty()) command.push_back("--format=" + format);
   command.insert(command.end(), {"--", "-"});
   const Result<cases::Mesh> mesh = cases::mesh_of_process(command, "input", kLimits);
-  const Result<cases::Case> c =
+  const Result<cases::Imported> made =
       mesh.and_then([](const cases::Mesh& read) { return cases::case_of_mesh(read, "input", {}); });
-  if (c) {
-    fuzz::expect_round_trip(*c);
+  if (made) {
+    fuzz::expect_round_trip(made->drawn);
   } else {
-    fuzz::expect_one_line(c.error());
+    fuzz::expect_one_line(made.error());
   }
   return 0;
 }

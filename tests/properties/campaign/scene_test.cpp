@@ -374,7 +374,7 @@ TEST(JudgeScene, DrawsAMeshWithItsCamera) {
   roof.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 1}, {-1, 1, 1}};
   roof.triangles = {{0, 1, 2}, {0, 2, 3}};
   const cases::Case mesh =
-      cases::case_of_mesh(roof, "roof.obj", {16, 16, cases::Rules::vulkan}).value();
+      cases::case_of_mesh(roof, "roof.obj", {16, 16, cases::Rules::vulkan}).value().drawn;
   ASSERT_TRUE(mesh.camera);
   const auto cpu = backends::make_backend("cpu").value();
   const SceneFindings found = judge_scene(mesh, "cpu", *cpu, 7, kLaws).value();
