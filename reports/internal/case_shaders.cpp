@@ -40,11 +40,11 @@ bool asks_for_center(const cases::Case& c, const cases::Attribute& attribute) {
 }
 
 std::string layout(std::size_t location, ShaderApi api) {
-  return api == ShaderApi::vulkan ? fmt::format("layout(location = {}) ", location) : "";
+  return api == ShaderApi::opengl ? "" : fmt::format("layout(location = {}) ", location);
 }
 
 std::string head(const cases::Case& c, ShaderApi api, bool is_fragment) {
-  if (api == ShaderApi::vulkan) return "#version 450\n";
+  if (api != ShaderApi::opengl) return "#version 450\n";
   std::string text = "#version 330 core\n";
   if (is_fragment) text += "#extension GL_ARB_shader_storage_buffer_object : require\n";
   if (is_multisampled(c)) text += "#extension GL_ARB_gpu_shader5 : require\n";
@@ -96,29 +96,34 @@ std::string vertex_shader(const cases::Case& c, ShaderApi api) {
 }
 
 std::string fragment_shader(const cases::Case& c, const RecordedPart& part, ShaderApi api) {
+  const bool has_floats = api == ShaderApi::vulkan_floats;
+  const auto word = [&](const std::string& value) {
+    return has_floats ? value : "floatBitsToUint(" + value + ")";
+  };
   std::string outside = head(c, api, true);
   std::string values;
   for (std::size_t i = 0; i < c.attributes.size(); ++i) {
     outside +=
         fmt::format("{}{} in float value{};\n", layout(i, api), qualifiers(c, c.attributes[i]), i);
+    const std::string value = fmt::format("value{}", i);
     const bool asks = asks_for_center(c, c.attributes[i]);
-    values += fmt::format(
-        "  words[at + {}] = floatBitsToUint({});\n", kRecordHead + i,
-        asks ? fmt::format("interpolateAtOffset(value{}, vec2(0))", i) : fmt::format("value{}", i));
+    values += fmt::format("  words[at + {}] = {};\n", kRecordHead + i,
+                          word(asks ? "interpolateAtOffset(" + value + ", vec2(0))" : value));
   }
-  outside += api == ShaderApi::vulkan ? "layout(std430, set = 0, binding = 0) " : "layout(std430) ";
+  outside += api == ShaderApi::opengl ? "layout(std430) " : "layout(std430, set = 0, binding = 0) ";
   outside += fmt::format(
-      "buffer Records {{ uint words[]; }};\n"
+      "buffer Records {{ {} words[]; }};\n"
       "void record(int sample_number) {{\n"
       "  ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2({}, {});\n"
       "  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2({}, {})))) "
       "return;\n"
       "  int at = ((pixel.y * {} + pixel.x) * {} + sample_number) * {};\n"
-      "  atomicAdd(words[at], 1u);\n"
-      "  words[at + 1] = floatBitsToUint(gl_FragCoord.z);\n"
+      "  {};\n"
+      "  words[at + 1] = {};\n"
       "{}}}\n",
-      part.left, part.top, part.width, part.height, part.width, c.framebuffer.samples,
-      record_size(c), values);
+      has_floats ? "float" : "uint", part.left, part.top, part.width, part.height, part.width,
+      c.framebuffer.samples, record_size(c),
+      has_floats ? "words[at] += 1.0" : "atomicAdd(words[at], 1u)", word("gl_FragCoord.z"), values);
   std::string main = "  record(0);\n";
   if (shades_samples(c)) {
     main = "  record(gl_SampleID);\n";

@@ -17,7 +17,9 @@
 
 namespace rastercheck::reports {
 
-enum class ShaderApi { opengl, vulkan };
+/// `vulkan_floats`: for Vulkan, with words that are float32, numbers of fragments included.
+/// Fragments of one sample may then count as one.
+enum class ShaderApi { opengl, vulkan, vulkan_floats };
 
 /// The first words of a sample's record: the number of fragments, the depth.
 inline constexpr std::size_t kRecordHead = 2;

@@ -259,6 +259,24 @@ TEST(CProgram, IsOfTheApiThatDrew) {
   EXPECT_THAT(refusal("c", by), HasSubstr("no depths by OpenGL's rules"));
 }
 
+// Records have three words of four bytes, 8 to a row: pixel (2, 2) begins at byte 216.
+TEST(Amber, ComparesEachPlace) {
+  const std::string text = written("amber", exhibit());
+  EXPECT_TRUE(text.starts_with("#!amber\n# pixel (2, 2) of triangle 0: attribute 'u & v' was dr"));
+  EXPECT_THAT(
+      text, AllOf(HasSubstr("\nBUFFER vertices0 DATA_TYPE vec4<float> DATA\n-0.75 -0.75 0.25 1\n"),
+                  HasSubstr("\nBUFFER records0 DATA_TYPE float SIZE 192 FILL 0\n"),
+                  HasSubstr("START_IDX 0 COUNT 3\n"),
+                  HasSubstr("EXPECT records0 IDX 108 LE 1\n# triangle 0, pixel (2, 2)"),
+                  HasSubstr("EXPECT records0 IDX 216 EQ 1\n# depth\n"
+                            "EXPECT records0 IDX 220 GE 0\nEXPECT records0 IDX 220 LE 1\n"),
+                  HasSubstr("EXPECT records0 IDX 324 EQ 0\n"), HasSubstr("words[at] += 1.0;"),
+                  HasSubstr("words[at + 2] = value0;")));
+  records::Exhibit several = exhibit();
+  several.source.framebuffer.samples = 4;
+  EXPECT_THAT(refusal("amber", several), HasSubstr("amber cannot say it: it has several samples"));
+}
+
 // A name that ends the comment or the string would be code.
 TEST(CProgram, TakesNamesForNoCode) {
   records::Exhibit rude = exhibit();
