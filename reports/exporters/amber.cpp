@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,20 +46,40 @@ std::string vertex_buffers(const cases::Case& c, std::size_t vectors) {
   return text;
 }
 
+/// Where a value's word stands in the records.
+std::size_t word_of(const records::JudgedPlace& judged, const records::PermittedValue& value,
+                    const cases::Case& c, const RecordedPart& part) {
+  return record_at(c, part, judged.place.x, judged.place.y, 0) +
+         (value.attribute ? kRecordHead + *value.attribute : 1);
+}
+
+/// The records before a triangle is drawn: 0, but permitted values at samples that may be left out.
+std::string first_records(std::span<const records::JudgedPlace> places, const cases::Case& c,
+                          const RecordedPart& part) {
+  std::vector<float> words(record_size(c) * part.width * part.height);
+  for (const records::JudgedPlace& judged : places) {
+    if (judged.verdict != records::Verdict::permitted) continue;
+    for (const records::PermittedValue& value : judged.values) {
+      words[word_of(judged, value, c, part)] =
+          std::clamp(0.0F, value.numbers.least, value.numbers.greatest);
+    }
+  }
+  return fmt::format("BUFFER records{} DATA_TYPE float DATA\n{}\nEND\n",
+                     places.front().place.triangle, fmt::join(words, " "));
+}
+
 /// A pipeline for each triangle, with records of its own.
-std::string pipeline(const cases::Case& c, std::uint32_t triangle, std::size_t vectors,
-                     std::size_t words) {
+std::string pipeline(const cases::Case& c, std::uint32_t triangle, std::size_t vectors) {
   const cases::Viewport& v = c.viewport;
   std::string text = fmt::format(
-      "\nBUFFER records{0} DATA_TYPE float SIZE {1} FILL 0\n"
       "PIPELINE graphics pipeline{0}\n"
       "  ATTACH vertex_shader\n  ATTACH fragment_shader\n"
-      "  FRAMEBUFFER_SIZE {2} {3}\n"
-      "  VIEWPORT {4} {5} SIZE {6} {7} MIN_DEPTH {8} MAX_DEPTH {9}\n"
+      "  FRAMEBUFFER_SIZE {1} {2}\n"
+      "  VIEWPORT {3} {4} SIZE {5} {6} MIN_DEPTH {7} MAX_DEPTH {8}\n"
       "  BIND BUFFER target AS color LOCATION 0\n"
       "  BIND BUFFER records{0} AS storage DESCRIPTOR_SET 0 BINDING 0\n",
-      triangle, words, c.framebuffer.width, c.framebuffer.height, v.x, v.y, v.width, v.height,
-      v.min_depth, v.max_depth);
+      triangle, c.framebuffer.width, c.framebuffer.height, v.x, v.y, v.width, v.height, v.min_depth,
+      v.max_depth);
   for (std::size_t i = 0; i < vectors; ++i) {
     text += fmt::format("  VERTEX_DATA vertices{0} LOCATION {0}\n", i);
   }
@@ -68,42 +89,28 @@ std::string pipeline(const cases::Case& c, std::uint32_t triangle, std::size_t v
                      triangle, 3 * triangle);
 }
 
-/// The lines that compare a record with what is permitted. Values of a sample that may be left out
-/// are not compared, since Amber's buffers begin with one number everywhere.
+/// The lines that compare a record with what is permitted.
 std::string expectations(const records::JudgedPlace& judged, const cases::Case& c,
                          const RecordedPart& part) {
-  constexpr std::size_t kWord = sizeof(float);
-  const std::size_t first = record_at(c, part, judged.place.x, judged.place.y, 0);
   std::string text = fmt::format("# {}\n", place_text(judged, c));
   const auto expect = [&](std::size_t word, std::string_view comparator, float value) {
     if (!std::isfinite(value)) return;
     text += fmt::format("EXPECT records{} IDX {} {} {}\n", judged.place.triangle,
-                        kWord * (first + word), comparator, value);
+                        sizeof(float) * word, comparator, value);
   };
-  if (judged.verdict == records::Verdict::permitted) {
-    expect(0, "LE", 1);
-    return text;
-  }
-  expect(0, "EQ", judged.verdict == records::Verdict::required ? 1 : 0);
+  expect(record_at(c, part, judged.place.x, judged.place.y, 0),
+         judged.verdict == records::Verdict::permitted ? "LE" : "EQ",
+         judged.verdict == records::Verdict::forbidden ? 0 : 1);
   for (const records::PermittedValue& value : judged.values) {
     text += fmt::format("# {}\n",
                         value.attribute
                             ? "attribute " + cases::one_line(c.attributes[*value.attribute].name)
                             : "depth");
-    const std::size_t word = value.attribute ? kRecordHead + *value.attribute : 1;
+    const std::size_t word = word_of(judged, value, c, part);
     expect(word, "GE", value.numbers.least);
     expect(word, "LE", value.numbers.greatest);
   }
   return text;
-}
-
-/// Places without what a script does not compare.
-std::vector<records::JudgedPlace> compared_places(const records::Exhibit& exhibit) {
-  std::vector<records::JudgedPlace> places = tested_places(exhibit, records_depth(exhibit.source));
-  for (records::JudgedPlace& judged : places) {
-    if (judged.verdict == records::Verdict::permitted) judged.values.clear();
-  }
-  return places;
 }
 
 Result<std::string> write(const records::Exhibit& exhibit) {
@@ -112,7 +119,8 @@ Result<std::string> write(const records::Exhibit& exhibit) {
   };
   const cases::Case& c = exhibit.source;
   if (const std::string why = why_not_said(c); !why.empty()) return refuse(why);
-  const std::vector<records::JudgedPlace> places = compared_places(exhibit);
+  const std::vector<records::JudgedPlace> places =
+      tested_places(exhibit, records_depth(exhibit.source));
   if (const auto why = why_not_shown(exhibit, places)) return refuse(*why);
   if (places.empty()) return refuse("nothing is promised");
   const RecordedPart part = part_of(exhibit);
@@ -129,13 +137,10 @@ Result<std::string> write(const records::Exhibit& exhibit) {
   text += fmt::format("\nSHADER fragment fragment_shader GLSL\n{}END\n\n",
                       fragment_shader(c, part, ShaderApi::vulkan_floats));
   text += "BUFFER target FORMAT R8G8B8A8_UNORM\n" + vertex_buffers(c, vectors);
-  std::optional<std::uint32_t> current;
-  for (const records::JudgedPlace& judged : places) {
-    if (current != judged.place.triangle) {
-      current = judged.place.triangle;
-      text += pipeline(c, *current, vectors, record_size(c) * part.width * part.height);
-    }
-    text += expectations(judged, c, part);
+  for (const auto& of_triangle : by_triangle(places)) {
+    text += "\n" + first_records(of_triangle, c, part);
+    text += pipeline(c, of_triangle.front().place.triangle, vectors);
+    for (const records::JudgedPlace& judged : of_triangle) text += expectations(judged, c, part);
   }
   return text;
 }

@@ -157,20 +157,6 @@ std::string draw(std::span<const records::JudgedPlace> places, const cases::Case
   return text;
 }
 
-std::string draws(std::span<const records::JudgedPlace> places, const cases::Case& c,
-                  const RecordedPart& part) {
-  std::string text;
-  while (!places.empty()) {
-    const auto end = std::find_if(places.begin(), places.end(), [&](const auto& judged) {
-      return judged.place.triangle != places.front().place.triangle;
-    });
-    const auto count = static_cast<std::size_t>(end - places.begin());
-    text += draw(places.first(count), c, part);
-    places = places.subspan(count);
-  }
-  return text;
-}
-
 Result<std::string> write(const records::Exhibit& exhibit) {
   const auto c = as_opengl(exhibit);
   if (!c) return tl::unexpected(c.error());
@@ -196,7 +182,9 @@ Result<std::string> write(const records::Exhibit& exhibit) {
   text += requirements(*c);
   text += fmt::format("[vertex shader]\n{}\n", vertex_shader(*c, ShaderApi::opengl));
   text += fmt::format("[fragment shader]\n{}\n", fragment_shader(*c, part, ShaderApi::opengl));
-  return text + vertex_data(*c) + "[test]\n" + state(*c, is_vulkan) + draws(places, *c, part);
+  text += vertex_data(*c) + "[test]\n" + state(*c, is_vulkan);
+  for (const auto& of_triangle : by_triangle(places)) text += draw(of_triangle, *c, part);
+  return text;
 }
 
 const ExporterRegistration kRegistration({"shader_test", "a test for piglit's shader_runner",

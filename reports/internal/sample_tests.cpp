@@ -35,6 +35,20 @@ std::vector<records::JudgedPlace> tested_places(const records::Exhibit& exhibit,
   return places;
 }
 
+std::vector<std::span<const records::JudgedPlace>> by_triangle(
+    std::span<const records::JudgedPlace> places) {
+  std::vector<std::span<const records::JudgedPlace>> parts;
+  while (!places.empty()) {
+    const auto end = std::find_if(places.begin(), places.end(), [&](const auto& judged) {
+      return judged.place.triangle != places.front().place.triangle;
+    });
+    const auto count = static_cast<std::size_t>(end - places.begin());
+    parts.push_back(places.first(count));
+    places = places.subspan(count);
+  }
+  return parts;
+}
+
 std::optional<std::string> why_not_shown(const records::Exhibit& exhibit,
                                          const std::vector<records::JudgedPlace>& places) {
   if (exhibit.violation_count == 0) return std::nullopt;

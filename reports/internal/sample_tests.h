@@ -4,6 +4,7 @@
 // why some cases cannot be such a test.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ std::string why_not_drawn(const cases::Case& c);
 
 /// The places that a test looks at; depths only if `has_depth`.
 std::vector<records::JudgedPlace> tested_places(const records::Exhibit& exhibit, bool has_depth);
+
+/// The places of each triangle, in their order.
+std::vector<std::span<const records::JudgedPlace>> by_triangle(
+    std::span<const records::JudgedPlace> places);
 
 /// The reason why a test of these places would not fail where the property is violated; empty if
 /// it would, or if nothing is violated.

@@ -265,9 +265,10 @@ TEST(Amber, ComparesEachPlace) {
   EXPECT_TRUE(text.starts_with("#!amber\n# pixel (2, 2) of triangle 0: attribute 'u & v' was dr"));
   EXPECT_THAT(
       text, AllOf(HasSubstr("\nBUFFER vertices0 DATA_TYPE vec4<float> DATA\n-0.75 -0.75 0.25 1\n"),
-                  HasSubstr("\nBUFFER records0 DATA_TYPE float SIZE 192 FILL 0\n"),
-                  HasSubstr("START_IDX 0 COUNT 3\n"),
-                  HasSubstr("EXPECT records0 IDX 108 LE 1\n# triangle 0, pixel (2, 2)"),
+                  HasSubstr("\nBUFFER records0 DATA_TYPE float DATA\n0 0 0 0"),
+                  HasSubstr(" 0.25 0 0"), HasSubstr("START_IDX 0 COUNT 3\n"),
+                  HasSubstr("EXPECT records0 IDX 108 LE 1\n# attribute u & v\n"
+                            "EXPECT records0 IDX 116 GE 0.25\n"),
                   HasSubstr("EXPECT records0 IDX 216 EQ 1\n# depth\n"
                             "EXPECT records0 IDX 220 GE 0\nEXPECT records0 IDX 220 LE 1\n"),
                   HasSubstr("EXPECT records0 IDX 324 EQ 0\n"), HasSubstr("words[at] += 1.0;"),
