@@ -137,9 +137,9 @@ class TriangleTruth {
   std::optional<Rational> value_bound(std::optional<std::size_t> attribute, int x, int y,
                                       int sample) const;
 
-  /// The numbers that the judge takes for right; those that the rules and the bound allow together.
-  /// Empty if the value is undefined or free, or if any number is right. Says nothing about the
-  /// sign of a zero. The sample must not be forbidden.
+  /// The numbers that the judge takes for right: the allowed range, widened by the bound. Empty if
+  /// the value is undefined or free, or if any number is right. Says nothing about the sign of a
+  /// zero. The sample must not be forbidden.
   std::optional<records::FloatRange> permitted_numbers(std::optional<std::size_t> attribute, int x,
                                                        int y, int sample) const;
 

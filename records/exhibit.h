@@ -49,8 +49,10 @@ struct Exhibit {
   /// cannot be drawn or has no sample to show.
   std::optional<Inspection> inspection;
   /// The samples of the inspected part, by triangle, y, x, sample; of the inspected triangle only,
-  /// if there are very many. Without those of which anything is right.
+  /// if there are very many. Omits samples where any result is allowed.
   std::vector<JudgedPlace> places;
+  /// The grid that the contract places vertices on; empty if they are not rounded.
+  std::optional<int> subpixel_bits;
   std::vector<std::string> pixels;  ///< the pixels around, as signs, line by line
   std::string found_with;           ///< name and version of this program
   std::string replay;               ///< the command that checks it again

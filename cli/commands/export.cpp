@@ -89,6 +89,8 @@ void add_drawing(records::Exhibit& exhibit, const cases::ClipCase& clip, const C
   inspection->backend = options.backend;
   inspection->law = checked.law->id;
   exhibit.places = properties::judged_places(clip, *drawn, *inspection);
+  if (const auto& snapping = drawn->contract.coverage)
+    exhibit.subpixel_bits = snapping->subpixel_bits;
   exhibit.inspection = *std::move(inspection);
 }
 

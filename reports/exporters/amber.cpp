@@ -19,8 +19,9 @@ namespace rastercheck::reports::amber_exporter {
 namespace {
 
 /// The reason why no script can draw the case; empty if one can.
-std::string why_not_said(const cases::Case& c) {
-  if (const std::string why = why_not_drawn(c); !why.empty()) return why;
+std::string why_not_said(const records::Exhibit& exhibit) {
+  const cases::Case& c = exhibit.source;
+  if (const std::string why = why_not_drawn(exhibit); !why.empty()) return why;
   if (c.rules != cases::Rules::vulkan) return "it is not drawn by Vulkan's rules";
   if (c.framebuffer.samples > 1) return "it has several samples";
   if (c.scissor) return "Amber has no scissor";
@@ -28,6 +29,9 @@ std::string why_not_said(const cases::Case& c) {
   if (c.viewport.width < 0) return "its viewport has a negative width";
   return "";
 }
+
+/// A float32 as Amber reads it back: it takes a number without a point for an integer.
+std::string number(float value) { return fmt::format("{:.9e}", value); }
 
 /// One buffer for each vector of a vertex: [triangle][corner][4].
 std::string vertex_buffers(const cases::Case& c, std::size_t vectors) {
@@ -37,8 +41,8 @@ std::string vertex_buffers(const cases::Case& c, std::size_t vectors) {
     for (const cases::Triangle& triangle : c.triangles) {
       for (const std::uint32_t vertex : triangle) {
         const std::vector<float> numbers = vertex_numbers(c, vertex);
-        text += fmt::format("{} {} {} {}\n", numbers[4 * i], numbers[4 * i + 1], numbers[4 * i + 2],
-                            numbers[4 * i + 3]);
+        text += fmt::format("{} {} {} {}\n", number(numbers[4 * i]), number(numbers[4 * i + 1]),
+                            number(numbers[4 * i + 2]), number(numbers[4 * i + 3]));
       }
     }
     text += "END\n";
@@ -56,16 +60,18 @@ std::size_t word_of(const records::JudgedPlace& judged, const records::Permitted
 /// The records before a triangle is drawn: 0, but permitted values at samples that may be left out.
 std::string first_records(std::span<const records::JudgedPlace> places, const cases::Case& c,
                           const RecordedPart& part) {
-  std::vector<float> words(record_size(c) * part.width * part.height);
+  std::vector<std::string> words(record_size(c) * part.width * part.height, number(0));
   for (const records::JudgedPlace& judged : places) {
     if (judged.verdict != records::Verdict::permitted) continue;
     for (const records::PermittedValue& value : judged.values) {
       words[word_of(judged, value, c, part)] =
-          std::clamp(0.0F, value.numbers.least, value.numbers.greatest);
+          number(std::clamp(0.0F, value.numbers.least, value.numbers.greatest));
     }
   }
-  return fmt::format("BUFFER records{} DATA_TYPE float DATA\n{}\nEND\n",
-                     places.front().place.triangle, fmt::join(words, " "));
+  return fmt::format(
+      "BUFFER records{0} DATA_TYPE float DATA\n{1}\nEND\n"
+      "BUFFER counts{0} DATA_TYPE uint32 SIZE {2} FILL 0\n",
+      places.front().place.triangle, fmt::join(words, " "), part.width * part.height);
 }
 
 /// A pipeline for each triangle, with records of its own.
@@ -77,9 +83,10 @@ std::string pipeline(const cases::Case& c, std::uint32_t triangle, std::size_t v
       "  FRAMEBUFFER_SIZE {1} {2}\n"
       "  VIEWPORT {3} {4} SIZE {5} {6} MIN_DEPTH {7} MAX_DEPTH {8}\n"
       "  BIND BUFFER target AS color LOCATION 0\n"
-      "  BIND BUFFER records{0} AS storage DESCRIPTOR_SET 0 BINDING 0\n",
-      triangle, c.framebuffer.width, c.framebuffer.height, v.x, v.y, v.width, v.height, v.min_depth,
-      v.max_depth);
+      "  BIND BUFFER records{0} AS storage DESCRIPTOR_SET 0 BINDING 0\n"
+      "  BIND BUFFER counts{0} AS storage DESCRIPTOR_SET 0 BINDING 1\n",
+      triangle, c.framebuffer.width, c.framebuffer.height, number(v.x), number(v.y),
+      number(v.width), number(v.height), number(v.min_depth), number(v.max_depth));
   for (std::size_t i = 0; i < vectors; ++i) {
     text += fmt::format("  VERTEX_DATA vertices{0} LOCATION {0}\n", i);
   }
@@ -92,15 +99,17 @@ std::string pipeline(const cases::Case& c, std::uint32_t triangle, std::size_t v
 /// The lines that compare a record with what is permitted.
 std::string expectations(const records::JudgedPlace& judged, const cases::Case& c,
                          const RecordedPart& part) {
-  std::string text = fmt::format("# {}\n", place_text(judged, c));
+  const std::uint32_t triangle = judged.place.triangle;
+  const std::size_t record = record_at(c, part, judged.place.x, judged.place.y, 0);
+  std::string text = fmt::format("# {}\nEXPECT counts{} IDX {} {} {}\n", place_text(judged, c),
+                                 triangle, sizeof(std::uint32_t) * (record / record_size(c)),
+                                 judged.verdict == records::Verdict::permitted ? "LE" : "EQ",
+                                 judged.verdict == records::Verdict::forbidden ? 0 : 1);
   const auto expect = [&](std::size_t word, std::string_view comparator, float value) {
     if (!std::isfinite(value)) return;
-    text += fmt::format("EXPECT records{} IDX {} {} {}\n", judged.place.triangle,
-                        sizeof(float) * word, comparator, value);
+    text += fmt::format("EXPECT records{} IDX {} {} {}\n", triangle, sizeof(float) * word,
+                        comparator, number(value));
   };
-  expect(record_at(c, part, judged.place.x, judged.place.y, 0),
-         judged.verdict == records::Verdict::permitted ? "LE" : "EQ",
-         judged.verdict == records::Verdict::forbidden ? 0 : 1);
   for (const records::PermittedValue& value : judged.values) {
     text += fmt::format("# {}\n",
                         value.attribute
@@ -118,7 +127,7 @@ Result<std::string> write(const records::Exhibit& exhibit) {
     return tl::unexpected(Error{exhibit.file, "", fmt::format("amber cannot say it: {}", what)});
   };
   const cases::Case& c = exhibit.source;
-  if (const std::string why = why_not_said(c); !why.empty()) return refuse(why);
+  if (const std::string why = why_not_said(exhibit); !why.empty()) return refuse(why);
   const std::vector<records::JudgedPlace> places =
       tested_places(exhibit, records_depth(exhibit.source));
   if (const auto why = why_not_shown(exhibit, places)) return refuse(*why);

@@ -13,6 +13,7 @@
 #include "reports/exporter.h"
 #include "reports/finding_text.h"
 #include "reports/inspection_text.h"
+#include "reports/internal/sample_tests.h"
 
 namespace rastercheck::reports::bug_exporter {
 namespace {
@@ -58,25 +59,11 @@ std::string numbers_section(const records::Exhibit& exhibit) {
          "\n</details>\n";
 }
 
-/// The section of the specification that says what is to be drawn.
-std::string_view section_of(cases::Rules rules) {
-  switch (rules) {
-    case cases::Rules::opengl:
-      return "OpenGL 4.6, 14.6.1 Basic Polygon Rasterization";
-    case cases::Rules::vulkan:
-      return "Vulkan 1.3, Basic Polygon Rasterization";
-    case cases::Rules::d3d:
-      return "Direct3D 11.3 Functional Specification, Rasterization Rules";
-  }
-  return "";
-}
-
 std::string rules_section(const records::Exhibit& exhibit) {
   std::string text =
       fmt::format("## Why it is wrong\n\nWhat must hold: {}.\n", inline_text(exhibit.sentence));
-  std::vector<std::string> rules = exhibit.rules;
-  if (rules.empty()) rules.emplace_back(section_of(exhibit.source.rules));
-  text += fmt::format("\nRule: {}\n", inline_text(fmt::format("{}", fmt::join(rules, "; "))));
+  text += fmt::format("\nRule: {}\n",
+                      inline_text(fmt::format("{}", fmt::join(rules_of(exhibit), "; "))));
   for (const std::string& known : exhibit.known) {
     text += fmt::format("\nKnown: {}\n", inline_text(known));
   }

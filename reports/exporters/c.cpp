@@ -20,15 +20,16 @@ namespace rastercheck::reports::c_exporter {
 namespace {
 
 constexpr std::string_view kOpenglHead =
-    "/* cc -o case case.c -lEGL -lOpenGL && ./case */\n"
+    "/* cc -o case case.c -lEGL -lOpenGL && ./case\n"
+    "   Mesa's drivers are chosen by GALLIUM_DRIVER=llvmpipe LIBGL_ALWAYS_SOFTWARE=1. */\n"
     "#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n\n"
     "#include <EGL/egl.h>\n#include <EGL/eglext.h>\n"
     "#define GL_GLEXT_PROTOTYPES\n#include <GL/glcorearb.h>\n\n";
 constexpr std::string_view kVulkanHead =
     "/* cc -o case case.c -lvulkan && ./case [part of the device's name]\n"
-    "   Has glslangValidator compile its shaders, as case.vert and case.frag in this folder. */\n"
+    "   Has glslangValidator compile its shaders, in this folder. */\n"
     "#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n\n"
-    "#include <vulkan/vulkan.h>\n\n";
+    "#include <unistd.h>\n\n#include <vulkan/vulkan.h>\n\n";
 
 /// A text within a comment: one line that ends no comment.
 std::string comment_text(std::string_view text) {
@@ -44,8 +45,10 @@ std::string comment_text(std::string_view text) {
 std::string quoted(std::string_view text) {
   std::string literal = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') literal += '\\';
-    literal += c >= ' ' && c <= '~' ? c : '?';
+    const bool is_printable = c >= ' ' && c <= '~';
+    // "??" would begin a trigraph.
+    if (c == '"' || c == '\\' || c == '?' || !is_printable) literal += '\\';
+    literal += is_printable ? c : '?';
   }
   return literal + '"';
 }
@@ -87,7 +90,9 @@ std::string sizes(const Program& program) {
   define("HEIGHT", c.framebuffer.height);
   define("SAMPLES", samples);
   define("VECTORS", 1 + attribute_vectors(c) + clip_vectors(c));
+  define("ATTRIBUTES", c.attributes.size());
   define("CLIP_DISTANCES", c.clip_distance_count);
+  define("SUBPIXEL_BITS", program.exhibit->subpixel_bits.value_or(0));
   define("FIRST_TRIANGLE", program.places.front().place.triangle);
   define("END_TRIANGLE", program.places.back().place.triangle + 1);
   define("RECORDS", record_size(c) * program.part.width * program.part.height * samples);
@@ -142,29 +147,32 @@ std::string expectations(const Program& program) {
   const cases::Case& c = *program.c;
   std::string samples =
       "/* how often a sample must be drawn; `at` is the first word of its record */\n"
-      "static const struct sample {\n  int triangle, x, y, sample;\n  uint32_t least, most, at;\n"
+      "static const struct sample {\n  int triangle, x, y, sample;\n"
+      "  uint32_t least, most, at, first_value, values;\n"
       "} samples[] = {\n";
   std::string values =
-      "/* the number of the sample, the word in its record */\n"
-      "static const struct value {\n  uint32_t sample, word;\n  const char *name;\n"
+      "/* `word` is that of the sample's record */\n"
+      "static const struct value {\n  uint32_t word;\n  const char *name;\n"
       "  float least, greatest;\n} values[] = {\n";
-  for (std::size_t i = 0; i < program.places.size(); ++i) {
-    const records::JudgedPlace& judged = program.places[i];
+  std::size_t value_count = 0;
+  for (const records::JudgedPlace& judged : program.places) {
     const auto& [triangle, y, x, index] = judged.place;
-    samples += fmt::format("    {{{}, {}, {}, {}, {}, {}, {}}},\n", triangle, x, y, index,
-                           judged.verdict == records::Verdict::required ? 1 : 0,
-                           judged.verdict == records::Verdict::forbidden ? 0 : 1,
-                           record_at(c, program.part, x, y, index));
+    samples +=
+        fmt::format("    {{{}, {}, {}, {}, {}, {}, {}, {}, {}}},\n", triangle, x, y, index,
+                    judged.verdict == records::Verdict::required ? 1 : 0,
+                    judged.verdict == records::Verdict::forbidden ? 0 : 1,
+                    record_at(c, program.part, x, y, index), value_count, judged.values.size());
+    value_count += judged.values.size();
     for (const records::PermittedValue& value : judged.values) {
       const auto name =
           value.attribute ? "attribute " + c.attributes[*value.attribute].name : "depth";
-      values += fmt::format("    {{{}, {}, {}, {}, {}}},\n", i,
+      values += fmt::format("    {{{}, {}, {}, {}}},\n",
                             value.attribute ? kRecordHead + *value.attribute : 1, quoted(name),
                             number(value.numbers.least), number(value.numbers.greatest));
     }
   }
   // C has no arrays without elements.
-  values += "    {UINT32_MAX, 0, \"\", 0, 0},\n";
+  values += "    {0, \"\", 0, 0},\n";
   return samples + "};\n" + values + "};\n";
 }
 
@@ -210,7 +218,7 @@ Result<std::string> write(const records::Exhibit& exhibit) {
   const cases::Case& c = exhibit.source;
   Program program{&exhibit, &c, api_of(exhibit), part_of(exhibit),
                   tested_places(exhibit, records_depth(c))};
-  if (const std::string why = why_not_drawn(c); !why.empty()) return refuse(why);
+  if (const std::string why = why_not_drawn(exhibit); !why.empty()) return refuse(why);
   if (program.api == ShaderApi::opengl && exhibit.backend.starts_with("vulkan")) {
     return refuse("a Vulkan program has no depths by OpenGL's rules");
   }

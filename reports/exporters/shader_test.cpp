@@ -42,7 +42,7 @@ Result<cases::Case> as_opengl(const records::Exhibit& exhibit) {
         Error{exhibit.file, "", fmt::format("shader_test cannot say it: {}", what)});
   };
   cases::Case c = exhibit.source;
-  if (const std::string why = why_not_drawn(c); !why.empty()) return refuse(why);
+  if (const std::string why = why_not_drawn(exhibit); !why.empty()) return refuse(why);
   if (c.scissor) return refuse("shader_runner has no scissor");
   if (c.cull != cases::Cull::none) return refuse("shader_runner does not cull");
   if (c.viewport.width < 0 || c.viewport.height < 0)

@@ -107,23 +107,28 @@ std::string fragment_shader(const cases::Case& c, const RecordedPart& part, Shad
         fmt::format("{}{} in float value{};\n", layout(i, api), qualifiers(c, c.attributes[i]), i);
     const std::string value = fmt::format("value{}", i);
     const bool asks = asks_for_center(c, c.attributes[i]);
+    if (has_floats)
+      values += fmt::format("  if (isnan({})) atomicAdd(counts[index], 99u);\n", value);
     values += fmt::format("  words[at + {}] = {};\n", kRecordHead + i,
                           word(asks ? "interpolateAtOffset(" + value + ", vec2(0))" : value));
   }
   outside += api == ShaderApi::opengl ? "layout(std430) " : "layout(std430, set = 0, binding = 0) ";
+  outside += fmt::format("buffer Records {{ {} words[]; }};\n", has_floats ? "float" : "uint");
+  if (has_floats) {
+    outside += "layout(std430, set = 0, binding = 1) buffer Counts { uint counts[]; };\n";
+  }
   outside += fmt::format(
-      "buffer Records {{ {} words[]; }};\n"
       "void record(int sample_number) {{\n"
       "  ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2({}, {});\n"
       "  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2({}, {})))) "
       "return;\n"
-      "  int at = ((pixel.y * {} + pixel.x) * {} + sample_number) * {};\n"
-      "  {};\n"
+      "  int index = (pixel.y * {} + pixel.x) * {} + sample_number;\n"
+      "  int at = index * {};\n"
+      "  atomicAdd({}, 1u);\n"
       "  words[at + 1] = {};\n"
       "{}}}\n",
-      has_floats ? "float" : "uint", part.left, part.top, part.width, part.height, part.width,
-      c.framebuffer.samples, record_size(c),
-      has_floats ? "words[at] += 1.0" : "atomicAdd(words[at], 1u)", word("gl_FragCoord.z"), values);
+      part.left, part.top, part.width, part.height, part.width, c.framebuffer.samples,
+      record_size(c), has_floats ? "counts[index]" : "words[at]", word("gl_FragCoord.z"), values);
   std::string main = "  record(0);\n";
   if (shades_samples(c)) {
     main = "  record(gl_SampleID);\n";

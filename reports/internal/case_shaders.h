@@ -17,14 +17,15 @@
 
 namespace rastercheck::reports {
 
-/// `vulkan_floats`: for Vulkan, with words that are float32, numbers of fragments included.
-/// Fragments of one sample may then count as one.
+/// `vulkan_floats`: for Vulkan, with float32 words and the numbers of fragments in a buffer of
+/// their own, one for each record; a fragment with a NaN counts as a hundred there, because not
+/// every test can tell NaN from a number.
 enum class ShaderApi { opengl, vulkan, vulkan_floats };
 
 /// The first words of a sample's record: the number of fragments, the depth.
 inline constexpr std::size_t kRecordHead = 2;
 
-/// Pixels that fragments are recorded of.
+/// The pixels whose fragments are recorded.
 struct RecordedPart {
   std::uint32_t left = 0;
   std::uint32_t top = 0;

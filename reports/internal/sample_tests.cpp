@@ -15,9 +15,27 @@ RecordedPart part_of(const records::Exhibit& exhibit) {
           exhibit.inspection->height};
 }
 
-std::string why_not_drawn(const cases::Case& c) {
+std::vector<std::string> rules_of(const records::Exhibit& exhibit) {
+  if (!exhibit.rules.empty()) return exhibit.rules;
+  switch (exhibit.source.rules) {
+    case cases::Rules::opengl:
+      return {"OpenGL 4.6, 14.6.1 Basic Polygon Rasterization"};
+    case cases::Rules::vulkan:
+      return {"Vulkan 1.3, Basic Polygon Rasterization"};
+    case cases::Rules::d3d:
+      return {"Direct3D 11.3 Functional Specification, Rasterization Rules"};
+  }
+  return {};
+}
+
+std::string why_not_drawn(const records::Exhibit& exhibit) {
   // Vertex inputs that every OpenGL and Vulkan has.
   constexpr std::size_t kMostVectors = 16;
+  const cases::Case& c = exhibit.source;
+  if (!exhibit.backend.starts_with("gl") && !exhibit.backend.starts_with("vulkan")) {
+    return fmt::format("{} is no driver; choose one with --backend",
+                       cases::printable(exhibit.backend));
+  }
   if (c.rules == cases::Rules::d3d) return "it is drawn by Direct3D's rules";
   if (c.depth_test != cases::DepthTest::none) return "it has a depth test";
   if (1 + attribute_vectors(c) + clip_vectors(c) > kMostVectors)
@@ -27,10 +45,13 @@ std::string why_not_drawn(const cases::Case& c) {
 
 std::vector<records::JudgedPlace> tested_places(const records::Exhibit& exhibit, bool has_depth) {
   std::vector<records::JudgedPlace> places = exhibit.places;
-  if (has_depth) return places;
   for (records::JudgedPlace& judged : places) {
-    std::erase_if(judged.values,
-                  [](const records::PermittedValue& value) { return !value.attribute; });
+    // If no number is right, a sample that may be left out has none to begin with.
+    const bool may_be_open = judged.verdict == records::Verdict::permitted;
+    std::erase_if(judged.values, [&](const records::PermittedValue& value) {
+      return (!has_depth && !value.attribute) ||
+             (may_be_open && value.numbers.least > value.numbers.greatest);
+    });
   }
   return places;
 }
@@ -63,8 +84,8 @@ std::optional<std::string> why_not_shown(const records::Exhibit& exhibit,
            "clamps depths";
   }
   return fmt::format(
-      "no sample is wrong by itself, but only that “{}”; a test says what must be drawn at each "
-      "sample of one triangle",
+      "it breaks “{}”, but no sample that a test looks at is drawn too often or too seldom, or "
+      "with a wrong number",
       exhibit.sentence);
 }
 
@@ -79,9 +100,14 @@ std::vector<std::string> test_heading(const records::Exhibit& exhibit) {
     add("", finding_text(exhibit.violations.front(), exhibit.source) + ".");
     add("Drawn by ",
         exhibit.backend + (exhibit.description.empty() ? "" : ": ") + exhibit.description);
-    for (const std::string& rule : exhibit.rules) add("Rule: ", rule);
+    for (const std::string& rule : rules_of(exhibit)) add("Rule: ", rule);
   }
   add("Case: ", exhibit.source.name);
+  if (exhibit.subpixel_bits) {
+    add("", fmt::format("Asks for what a driver with {} subpixel bits may draw; with fewer it says "
+                        "nothing.",
+                        *exhibit.subpixel_bits));
+  }
   add("Made by ", exhibit.found_with);
   return lines;
 }

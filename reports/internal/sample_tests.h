@@ -16,8 +16,12 @@ namespace rastercheck::reports {
 /// The part of the drawing that is inspected.
 RecordedPart part_of(const records::Exhibit& exhibit);
 
-/// The reason why no test can draw the case, whatever its API; empty if one can.
-std::string why_not_drawn(const cases::Case& c);
+/// The sections of specifications that say what must be drawn.
+std::vector<std::string> rules_of(const records::Exhibit& exhibit);
+
+/// The reason why no test can draw the case, whatever its API; empty if one can. A test asks for
+/// what a driver's contract permits, so a driver has to draw.
+std::string why_not_drawn(const records::Exhibit& exhibit);
 
 /// The places that a test looks at; depths only if `has_depth`.
 std::vector<records::JudgedPlace> tested_places(const records::Exhibit& exhibit, bool has_depth);

@@ -24,7 +24,7 @@ records::Exhibit exhibit() {
   exhibit.inspection->place = {0, 2, 2, 0};
   exhibit.file = "case.json";
   exhibit.source = exhibit.inspection->source;
-  exhibit.backend = "plugin:mine.so";
+  exhibit.backend = "vulkan:mine";
   exhibit.description = "mine_1 *fast*";
   exhibit.property = "values-stay-within-the-bound";
   exhibit.sentence = "values stay within the bound";
@@ -32,7 +32,7 @@ records::Exhibit exhibit() {
   exhibit.known = {"mine-1: it divides too early."};
   exhibit.found_with = "RasterCheck 0.1.0";
   exhibit.pixels = {"y 0 . # .", "x   0 1 2"};
-  exhibit.replay = "rastercheck replay case.json --backend plugin:mine.so --no-known";
+  exhibit.replay = "rastercheck replay case.json --backend vulkan:mine --no-known";
   records::Violation violation;
   violation.fragment_class = records::FragmentClass::beyond_bound;
   violation.kind = records::AttributeKind::smooth;
@@ -75,7 +75,7 @@ TEST(Exporters, AreFoundByName) {
 
 TEST(BugReport, SaysAllThatAnAuthorNeeds) {
   const std::string text = written("bug", exhibit());
-  EXPECT_TRUE(text.starts_with("# plugin:mine.so: attribute 'u & v' was drawn as 0.75"));
+  EXPECT_TRUE(text.starts_with("# vulkan:mine: attribute 'u & v' was drawn as 0.75"));
   EXPECT_THAT(
       text,
       AllOf(HasSubstr("\nPixel (2, 2) of triangle 0: "), HasSubstr("mine\\_1 \\*fast\\*"),
@@ -105,7 +105,7 @@ TEST(BugReport, IsRefusedIfNothingIsWrong) {
   ASSERT_FALSE(text);
   EXPECT_EQ(to_string(text.error()),
             "case.json: nothing is wrong with it: “values stay within the "
-            "bound” holds on plugin:mine.so");
+            "bound” holds on vulkan:mine");
 }
 
 // Kills: a block that a text of the user's ends.
@@ -118,7 +118,8 @@ TEST(BugReport, TextsEndNoBlock) {
 
 TEST(Exporters, TakeAnyBytes) {
   records::Exhibit rude = exhibit();
-  rude.backend = rude.description = rude.sentence = rude.violations[0].note = "\xff\n\x01<b>";
+  rude.backend = "gl:\xff\n\x01<b>";
+  rude.description = rude.sentence = rude.violations[0].note = "\xff\n\x01<b>";
   rude.source.name = rude.source.attributes[0].name = "\xff\n\x01</title>";
   rude.known = rude.rules = {"\xff\n\x01"};
   for (const Exporter& exporter : exporters()) {
@@ -201,7 +202,7 @@ TEST(ExportedTest, IsRefusedIfItWouldNotFail) {
   seam.places[1].values[1].is_right = true;
   for (const char* const format : {"c", "shader_test"}) {
     EXPECT_THAT(refusal(format, seam),
-                HasSubstr("no sample is wrong by itself, but only that “val"));
+                HasSubstr("it breaks “values stay within the bound”, but no sample"));
   }
   records::Exhibit clamped = seam;
   clamped.source.depth_clamp = true;
@@ -210,8 +211,7 @@ TEST(ExportedTest, IsRefusedIfItWouldNotFail) {
   // One that holds is a test that passes.
   seam.violations.clear();
   seam.violation_count = 0;
-  EXPECT_THAT(written("c", seam),
-              HasSubstr("“values stay within the bound” holds on plugin:mine.so"));
+  EXPECT_THAT(written("c", seam), HasSubstr("“values stay within the bound” holds on vulkan:mine"));
 }
 
 TEST(ExportedTest, IsRefusedIfItsFormatCannotSayTheCase) {
@@ -248,7 +248,7 @@ TEST(CProgram, IsOfTheApiThatDrew) {
   records::Exhibit by = exhibit();
   EXPECT_THAT(written("c", by), AllOf(HasSubstr("#include <vulkan/vulkan.h>"),
                                       HasSubstr("layout(location = 1) in vec4 attributes0;"),
-                                      HasSubstr("{0, 2, \"attribute u & v\", 0x1p-2F, 0x1p-1F},"),
+                                      HasSubstr("{2, \"attribute u & v\", 0x1p-2F, 0x1p-1F},"),
                                       HasSubstr("\nint main(")));
   by.backend = "gl";
   EXPECT_THAT(written("c", by), AllOf(HasSubstr("#include <EGL/egl.h>"), HasSubstr("IS_VULKAN 1"),
@@ -259,33 +259,79 @@ TEST(CProgram, IsOfTheApiThatDrew) {
   EXPECT_THAT(refusal("c", by), HasSubstr("no depths by OpenGL's rules"));
 }
 
-// Records have three words of four bytes, 8 to a row: pixel (2, 2) begins at byte 216.
+// Records have three words of four bytes, 8 to a row: pixel (2, 2) begins at byte 216, and its
+// count is word 18. Kills: numbers without a point, which Amber takes for integers.
 TEST(Amber, ComparesEachPlace) {
   const std::string text = written("amber", exhibit());
   EXPECT_TRUE(text.starts_with("#!amber\n# pixel (2, 2) of triangle 0: attribute 'u & v' was dr"));
+  const std::string half = "5.000000000e-01\n";
   EXPECT_THAT(
-      text, AllOf(HasSubstr("\nBUFFER vertices0 DATA_TYPE vec4<float> DATA\n-0.75 -0.75 0.25 1\n"),
-                  HasSubstr("\nBUFFER records0 DATA_TYPE float DATA\n0 0 0 0"),
-                  HasSubstr(" 0.25 0 0"), HasSubstr("START_IDX 0 COUNT 3\n"),
-                  HasSubstr("EXPECT records0 IDX 108 LE 1\n# attribute u & v\n"
-                            "EXPECT records0 IDX 116 GE 0.25\n"),
-                  HasSubstr("EXPECT records0 IDX 216 EQ 1\n# depth\n"
-                            "EXPECT records0 IDX 220 GE 0\nEXPECT records0 IDX 220 LE 1\n"),
-                  HasSubstr("EXPECT records0 IDX 324 EQ 0\n"), HasSubstr("words[at] += 1.0;"),
-                  HasSubstr("words[at + 2] = value0;")));
+      text,
+      AllOf(HasSubstr("\nBUFFER vertices0 DATA_TYPE vec4<float> DATA\n-7.500000000e-01 -7.5000"),
+            HasSubstr(" 2.500000000e-01 0.000000000e+00 "), HasSubstr("START_IDX 0 COUNT 3\n"),
+            HasSubstr("\nBUFFER counts0 DATA_TYPE uint32 SIZE 64 FILL 0\n"),
+            HasSubstr("EXPECT counts0 IDX 36 LE 1\n# attribute u & v\n"
+                      "EXPECT records0 IDX 116 GE 2.500000000e-01\n"),
+            HasSubstr("EXPECT counts0 IDX 72 EQ 1\n"),
+            HasSubstr("EXPECT records0 IDX 224 GE " + half + "EXPECT records0 IDX 224 LE " + half),
+            HasSubstr("EXPECT counts0 IDX 108 EQ 0\n"), HasSubstr("words[at + 2] = value0;"),
+            HasSubstr("if (isnan(value0)) atomicAdd(counts[index], 99u);")));
   records::Exhibit several = exhibit();
   several.source.framebuffer.samples = 4;
   EXPECT_THAT(refusal("amber", several), HasSubstr("amber cannot say it: it has several samples"));
+}
+
+// With several samples: the mask of the fragment, or its own sample if an attribute has its
+// location there; the centre only if it is asked for.
+TEST(ExportedTest, RecordsEachSampleOfAFragment) {
+  records::Exhibit four = exhibit();
+  four.source.framebuffer.samples = 4;
+  four.source.attributes[0].location = cases::Location::center;
+  EXPECT_THAT(written("c", four),
+              AllOf(HasSubstr("if ((gl_SampleMaskIn[0] >> i & 1) != 0) record(i);"),
+                    HasSubstr("interpolateAtOffset(value0, vec2(0))"),
+                    HasSubstr("(pixel.y * 8 + pixel.x) * 4 + sample_number")));
+  four.source.attributes[0].location = cases::Location::sample;
+  EXPECT_THAT(written("c", four), AllOf(HasSubstr("smooth sample in float value0;"),
+                                        HasSubstr("record(gl_SampleID);")));
+  four.source.attributes[0].location = cases::Location::centroid;
+  EXPECT_THAT(written("c", four),
+              AllOf(HasSubstr("smooth centroid in float value0;"), HasSubstr("gl_SampleMaskIn")));
+}
+
+// What an exact rasterizer promises, a driver need not.
+TEST(ExportedTest, IsOfADriver) {
+  records::Exhibit by = exhibit();
+  by.backend = "cpu";
+  for (const char* const format : {"amber", "c", "shader_test"}) {
+    EXPECT_THAT(refusal(format, by), HasSubstr("cpu is no driver; choose one with --backend"));
+  }
+  by = exhibit();
+  by.subpixel_bits = 8;
+  EXPECT_THAT(written("c", by), AllOf(HasSubstr("a driver with 8 subpixel bits may draw"),
+                                      HasSubstr("SUBPIXEL_BITS = 8,")));
+  by.rules.clear();
+  EXPECT_THAT(written("c", by), HasSubstr("Rule: Vulkan 1.3, Basic Polygon Rasterization\n"));
+}
+
+// Kills: a sample that may be left out, and starts with a number that is none of the permitted.
+TEST(ExportedTest, AsksNoNumberWhereNoneIsRight) {
+  records::Exhibit empty = exhibit();
+  empty.places[0].values[0].numbers = {1, 0};
+  EXPECT_THAT(
+      written("shader_test", empty),
+      AllOf(Not(HasSubstr("subdata")), HasSubstr("may be drawn\nprobe ssbo uint 0 108 <= 1\n#"),
+            Not(HasSubstr("ssbo float 0 116"))));
 }
 
 // A name that ends the comment or the string would be code.
 TEST(CProgram, TakesNamesForNoCode) {
   records::Exhibit rude = exhibit();
   rude.source.name = "*/ int x; /*";
-  rude.source.attributes[0].name = "\"}; int y; //";
+  rude.source.attributes[0].name = "\"}; int y; // ?\?/";
   const std::string text = written("c", rude);
-  EXPECT_THAT(text,
-              AllOf(HasSubstr("Case: * / int x; /*"), HasSubstr("attribute \\\"}; int y; //")));
+  EXPECT_THAT(text, AllOf(HasSubstr("Case: * / int x; /*"),
+                          HasSubstr("attribute \\\"}; int y; // \\?\\?/\"")));
 }
 
 }  // namespace

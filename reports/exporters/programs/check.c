@@ -10,10 +10,9 @@ static int check(int triangle, const uint32_t *records) {
              s->triangle, s->x, s->y, s->sample, count, s->least, s->most);
       ++faults;
     }
-    for (size_t k = 0; count > 0 && k < sizeof values / sizeof *values; ++k) {
-      const struct value *v = &values[k];
+    for (uint32_t k = 0; count > 0 && k < s->values; ++k) {
+      const struct value *v = &values[s->first_value + k];
       float drawn;
-      if (v->sample != i) continue;
       memcpy(&drawn, &records[s->at + v->word], sizeof drawn);
       if (drawn >= v->least && drawn <= v->greatest) continue;
       printf("triangle %d, pixel (%d, %d), sample %d: %s is %.9g, must be %.9g to %.9g\n",
@@ -24,7 +23,13 @@ static int check(int triangle, const uint32_t *records) {
   return faults;
 }
 
-static void give_up(const char *why, int code) {
-  fprintf(stderr, "%s (%d)\n", why, code);
+static void give_up(const char *why) {
+  fprintf(stderr, "%s\n", why);
   exit(2);
+}
+
+/* On a coarser grid than the test was made for, other drawings may be right. */
+static void check_grid(int subpixel_bits) {
+  if (subpixel_bits >= SUBPIXEL_BITS) return;
+  give_up("this driver has fewer subpixel bits than the test was made for");
 }

@@ -1,6 +1,8 @@
 static void check_gl(const char *what) {
   const GLenum error = glGetError();
-  if (error != GL_NO_ERROR) give_up(what, (int)error);
+  if (error == GL_NO_ERROR) return;
+  fprintf(stderr, "glGetError() is 0x%x: ", error);
+  give_up(what);
 }
 
 /* Opens a context without a window: Mesa's surfaceless platform, or the default display. */
@@ -8,7 +10,7 @@ static void open_context(void) {
   EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL);
   if (!eglInitialize(display, NULL, NULL)) {
     display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    if (!eglInitialize(display, NULL, NULL)) give_up("no EGL display", eglGetError());
+    if (!eglInitialize(display, NULL, NULL)) give_up("no EGL display");
   }
   eglBindAPI(EGL_OPENGL_API);
   const EGLint version[][5] = {
@@ -19,8 +21,11 @@ static void open_context(void) {
     context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version[i]);
   }
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-    give_up("no OpenGL context", eglGetError());
+    give_up("no OpenGL context");
   }
+  GLint subpixel_bits = 0;
+  glGetIntegerv(GL_SUBPIXEL_BITS, &subpixel_bits);
+  check_grid(subpixel_bits);
   printf("%s, OpenGL %s\n", (const char *)glGetString(GL_RENDERER),
          (const char *)glGetString(GL_VERSION));
 }
@@ -34,7 +39,7 @@ static void compile(GLuint program, GLenum stage, const char *text) {
   if (!is_compiled) {
     char log[2000];
     glGetShaderInfoLog(shader, sizeof log, NULL, log);
-    give_up(log, 0);
+    give_up(log);
   }
   glAttachShader(program, shader);
 }
@@ -44,10 +49,10 @@ static void use_program(void) {
   GLint is_linked = 0;
   compile(program, GL_VERTEX_SHADER, vertex_shader);
   compile(program, GL_FRAGMENT_SHADER, fragment_shader);
-  for (int i = 0; i < VECTORS; ++i) glBindAttribLocation(program, i, inputs[i]);
+  for (GLuint i = 0; i < VECTORS; ++i) glBindAttribLocation(program, i, inputs[i]);
   glLinkProgram(program);
   glGetProgramiv(program, GL_LINK_STATUS, &is_linked);
-  if (!is_linked) give_up("the shaders do not link", 0);
+  if (!is_linked) give_up("the shaders do not link");
   glUseProgram(program);
 }
 
@@ -61,13 +66,16 @@ static void make_target(void) {
                                    HEIGHT);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    give_up("the target cannot be drawn to", 0);
+    give_up("the target cannot be drawn to");
   }
-  for (int i = 0; SAMPLES > 1 && i < SAMPLES; ++i) {
+  GLint samples_drawn = 0;
+  glGetIntegerv(GL_SAMPLES, &samples_drawn);
+  if (SAMPLES > 1 && samples_drawn != SAMPLES) give_up("the target has another number of samples");
+  for (GLuint i = 0; SAMPLES > 1 && i < SAMPLES; ++i) {
     GLfloat at[2];
     glGetMultisamplefv(GL_SAMPLE_POSITION, i, at);
     if (at[0] * 16 != positions[i][0] || at[1] * 16 != positions[i][1]) {
-      give_up("not the standard sample positions, from sample", i);
+      give_up("samples are not at the standard positions");
     }
   }
 }
@@ -90,7 +98,7 @@ static void set_state(void) {
   /* Vulkan's y points down, so that this framebuffer is displayed the other way up. */
   glFrontFace(IS_FRONT_CCW != IS_VULKAN ? GL_CCW : GL_CW);
   if (CLAMPS_DEPTH) glEnable(GL_DEPTH_CLAMP);
-  for (int i = 0; i < CLIP_DISTANCES; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
+  for (GLuint i = 0; i < CLIP_DISTANCES; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
   check_gl("the state is refused");
 }
 
@@ -101,7 +109,7 @@ static void hand_over_vertices(void) {
   glGenBuffers(1, &buffer);
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
   glBufferData(GL_ARRAY_BUFFER, sizeof vertices, vertices, GL_STATIC_DRAW);
-  for (int i = 0; i < VECTORS; ++i) {
+  for (GLuint i = 0; i < VECTORS; ++i) {
     glEnableVertexAttribArray(i);
     glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, VECTORS * 16, (const void *)(i * (size_t)16));
   }

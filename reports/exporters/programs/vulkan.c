@@ -1,5 +1,7 @@
 static void check_vk(VkResult result, const char *what) {
-  if (result != VK_SUCCESS) give_up(what, result);
+  if (result == VK_SUCCESS) return;
+  fprintf(stderr, "VkResult %d: ", result);
+  give_up(what);
 }
 
 static VkPhysicalDevice physical;
@@ -7,42 +9,81 @@ static VkDevice device;
 static VkQueue queue;
 static uint32_t queue_family;
 
-/* Opens the first device whose name contains `name`. */
-static void open_device(const char *name) {
+/* Chooses the first device whose name contains `name`. */
+static VkPhysicalDeviceProperties choose_device(const char *name) {
   const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
                                          .apiVersion = VK_API_VERSION_1_3};
-  const VkInstanceCreateInfo instance_info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
-                                              .pApplicationInfo = &application};
+  const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                     .pApplicationInfo = &application};
   VkInstance instance;
-  check_vk(vkCreateInstance(&instance_info, NULL, &instance), "no Vulkan instance");
+  check_vk(vkCreateInstance(&info, NULL, &instance), "no Vulkan instance");
   VkPhysicalDevice all[16];
   uint32_t count = 16;
   vkEnumeratePhysicalDevices(instance, &count, all);
   VkPhysicalDeviceProperties about;
-  for (uint32_t i = 0; i < count && !physical; ++i) {
-    vkGetPhysicalDeviceProperties(all[i], &about);
-    if (strstr(about.deviceName, name)) physical = all[i];
+  for (uint32_t i = 0; i < count; ++i) {
+    physical = all[i];
+    vkGetPhysicalDeviceProperties(physical, &about);
+    if (strstr(about.deviceName, name)) return about;
+    fprintf(stderr, "not chosen: %s\n", about.deviceName);
   }
-  if (!physical) give_up("no such device", (int)count);
+  give_up("no such device");
+  return about;
+}
+
+/* The test means nothing on a device that lacks any of this. */
+static void check_limits(const VkPhysicalDeviceProperties *about,
+                         const VkPhysicalDeviceFeatures *features) {
+  const VkPhysicalDeviceLimits *limits = &about->limits;
+  if (about->apiVersion < VK_API_VERSION_1_3) give_up("the device has no Vulkan 1.3");
+  if (!features->fragmentStoresAndAtomics) give_up("no fragmentStoresAndAtomics");
+  if (!(limits->framebufferColorSampleCounts & SAMPLES)) give_up("not so many samples");
+  if (SAMPLES > 1 && !features->sampleRateShading) give_up("no sampleRateShading");
+  if (SAMPLES > 1 && !limits->standardSampleLocations) {
+    give_up("samples are not at the standard positions");
+  }
+  if (CLAMPS_DEPTH && !features->depthClamp) give_up("no depthClamp");
+  if (CLIP_DISTANCES > 0 &&
+      (!features->shaderClipDistance || (int)limits->maxClipDistances < CLIP_DISTANCES)) {
+    give_up("not so many clip distances");
+  }
+  /* Each attribute has a location, of four components, to itself. */
+  if (limits->maxVertexOutputComponents < 4 * (ATTRIBUTES + 1) ||
+      limits->maxFragmentInputComponents < 4 * (ATTRIBUTES + 1)) {
+    give_up("not so many attributes");
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    const float end = viewport[axis] + viewport[2 + axis];
+    if (viewport[axis] < limits->viewportBoundsRange[0] || end > limits->viewportBoundsRange[1]) {
+      give_up("not so large a viewport");
+    }
+  }
+  check_grid((int)limits->subPixelPrecisionBits);
+}
+
+static void open_device(const char *name) {
+  const VkPhysicalDeviceProperties about = choose_device(name);
   printf("%s, driver %u, Vulkan %u.%u\n", about.deviceName, about.driverVersion,
          VK_API_VERSION_MAJOR(about.apiVersion), VK_API_VERSION_MINOR(about.apiVersion));
+  VkPhysicalDeviceFeatures features;
+  vkGetPhysicalDeviceFeatures(physical, &features);
+  features.robustBufferAccess = VK_FALSE;
+  check_limits(&about, &features);
 
   VkQueueFamilyProperties families[16];
-  count = 16;
+  uint32_t count = 16;
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families);
   while (queue_family < count && !(families[queue_family].queueFlags & VK_QUEUE_GRAPHICS_BIT)) {
     ++queue_family;
   }
+  if (queue_family == count) give_up("no queue for graphics");
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue_info = {.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                               .queueFamilyIndex = queue_family,
                                               .queueCount = 1,
                                               .pQueuePriorities = &priority};
-  VkPhysicalDeviceVulkan13Features features_1_3 = {
+  const VkPhysicalDeviceVulkan13Features features_1_3 = {
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES, .dynamicRendering = VK_TRUE};
-  VkPhysicalDeviceFeatures features;
-  vkGetPhysicalDeviceFeatures(physical, &features);
-  features.robustBufferAccess = VK_FALSE;
   const VkDeviceCreateInfo device_info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                           .pNext = &features_1_3,
                                           .queueCreateInfoCount = 1,
@@ -61,6 +102,7 @@ static VkDeviceMemory allocate(VkMemoryRequirements needs, VkMemoryPropertyFlags
           (memories.memoryTypes[type].propertyFlags & flags) != flags)) {
     ++type;
   }
+  if (type == memories.memoryTypeCount) give_up("no memory of the kind that is needed");
   const VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                                      .allocationSize = needs.size,
                                      .memoryTypeIndex = type};
@@ -109,22 +151,27 @@ static VkImageView make_target(VkImage *image) {
   return view;
 }
 
-/* Writes the shader to `file` and has glslang compile it to `file`.spv. */
-static VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const char *file,
+/* Has glslangValidator compile the shader, in files that are this process's own. */
+static VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const char *ending,
                                              const char *text) {
-  static uint32_t code[1 << 16];
-  char command[200], compiled[100];
-  snprintf(compiled, sizeof compiled, "%s.spv", file);
-  snprintf(command, sizeof command, "glslangValidator -V -o %s %s >/dev/null", compiled, file);
-  FILE *out = fopen(file, "w");
-  if (!out || fputs(text, out) < 0 || fclose(out) != 0) give_up("a shader cannot be written", 0);
-  if (system(command) != 0) give_up("glslangValidator fails on a shader", 0);
+  static uint32_t code[1 << 18];
+  char source[100], compiled[110], command[300];
+  snprintf(source, sizeof source, "case-%ld.%s", (long)getpid(), ending);
+  snprintf(compiled, sizeof compiled, "%s.spv", source);
+  snprintf(command, sizeof command, "glslangValidator -V -o %s %s >/dev/null", compiled, source);
+  FILE *out = fopen(source, "w");
+  if (!out || fputs(text, out) < 0 || fclose(out) != 0) give_up("a shader cannot be written");
+  if (system(command) != 0) give_up("glslangValidator fails on a shader");
   FILE *in = fopen(compiled, "rb");
-  if (!in) give_up("a compiled shader cannot be read", 0);
-  const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                         .codeSize = fread(code, 1, sizeof code, in),
-                                         .pCode = code};
+  if (!in) give_up("a compiled shader cannot be read");
+  const size_t size = fread(code, 1, sizeof code, in);
+  if (size == sizeof code) give_up("a compiled shader is too long");
   fclose(in);
+  remove(source);
+  remove(compiled);
+  const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                         .codeSize = size,
+                                         .pCode = code};
   VkShaderModule module;
   check_vk(vkCreateShaderModule(device, &info, NULL, &module), "no shader module");
   return (VkPipelineShaderStageCreateInfo){
@@ -136,8 +183,8 @@ static VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const 
 
 static VkPipeline make_pipeline(VkPipelineLayout layout) {
   const VkPipelineShaderStageCreateInfo stages[] = {
-      stage(VK_SHADER_STAGE_VERTEX_BIT, "case.vert", vertex_shader),
-      stage(VK_SHADER_STAGE_FRAGMENT_BIT, "case.frag", fragment_shader)};
+      stage(VK_SHADER_STAGE_VERTEX_BIT, "vert", vertex_shader),
+      stage(VK_SHADER_STAGE_FRAGMENT_BIT, "frag", fragment_shader)};
   const VkVertexInputBindingDescription binding = {0, VECTORS * 16, VK_VERTEX_INPUT_RATE_VERTEX};
   VkVertexInputAttributeDescription vectors[VECTORS];
   for (uint32_t i = 0; i < VECTORS; ++i) {
@@ -201,7 +248,7 @@ static VkPipeline make_pipeline(VkPipelineLayout layout) {
   return pipeline;
 }
 
-/* A set that names the buffer of records, and the layout that has it. */
+/* Returns a descriptor set for the buffer of records; stores its pipeline layout in *layout. */
 static VkDescriptorSet name_records(VkBuffer records, VkPipelineLayout *layout) {
   const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
                                                 VK_SHADER_STAGE_FRAGMENT_BIT, NULL};
@@ -240,7 +287,7 @@ static VkDescriptorSet name_records(VkBuffer records, VkPipelineLayout *layout) 
   return set;
 }
 
-/* The target, as a pass that begins with it and keeps nothing. */
+/* Begins rendering to the target, whose content is discarded. */
 static void begin_drawing(VkCommandBuffer commands, VkImage image, VkImageView view) {
   const VkImageMemoryBarrier barrier = {
       .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
