@@ -104,8 +104,8 @@ class Interpreter {
     statement_ = begin;
     refusal_.reset();
     if (is_among(word(), {"if", "for", "while", "do", "switch", "{"})) {
-      const std::string reason =
-          fmt::format("depends on {}", word() == "{" ? "a block" : fmt::format("'{}'", word()));
+      const std::string reason = word() == "{" ? std::string("may be changed in a block")
+                                               : fmt::format("may be changed by '{}'", word());
       skip_statement(0);
       doubt(tokens_.subspan(begin, at_ - begin), reason);
     } else if (word() == "return") {
@@ -115,7 +115,7 @@ class Interpreter {
       if (!declaration(end) && !assignment(end)) {
         at_ = begin;
         doubt(tokens_.subspan(begin, end - begin),
-              fmt::format("is not an assignment: {}", printable(word())));
+              fmt::format("may be changed by '{}…', which is not understood", printable(word())));
       }
       at_ = std::min(end + 1, tokens_.size());
     }

@@ -485,7 +485,7 @@ bool begins_like_a_test(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = stripped(text.substr(0, end));
-    if (!line.empty() && line.front() != '#') {
+    if (!line.empty() && line.front() != '#' && !line.starts_with("//")) {
       const std::string_view name = section_of(line);
       return name == "require" || name == "test" || name.starts_with("vertex shader") ||
              name == "fragment shader";

@@ -13,6 +13,9 @@
 namespace rastercheck::cases::shader_test_importer {
 namespace {
 
+/// A test has a dozen; the bound is for those that search them all.
+constexpr std::size_t kMaxGlobals = 1000;
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -36,18 +39,21 @@ std::size_t token_length(std::string_view text) {
   return end;
 }
 
-Expected<std::vector<Token>> tokens_of(const std::vector<SourceLine>& source) {
-  std::vector<Token> tokens;
-  bool is_in_comment = false;
-  for (const SourceLine& line : source) {
+/// The tokens of a shader without those of its preprocessor lines.
+class Lexer {
+ public:
+  explicit Lexer(bool allows_directives) : allows_directives_(allows_directives) {}
+
+  std::optional<Refusal> read(const SourceLine& line) {
     std::string_view rest = line.text;
+    std::vector<Token>* to = &tokens;
     while (!rest.empty()) {
-      if (is_in_comment) {
+      if (is_in_comment_) {
         const std::size_t end = rest.find("*/");
-        is_in_comment = end == std::string_view::npos;
-        rest.remove_prefix(is_in_comment ? rest.size() : end + 2);
+        is_in_comment_ = end == std::string_view::npos;
+        rest.remove_prefix(is_in_comment_ ? rest.size() : end + 2);
       } else if (rest.starts_with("/*")) {
-        is_in_comment = true;
+        is_in_comment_ = true;
         rest.remove_prefix(2);
       } else if (rest.starts_with("//")) {
         break;
@@ -55,19 +61,44 @@ Expected<std::vector<Token>> tokens_of(const std::vector<SourceLine>& source) {
         rest.remove_prefix(1);
         rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
         const std::string_view word = rest.substr(0, rest.empty() ? 0 : token_length(rest));
-        if (is_among(word, {"version", "extension", "pragma", ""})) break;
-        return tl::unexpected(
-            Refusal{line.number, fmt::format("#{} is not understood", printable(word))});
+        if (is_among(word, {"version", "extension", "pragma", "line", ""})) break;
+        if (!allows_directives_ || rest.find('\\') != std::string_view::npos) {
+          return Refusal{line.number, fmt::format("#{} is not understood", printable(word))};
+        }
+        has_condition = has_condition || word.starts_with("if");
+        rest.remove_prefix(word.size());
+        to = &directives;
       } else if (std::string_view(" \t\r\f\v").find(rest.front()) != std::string_view::npos) {
         rest.remove_prefix(1);
       } else {
         const std::size_t length = token_length(rest);
-        tokens.push_back({rest.substr(0, length), line.number});
+        to->push_back({rest.substr(0, length), line.number});
         rest.remove_prefix(length);
       }
     }
+    return std::nullopt;
   }
-  return tokens;
+
+  std::vector<Token> tokens;
+  std::vector<Token> directives;
+  bool has_condition = false;
+
+ private:
+  bool allows_directives_;
+  bool is_in_comment_ = false;
+};
+
+/// True if two declarations of one name do not agree, as in the branches of an #if.
+bool is_contradicted(const std::vector<Global>& globals) {
+  for (const Global& global : globals) {
+    const auto first = std::find_if(globals.begin(), globals.end(),
+                                    [&](const Global& one) { return one.name == global.name; });
+    if (first->interpolation != global.interpolation || first->location != global.location ||
+        first->storage != global.storage) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Reads the qualifiers of a declaration from its beginning; returns how many tokens they are.
@@ -178,10 +209,13 @@ bool Shader::mentions(std::string_view name, std::size_t times) const {
 }
 
 Expected<Shader> read_shader(const std::vector<SourceLine>& source, bool is_fragment) {
-  Expected<std::vector<Token>> read = tokens_of(source);
-  if (!read) return tl::unexpected(read.error());
+  // Of a fragment shader only declarations matter, so that both branches of an #if may be read.
+  Lexer lexer(is_fragment);
+  for (const SourceLine& line : source) {
+    if (const auto refusal = lexer.read(line)) return tl::unexpected(*refusal);
+  }
   Shader shader;
-  shader.tokens = *std::move(read);
+  shader.tokens = std::move(lexer.tokens);
   const Tokens all = shader.tokens;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -214,6 +248,13 @@ Expected<Shader> read_shader(const std::vector<SourceLine>& source, bool is_frag
     }
     begin = i + 1;
   }
+  if (shader.globals.size() > kMaxGlobals ||
+      (lexer.has_condition && is_contradicted(shader.globals))) {
+    return tl::unexpected(
+        Refusal{source.front().number, "the shader's declarations depend on #if, or are too many"});
+  }
+  // A name in a macro is mentioned.
+  shader.tokens.insert(shader.tokens.end(), lexer.directives.begin(), lexer.directives.end());
   return shader;
 }
 

@@ -54,7 +54,7 @@ int components_of(std::string_view type);
 /// A shader taken apart. The texts are those of the source.
 struct Shader {
   std::vector<Global> globals;
-  std::vector<Token> tokens;  ///< all of them, without comments and preprocessor lines
+  std::vector<Token> tokens;  ///< without comments; those of preprocessor lines come last
   std::vector<Token> main;    ///< between the braces of main()
   std::size_t main_line = 0;  ///< 0 if there is no main()
   const Global* find(std::string_view name) const;
@@ -62,7 +62,7 @@ struct Shader {
   bool mentions(std::string_view name, std::size_t times = 1) const;
 };
 
-/// `is_fragment` decides what `varying` means.
+/// `is_fragment` decides what `varying` means, and allows for macros and conditions.
 Expected<Shader> read_shader(const std::vector<SourceLine>& source, bool is_fragment);
 
 using Tokens = std::span<const Token>;
