@@ -184,10 +184,11 @@ class Maker {
   }
 
   /// With several samples, an input without a location may be evaluated anywhere in the pixel.
-  Location location(const Global* in, const Global* out, const std::string& name) {
+  Location location(const Global* in, const Global* out, const std::string& name,
+                    Interpolation by) {
     if (in != nullptr && in->location) return *in->location;
     if (out != nullptr && out->location) return *out->location;
-    if (c_.framebuffer.samples == 1) return Location::sample;
+    if (c_.framebuffer.samples == 1 || by == Interpolation::flat) return Location::sample;
     const auto& tokens = fragment_->tokens;
     for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
       if (tokens[i].text == "interpolateAtOffset" && tokens[i + 2].text == name)
@@ -205,7 +206,7 @@ class Maker {
     if (is_colour && state().is_flat) by = Interpolation::flat;
     if (out != nullptr) by = out->interpolation.value_or(by);
     if (in != nullptr) by = in->interpolation.value_or(by);
-    varyings_.push_back({variable, name, by, location(in, out, name), components, is_colour});
+    varyings_.push_back({variable, name, by, location(in, out, name, by), components, is_colour});
   }
 
   /// The fragment shader's input that an output goes to.
@@ -252,8 +253,11 @@ class Maker {
     std::set<std::string> read;
     const auto& tokens = fragment_->tokens;
     for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
-      if (tokens[i].text == "gl_TexCoord" && tokens[i + 1].text == "[")
-        read.insert(fmt::format("gl_TexCoord[{}]", tokens[i + 2].text));
+      if (tokens[i].text != "gl_TexCoord" || tokens[i + 1].text != "[") continue;
+      const std::optional<int> index = integer(tokens[i + 2].text);
+      // The size in a declaration is no index: nothing is assigned there.
+      if (index) read.insert(fmt::format("gl_TexCoord[{}]", *index));
+      if (!index) note("gl_TexCoord[] left out where its index is no number");
     }
     const Global* in = fragment_->find("gl_TexCoord");
     for (const std::string& name : read) add_varying(name, name, in, nullptr, 4);

@@ -347,7 +347,7 @@ class Commands {
     const auto limit = static_cast<float>(kMaxSize);
     const auto& n = *read;
     if (std::fabs(n[0]) > limit || std::fabs(n[1]) > limit) return false;
-    if (!(n[2] > 0 && n[2] <= limit && n[3] > 0 && n[3] <= limit)) return false;
+    if (!(n[2] >= 0 && n[2] <= limit && n[3] >= 0 && n[3] <= limit)) return false;
     state_.viewport = {n[0], n[1], n[2], n[3], 0, 1};
     return true;
   }
