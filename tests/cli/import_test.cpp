@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "cases/case_reader.h"
 #include "tests/cli/program.h"
@@ -141,6 +143,80 @@ TEST(Import, ReadsADrawThatRenderDocExported) {
   ASSERT_TRUE(said) << to_string(said.error());
   EXPECT_EQ(said->viewport, (cases::Viewport{1, 0, 6.5F, -4, 0, 1}));
   EXPECT_EQ(said->attributes[0].interpolation, cases::Interpolation::flat);
+}
+
+/// The numbers of each corner of each triangle: position, attributes, clip distances.
+std::vector<std::vector<float>> corners(const cases::Case& c) {
+  std::vector<std::vector<float>> all;
+  for (const cases::Triangle& triangle : c.triangles) {
+    for (const std::uint32_t i : triangle) {
+      const cases::ClipVertex& p = c.positions[i];
+      std::vector<float> numbers{p.x, p.y, p.z, p.w};
+      const auto attributes = c.attributes_of(i);
+      const auto distances = c.clip_distances_of(i);
+      numbers.insert(numbers.end(), attributes.begin(), attributes.end());
+      numbers.insert(numbers.end(), distances.begin(), distances.end());
+      all.push_back(std::move(numbers));
+    }
+  }
+  return all;
+}
+
+/// Exports a case of `rules` for piglit, and imports what was written.
+std::pair<cases::Case, cases::Case> exported_and_imported(const std::string& rules) {
+  const TemporaryFolder folder;
+  const std::string file = folder.put(
+      "a.json", R"({"format": "rastercheck-case", "version": 1, "rules": ")" + rules + R"(",
+          "framebuffer": {"width": 8, "height": 6, "samples": 4},
+          "viewport": {"x": 1, "y": 0.5, "width": 6.5, "height": 5}, "depth_clamp": true,
+          "attributes": [{"name": "value0", "interpolation": "flat"},
+            {"name": "value1", "interpolation": "noperspective", "location": "centroid"},
+            {"name": "value2", "location": "center"}, {"name": "value3"}, {"name": "value4"}],
+          "vertices": [
+            {"position": [-1, -1, 0.25, 1], "attributes": [1, 2, "0x1.99999ap-4", 4, 5],
+             "clip_distances": [1, -0.5]},
+            {"position": [3, -1, 2, 1.5], "attributes": [6, 7, 8, 9, 10],
+             "clip_distances": [1, 1]},
+            {"position": [-1, 3, 0.5, 1], "attributes": [11, 12, 13, -14, 15],
+             "clip_distances": [0.5, 1]},
+            {"position": [1, 1, 1, 1], "attributes": [16, 17, 18, 19, 20],
+             "clip_distances": [0.5, 1]}],
+          "triangles": [[0, 1, 2], [2, 1, 3]]})");
+  const std::string test = folder.path("a.shader_test");
+  const Outcome out = run_program({"export", file, "--format", "shader_test", "--output", test});
+  EXPECT_EQ(out.code, 0) << out;
+  const Outcome in = run_program({"import", test, "--quiet"});
+  EXPECT_EQ(in.code, 0) << in;
+  const auto again = cases::parse_case(in.out, "-");
+  EXPECT_TRUE(again) << to_string(again.error());
+  return {*cases::read_case(file), again.value_or(cases::Case())};
+}
+
+// Kills: an exporter and an importer that mean different things by the same test.
+TEST(Import, ReadsWhatWasExportedForPiglit) {
+  const auto [given, again] = exported_and_imported("opengl");
+  EXPECT_EQ(corners(again), corners(given));
+  EXPECT_EQ(again.attributes, given.attributes);
+  EXPECT_EQ(again.framebuffer, given.framebuffer);
+  EXPECT_EQ(again.viewport, given.viewport);
+  EXPECT_EQ(again.rules, given.rules);
+  EXPECT_EQ(again.fill_rule, given.fill_rule);
+  EXPECT_EQ(again.depth_clamp, given.depth_clamp);
+  EXPECT_EQ(again.clip_distance_count, given.clip_distance_count);
+}
+
+// Of Vulkan's rules z is 2 z - w in OpenGL, and the first vertex comes last.
+TEST(Import, ReadsWhatWasExportedOfVulkansRules) {
+  const auto [given, again] = exported_and_imported("vulkan");
+  std::vector<std::vector<float>> expected = corners(given);
+  for (std::size_t i = 0; i < expected.size(); i += 3) {
+    const auto first = expected.begin() + static_cast<std::ptrdiff_t>(i);
+    std::rotate(first, first + 1, first + 3);
+  }
+  for (std::vector<float>& numbers : expected) numbers[2] = 2 * numbers[2] - numbers[3];
+  EXPECT_EQ(corners(again), expected);
+  EXPECT_EQ(again.rules, cases::Rules::opengl);
+  EXPECT_EQ(again.attributes, given.attributes);
 }
 
 // Kills: a message that leaves the user to guess what to write.
