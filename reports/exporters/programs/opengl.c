@@ -98,7 +98,7 @@ static void set_state(void) {
   /* Vulkan's y points down, so that this framebuffer is displayed the other way up. */
   glFrontFace(IS_FRONT_CCW != IS_VULKAN ? GL_CCW : GL_CW);
   if (CLAMPS_DEPTH) glEnable(GL_DEPTH_CLAMP);
-  for (GLuint i = 0; i < CLIP_DISTANCES; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
+  for (int i = 0; i < CLIP_DISTANCES; ++i) glEnable(GL_CLIP_DISTANCE0 + (GLenum)i);
   check_gl("the state is refused");
 }
 

@@ -48,8 +48,8 @@ static void check_limits(const VkPhysicalDeviceProperties *about,
     give_up("not so many clip distances");
   }
   /* Each attribute has a location, of four components, to itself. */
-  if (limits->maxVertexOutputComponents < 4 * (ATTRIBUTES + 1) ||
-      limits->maxFragmentInputComponents < 4 * (ATTRIBUTES + 1)) {
+  if ((int)limits->maxVertexOutputComponents < 4 * ATTRIBUTES ||
+      (int)limits->maxFragmentInputComponents < 4 * ATTRIBUTES) {
     give_up("not so many attributes");
   }
   for (int axis = 0; axis < 2; ++axis) {
