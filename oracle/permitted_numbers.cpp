@@ -19,17 +19,11 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-/// The greatest float32 that is not greater. Infinite from 2^128 on, which is what an infinity
-/// counts as.
+/// The greatest float32 that is not greater: the nearest one or its neighbour. Infinite from 2^128
+/// on, which is what an infinity counts as.
 float greatest_float_within(const Field& limit) {
-  float f = nearest_float(limit);
-  // The nearest float32 is infinite from the middle between the greatest one and 2^128 on.
-  while (f > -kInfinite && Field(computed_ring(f)) > limit) f = std::nextafter(f, -kInfinite);
-  for (float next = std::nextafter(f, kInfinite);
-       f < kInfinite && Field(computed_ring(next)) <= limit; next = std::nextafter(f, kInfinite)) {
-    f = next;
-  }
-  return f;
+  const float f = nearest_float(limit);
+  return Field(computed_ring(f)) > limit ? std::nextafter(f, -kInfinite) : f;
 }
 
 /// `distance` scale ULP of an end.

@@ -246,7 +246,8 @@ class Commands {
   bool clear(const Words& words) {
     if (words.size() > 1 && words[1] == "depth") {
       const auto depth = numbers(words, 2, 1);
-      if (!depth || !(depth->front() >= 0 && depth->front() <= 1)) return false;
+      const bool is_depth = depth && depth->front() >= 0 && depth->front() <= 1;
+      if (!is_depth) return false;
       clear_depth_ = depth->front();
     } else if (words.size() == 1) {
       // Without "clear depth", the runner's clear leaves the depth buffer alone.
@@ -315,7 +316,8 @@ class Commands {
     } else if (!is_ortho) {
       return false;
     }
-    if (!is_ortho && !(n[4] > 0 && n[5] > 0)) return false;
+    const bool is_before_the_eye = n[4] > 0 && n[5] > 0;
+    if (!is_ortho && !is_before_the_eye) return false;
     const std::array<double, 16> m = is_ortho ? ortho_matrix(n) : frustum_matrix(n);
     Matrix4 matrix{};
     state_.is_projection_rounded = false;
@@ -347,7 +349,8 @@ class Commands {
     const auto limit = static_cast<float>(kMaxSize);
     const auto& n = *read;
     if (std::fabs(n[0]) > limit || std::fabs(n[1]) > limit) return false;
-    if (!(n[2] >= 0 && n[2] <= limit && n[3] >= 0 && n[3] <= limit)) return false;
+    const bool has_size = n[2] >= 0 && n[2] <= limit && n[3] >= 0 && n[3] <= limit;
+    if (!has_size) return false;
     state_.viewport = {n[0], n[1], n[2], n[3], 0, 1};
     return true;
   }

@@ -216,7 +216,8 @@ std::string fault_of_camera(const MeshCamera& camera) {
     if (!(camera.znear >= 0)) return fmt::format("its znear, {}, is below 0", camera.znear);
     if (!camera.zfar) return "it has no zfar";
   } else {
-    if (!(camera.yfov > 0 && camera.yfov < std::numbers::pi)) {
+    const bool is_angle = camera.yfov > 0 && camera.yfov < std::numbers::pi;
+    if (!is_angle) {
       return fmt::format("its yfov, {} radians, is not between 0 and π", camera.yfov);
     }
     if (camera.aspect_ratio && !(*camera.aspect_ratio > 0)) {
