@@ -211,7 +211,7 @@ Action set_up(CLI::App& app) {
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("export", "Hand a finding on as a bug report or a figure",
+const Registration kRegistration("export", "Hand a finding on as a report, a test or a figure",
                                  &set_up);
 
 }  // namespace
