@@ -75,6 +75,8 @@ std::string_view to_string(Feature feature) {
       "depth ranges other than 0 to 1",
       "the depth test",
       "depth buffers cleared to values other than 1",
+      "depth bias",
+      "depths stored in a unorm format",
       "viewports other than the whole framebuffer",
       "fractional viewports",
       "scissors",
@@ -106,6 +108,10 @@ bool needs(const Case& c, Feature feature) {
       return c.depth_test != DepthTest::none;
     case Feature::depth_clear:
       return c.depth_test != DepthTest::none && c.depth_clear && *c.depth_clear != 1;
+    case Feature::depth_bias:
+      return !c.depth_bias.is_none();
+    case Feature::unorm_depth:
+      return unorm_bits(c.depth_format) != 0;
     case Feature::viewport:
       return !is_whole_viewport(c);
     case Feature::viewport_fractions:

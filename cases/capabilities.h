@@ -25,6 +25,8 @@ enum class Feature {
   depth_range,         ///< a depth range other than 0 to 1
   depth_test,          ///< a depth test other than `none`
   depth_clear,         ///< a depth buffer whose initial value is not 1
+  depth_bias,          ///< something added to depths
+  unorm_depth,         ///< depths stored in a unorm format
   viewport,            ///< a viewport other than the whole framebuffer
   viewport_fractions,  ///< viewport sides between pixels
   scissor,             ///< a scissor
@@ -36,12 +38,13 @@ enum class Feature {
   centroid,            ///< likewise, at the centroid
 };
 constexpr auto names_of(Feature /*type*/) {
-  return std::to_array<std::string_view>(
-      {"nonpositive_w", "depth_clipping", "side_clipping", "clip_distances", "depth_clamp",
-       "depth_range", "depth_test", "depth_clear", "viewport", "viewport_fractions", "scissor",
-       "culling", "smooth", "noperspective", "flat", "center", "centroid"});
+  return std::to_array<std::string_view>({"nonpositive_w", "depth_clipping", "side_clipping",
+                                          "clip_distances", "depth_clamp", "depth_range",
+                                          "depth_test", "depth_clear", "depth_bias", "unorm_depth",
+                                          "viewport", "viewport_fractions", "scissor", "culling",
+                                          "smooth", "noperspective", "flat", "center", "centroid"});
 }
-inline constexpr std::size_t kFeatures = 17;
+inline constexpr std::size_t kFeatures = 19;
 /// For readers: "vertices with w <= 0".
 std::string_view to_string(Feature feature);
 /// For readers: "D3D's rules".

@@ -42,6 +42,20 @@ enum class Location { sample, center, centroid };
 /// fragment is nearer than the initial value of the depth buffer.
 enum class DepthTest { none, less };
 
+/// What is added to all depths of a triangle, before they are clamped: m · slope + r · constant,
+/// where m is how much the depth changes from one pixel to the next, and r is the least difference
+/// that the depth format resolves (RULES §8, cases::BiasPromise). `clamp` limits the sum: from
+/// above if positive, from below if negative.
+struct DepthBias {
+  float constant = 0;
+  float slope = 0;
+  float clamp = 0;
+  bool operator==(const DepthBias&) const = default;
+
+  /// True if nothing is added to any depth.
+  bool is_none() const { return constant == 0 && slope == 0; }
+};
+
 /// Pixels, and samples per pixel (1, 2, 4, 8 or 16).
 struct FramebufferSize {
   int width = 0;
@@ -137,6 +151,10 @@ struct Case {
   /// or anything farther, so that a fragment of depth 1 may be drawn or not.
   std::optional<float> depth_clear;
   bool depth_clamp = false;
+  DepthBias depth_bias;
+  /// The format that depths are stored in, as fragments have them and depth tests compare them: one
+  /// of kDepthFormatsOfCases. A unorm depth k/(2^n − 1) is handed over as the nearest float32.
+  DepthFormat depth_format = DepthFormat::float32;
   std::vector<Attribute> attributes;
   std::optional<Camera> camera;
   std::vector<ClipVertex> positions;  ///< [vertex]

@@ -74,6 +74,24 @@ Scissor read_scissor(const JsonNode& node) {
   return scissor;
 }
 
+DepthBias read_depth_bias(const JsonNode& node) {
+  node.expect_object({}, {"constant", "slope", "clamp"});
+  DepthBias bias;
+  if (node.has("constant")) bias.constant = node["constant"].float32();
+  if (node.has("slope")) bias.slope = node["slope"].float32();
+  if (node.has("clamp")) bias.clamp = node["clamp"].float32();
+  return bias;
+}
+
+DepthFormat read_depth_format(const JsonNode& node) {
+  const std::string word = node.text();
+  for (const DepthFormat format : kDepthFormatsOfCases) {
+    if (name_of(format) == word) return format;
+  }
+  node.refuse("must be float32, unorm16 or unorm24");
+  return DepthFormat::float32;
+}
+
 std::vector<Attribute> read_attributes(const JsonNode& node) {
   std::vector<Attribute> attributes;
   for (const JsonNode& element : node.elements(0, kMaxAttributes, "attributes")) {
@@ -180,7 +198,7 @@ Found read_found(const JsonNode& node) {
   return found;
 }
 
-constexpr std::size_t kMostEssential = 20;
+constexpr std::size_t kMostEssential = kFeatures + 3;
 
 /// Reads the name of a cases::Feature, or of another thing that a case may be about.
 std::string read_essential(const JsonNode& node) {
@@ -204,8 +222,8 @@ void check_header(const JsonNode& root) {
   root.expect_object(
       {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
       {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
-       "depth_clear", "depth_clamp", "attributes", "camera", "essential", "choices", "found",
-       "picture", "round"});
+       "depth_clear", "depth_clamp", "depth_bias", "depth_format", "attributes", "camera",
+       "essential", "choices", "found", "picture", "round"});
   if (root.failed()) return;
   if (root["version"].integer(0, std::numeric_limits<std::int32_t>::max()) != 1) {
     root["version"].refuse("version must be 1");
@@ -232,6 +250,8 @@ Case read_rounded(const JsonNode& outer, DecimalRounding& rounding) {
   if (root.has("depth_test")) c.depth_test = root["depth_test"].enumerator<DepthTest>();
   if (root.has("depth_clear")) c.depth_clear = root["depth_clear"].float32(0, 1);
   if (root.has("depth_clamp")) c.depth_clamp = root["depth_clamp"].boolean();
+  if (root.has("depth_bias")) c.depth_bias = read_depth_bias(root["depth_bias"]);
+  if (root.has("depth_format")) c.depth_format = read_depth_format(root["depth_format"]);
   if (root.has("attributes")) c.attributes = read_attributes(root["attributes"]);
   if (root.has("camera")) c.camera = read_camera(root["camera"]);
   if (root.has("essential")) {

@@ -101,6 +101,12 @@ std::string to_json(const Case& c) {
   if (c.depth_test != DepthTest::none) add("depth_test", word(c.depth_test));
   if (c.depth_clear) add("depth_clear", number(*c.depth_clear));
   if (c.depth_clamp) add("depth_clamp", "true");
+  if (c.depth_bias != DepthBias()) {
+    add("depth_bias", fmt::format(R"({{"constant": {}, "slope": {}, "clamp": {}}})",
+                                  number(c.depth_bias.constant), number(c.depth_bias.slope),
+                                  number(c.depth_bias.clamp)));
+  }
+  if (c.depth_format != DepthFormat::float32) add("depth_format", word(c.depth_format));
 
   std::vector<std::string> attributes;
   attributes.reserve(c.attributes.size());

@@ -91,6 +91,8 @@ Contract contract_of(const Case& c) {
   contract.coverage = c.coverage;
   contract.basis = c.coverage ? c.basis : Basis::ideal;
   contract.tie_rule = c.fill_rule;
+  contract.depth_format = c.depth_format;
+  if (c.rules == Rules::d3d) contract.depth_bias.unit = BiasUnit::least_value;
   return contract;
 }
 

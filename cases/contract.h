@@ -49,7 +49,8 @@ enum class Claim { perspective, affine };
 /// bits: a share of the range of the vertices' values, and an error in units of the value itself
 /// (1/510 for values in [0, 1] that are stored in 8 bits). ulp is that of max |r_i| there.
 ///
-/// For depth, only `constant` and `absolute` count, and ulp is that of max(|n|, |f|).
+/// For depth, only `constant` and `absolute` count, and ulp is that of max(|n|, |f|). The bound is
+/// that of the depth before it is stored in a unorm format.
 struct ValueBound {
   float constant = 0.5F;
   float per_horizon = 0;
@@ -140,6 +141,39 @@ enum class KeptDepth { less, less_or_equal, greater, greater_or_equal };
 /// less is nearer unless depth is reversed.
 enum class DepthError { either_side, never_nearer, never_farther };
 
+/// How steep a plane of depths is held to be, the m of cases::DepthBias, from its derivatives z_x
+/// and z_y by window x and y: max(|z_x|, |z_y|), sqrt(z_x² + z_y²), or anything from one to the
+/// other.
+enum class BiasSlope { greatest, root, between };
+
+/// The r of cases::DepthBias in a unorm format of b bits: 2^-b, 2^(1−b), either of these or what
+/// lies between them, the least positive value of the format as float32, or anything from 0 to
+/// 2^(1−b).
+enum class BiasUnit { power, double_power, either_power, least_value, open };
+
+/// The r of cases::DepthBias in float32 is 2^(e−23), where e is the exponent of the greatest depth
+/// of a triangle. `vertices`: of its three vertices, each clamped to the viewport's depth range; a
+/// vertex with w <= 0 counts as the range's greater end. `open`: of its vertices or of those of the
+/// clipped triangle or of a part of that.
+enum class BiasExponent { vertices, open };
+
+/// What a backend adds to depths if a case has a bias (RULES §8). The sum is then clamped: under
+/// `d3d`, and with depth clamp, to the viewport's depth range, else to [0, 1].
+struct BiasPromise {
+  BiasSlope slope = BiasSlope::greatest;
+  BiasUnit unit = BiasUnit::power;
+  BiasExponent exponent = BiasExponent::vertices;
+  bool operator==(const BiasPromise&) const = default;
+};
+
+/// Which number of a unorm format a depth d may become, where d · (2^n − 1) lies between two
+/// integers: the nearest of them, one that is at most 0.6 away, or either.
+enum class DepthStore { nearest, nearly_nearest, either };
+/// The largest distance between a depth and what it is stored as, in units of the format.
+constexpr double reach_of(DepthStore store) {
+  return store == DepthStore::nearest ? 0.5 : store == DepthStore::nearly_nearest ? 0.6 : 1;
+}
+
 /// The largest factor by which 1/w may fall from one pixel to the next while differences still mean
 /// something.
 inline constexpr float kMostQuadHorizon = 0x1p16F;
@@ -189,10 +223,13 @@ struct Contract {
   /// are rounded afterwards. Nothing is promised about viewports no larger than twice this error.
   /// Only if `coverage` is snapped.
   double viewport_error = 0;
-  /// The format in which depth tests compare depths. Rounding keeps the order of depths, but may
+  /// The format in which depth tests compare depths, of a case that asks for float32; a case that
+  /// asks for a unorm format gets that. Rounding keeps the order of depths, but may
   /// make depths equal if they are no farther apart than a step. Depths that are equal in float32
   /// may differ in float64.
   DepthFormat depth_format = DepthFormat::float32;
+  DepthStore depth_store = DepthStore::nearest;  ///< only of cases that ask for a unorm format
+  BiasPromise depth_bias;
   /// What takes the place of the depth test `less` in cases that have one. If depth is reversed,
   /// the depth buffer begins with 0 where the case does not say what it begins with.
   KeptDepth depth_function = KeptDepth::less;

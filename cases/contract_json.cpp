@@ -128,6 +128,15 @@ ValueBound read_bound(const JsonNode& node) {
           part("range_share"), part("absolute")};
 }
 
+BiasPromise read_depth_bias(const JsonNode& node) {
+  node.expect_object({}, {"slope", "unit", "exponent"});
+  BiasPromise bias;
+  if (node.has("slope")) bias.slope = node["slope"].enumerator<BiasSlope>();
+  if (node.has("unit")) bias.unit = node["unit"].enumerator<BiasUnit>();
+  if (node.has("exponent")) bias.exponent = node["exponent"].enumerator<BiasExponent>();
+  return bias;
+}
+
 MagnitudeRange read_numbers(const JsonNode& node) {
   node.expect_object({}, {"least", "greatest"});
   MagnitudeRange range;
@@ -196,6 +205,8 @@ void check_contract_header(const JsonNode& root) {
                                              "clip_error",
                                              "viewport_error",
                                              "depth_format",
+                                             "depth_store",
+                                             "depth_bias",
                                              "depth_function",
                                              "depth_error",
                                              "claims",
@@ -244,6 +255,11 @@ std::string text_of(TieRule rule) { return quoted(name_of(rule)); }
 std::string text_of(Winding winding) { return quoted(name_of(winding)); }
 std::string text_of(KeptDepth function) { return quoted(name_of(function)); }
 std::string text_of(DepthError error) { return quoted(name_of(error)); }
+std::string text_of(DepthStore store) { return quoted(name_of(store)); }
+std::string text_of(const BiasPromise& bias) {
+  return fmt::format(R"({{"slope": "{}", "unit": "{}", "exponent": "{}"}})", name_of(bias.slope),
+                     name_of(bias.unit), name_of(bias.exponent));
+}
 
 std::string text_of(const PixelFraction& at) {
   const auto fraction = [&at](int part) {
@@ -349,6 +365,8 @@ std::string to_json(const ContractTerms& terms) {
   all.add("clip_error", terms.clip_error);
   all.add("viewport_error", terms.viewport_error);
   all.add("depth_format", terms.depth_format);
+  all.add("depth_store", terms.depth_store);
+  all.add("depth_bias", terms.depth_bias);
   all.add("depth_function", terms.depth_function);
   all.add("depth_error", terms.depth_error);
   all.add("claims", terms.claims);
@@ -397,6 +415,9 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   read_term(root, "viewport_error", terms.viewport_error, size);
   read_term(root, "depth_format", terms.depth_format,
             [](const JsonNode& node) { return node.enumerator<DepthFormat>(); });
+  read_term(root, "depth_store", terms.depth_store,
+            [](const JsonNode& node) { return node.enumerator<DepthStore>(); });
+  read_term(root, "depth_bias", terms.depth_bias, &read_depth_bias);
   read_term(root, "depth_function", terms.depth_function,
             [](const JsonNode& node) { return node.enumerator<KeptDepth>(); });
   read_term(root, "depth_error", terms.depth_error,

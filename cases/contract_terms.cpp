@@ -56,7 +56,9 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   keep(terms.clip_tolerance, own.clip_tolerance);
   keep(terms.clip_error, own.clip_error);
   keep(terms.viewport_error, own.viewport_error);
-  keep(terms.depth_format, own.depth_format);
+  if (c.depth_format == DepthFormat::float32) keep(terms.depth_format, own.depth_format);
+  keep(terms.depth_store, own.depth_store);
+  keep(terms.depth_bias, own.depth_bias);
   keep(terms.depth_function, own.depth_function);
   keep(terms.depth_error, own.depth_error);
   keep(terms.claims, own.claims);

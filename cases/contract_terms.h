@@ -51,6 +51,8 @@ struct ContractTerms {
   std::optional<float> clip_error;
   std::optional<float> viewport_error;
   std::optional<DepthFormat> depth_format;
+  std::optional<DepthStore> depth_store;
+  std::optional<BiasPromise> depth_bias;
   std::optional<KeptDepth> depth_function;
   std::optional<DepthError> depth_error;
   std::optional<Claim> claims;

@@ -64,8 +64,24 @@ using Coverage = std::optional<Snapping>;
 enum class Basis { ideal, snapped, unspecified };
 
 /// The depths that depth tests compare: the float32 of the fragment, the float64 before rounding to
-/// that, or a depth rounded to a step of 1/(2^n − 1).
+/// that, or a depth rounded to a step of 1/(2^n − 1). A case asks for float32, unorm16 or unorm24.
 enum class DepthFormat { float32, float64, unorm16, unorm24, unorm32 };
+
+/// The bits of a unorm format; 0 for floats.
+constexpr int unorm_bits(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::unorm16:
+      return 16;
+    case DepthFormat::unorm24:
+      return 24;
+    case DepthFormat::unorm32:
+      return 32;
+    case DepthFormat::float32:
+    case DepthFormat::float64:
+      break;
+  }
+  return 0;
+}
 
 /// Which edges own a sample that lies exactly on them, as displayed. A rule that names two sides
 /// asks first whether the edge is on the first side and, if it is parallel to that axis, whether it

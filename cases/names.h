@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 
 namespace rastercheck::cases {
 
@@ -33,6 +34,19 @@ constexpr auto names_of(DepthTest /*type*/) {
 }
 constexpr auto names_of(DepthFormat /*type*/) {
   return std::to_array<std::string_view>({"float32", "float64", "unorm16", "unorm24", "unorm32"});
+}
+constexpr auto names_of(BiasSlope /*type*/) {
+  return std::to_array<std::string_view>({"greatest", "root", "between"});
+}
+constexpr auto names_of(BiasUnit /*type*/) {
+  return std::to_array<std::string_view>(
+      {"power", "double_power", "either_power", "least_value", "open"});
+}
+constexpr auto names_of(BiasExponent /*type*/) {
+  return std::to_array<std::string_view>({"vertices", "open"});
+}
+constexpr auto names_of(DepthStore /*type*/) {
+  return std::to_array<std::string_view>({"nearest", "nearly_nearest", "either"});
 }
 constexpr auto names_of(Rounding /*type*/) {
   return std::to_array<std::string_view>(
@@ -73,6 +87,9 @@ constexpr auto names_of(TieRule /*type*/) {
 /// The rules that a case may ask for, and the roundings: the first ones of their enumerations.
 inline constexpr std::size_t kTieRulesOfCases = 2;
 inline constexpr std::size_t kRoundingsOfCases = 3;
+/// The formats of depth that a case may ask for.
+inline constexpr std::array kDepthFormatsOfCases{DepthFormat::float32, DepthFormat::unorm16,
+                                                 DepthFormat::unorm24};
 
 /// The enumerator's name; "?" if it has none.
 template <typename Enum>

@@ -169,6 +169,12 @@ bool leave_out(cases::Case& c, cases::Feature feature, const cases::Capabilities
     case Feature::depth_clear:
       c.depth_clear.reset();
       return true;
+    case Feature::depth_bias:
+      c.depth_bias = {};
+      return true;
+    case Feature::unorm_depth:
+      c.depth_format = cases::DepthFormat::float32;
+      return true;
     case Feature::viewport:
       c.viewport.x = 0;
       c.viewport.y = 0;

@@ -30,7 +30,8 @@ std::uint32_t word(std::int32_t number) { return static_cast<std::uint32_t>(numb
 
 std::string draw_file(const cases::Case& c, const cases::Contract& promised) {
   const rastercheck_draw d = draw_state(c, promised);
-  std::string bytes = "RCDRAW1\n";
+  const bool has_depth_words = d.depth_bits != 0 || !c.depth_bias.is_none();
+  std::string bytes = has_depth_words ? "RCDRAW2\n" : "RCDRAW1\n";
   append(bytes, std::vector<std::uint32_t>{
                     d.rules,
                     d.width,
@@ -61,6 +62,10 @@ std::string draw_file(const cases::Case& c, const cases::Contract& promised) {
                     static_cast<std::uint32_t>(c.triangles.size()),
                     word(d.depth_clear),
                 });
+  if (has_depth_words) {
+    append(bytes, std::vector<std::uint32_t>{word(d.bias_constant), word(d.bias_slope),
+                                             word(d.bias_clamp), d.depth_bits});
+  }
   append(bytes, sample_places(c));
   append(bytes, c.positions);
   append(bytes, plugin_attributes(c));

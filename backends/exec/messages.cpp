@@ -44,6 +44,7 @@ void members(Archive& archive, Hello& hello) {
   archive.optional("shared_memory", hello.has_shared_memory);
   archive.optional("contract", hello.contract);
   archive.optional("limits", hello.limits);
+  archive.optional("draws", hello.draws);
 }
 
 template <typename Archive, cases::Either<AnswerHeader> Header>
@@ -137,6 +138,10 @@ nlohmann::json header_of(const cases::Case& c, const cases::Contract& promised,
                         {"depth_test", d.depth_test != 0},
                         {"depth_clamp", d.depth_clamp != 0},
                         {"depth_clear", d.depth_clear},
+                        {"bias_constant", d.bias_constant},
+                        {"bias_slope", d.bias_slope},
+                        {"bias_clamp", d.bias_clamp},
+                        {"depth_bits", d.depth_bits},
                         {"coverage", c.coverage ? "snapped" : "exact"},
                         {"subpixel_bits", d.subpixel_bits},
                         {"rounding", name_of(asked(grid.rounding))},
@@ -175,16 +180,22 @@ Result<ProgramHello> parse_hello(std::string_view line) {
   if (!hello) return hello;
   hello->name = cases::one_line(hello->name);
   hello->version = cases::one_line(hello->version);
+  std::vector<cases::Feature>& lacks = hello->limits.lacks;
+  const auto lack = [&lacks](cases::Feature feature) {
+    if (std::find(lacks.begin(), lacks.end(), feature) == lacks.end()) lacks.push_back(feature);
+  };
+  for (const cases::Feature feature : {cases::Feature::depth_bias, cases::Feature::unorm_depth}) {
+    const std::vector<cases::Feature>& draws = hello->draws;
+    if (std::find(draws.begin(), draws.end(), feature) == draws.end()) lack(feature);
+  }
   // Weights at a sample say nothing about other places, nor about values that are linear in the
   // window.
   if (hello->gives == Gives::barycentrics) {
-    std::vector<cases::Feature>& lacks = hello->limits.lacks;
-    for (const cases::Feature feature :
-         {cases::Feature::noperspective, cases::Feature::center, cases::Feature::centroid}) {
-      if (std::find(lacks.begin(), lacks.end(), feature) == lacks.end()) lacks.push_back(feature);
-    }
-    std::sort(lacks.begin(), lacks.end());
+    lack(cases::Feature::noperspective);
+    lack(cases::Feature::center);
+    lack(cases::Feature::centroid);
   }
+  std::sort(lacks.begin(), lacks.end());
   return hello;
 }
 

@@ -41,6 +41,8 @@ constexpr bool kIsPlain<cases::ClipVertex> = true;
 template <>
 constexpr bool kIsPlain<cases::Camera> = true;
 template <>
+constexpr bool kIsPlain<cases::DepthBias> = true;
+template <>
 constexpr bool kIsPlain<cases::MagnitudeRange> = true;
 template <>
 constexpr bool kIsPlain<cases::PixelFraction> = true;
@@ -70,9 +72,9 @@ void members(Archive& archive, T& f) {
 template <typename Archive, cases::Either<cases::Case> T>
 void members(Archive& archive, T& c) {
   archive(c.name, c.framebuffer, c.viewport, c.rules, c.coverage, c.basis, c.fill_rule, c.cull,
-          c.front_face, c.scissor, c.depth_test, c.depth_clear, c.depth_clamp, c.attributes,
-          c.camera, c.positions, c.attribute_values, c.clip_distances, c.clip_distance_count,
-          c.triangles, c.essential, c.choices, c.found);
+          c.front_face, c.scissor, c.depth_test, c.depth_clear, c.depth_clamp, c.depth_bias,
+          c.depth_format, c.attributes, c.camera, c.positions, c.attribute_values, c.clip_distances,
+          c.clip_distance_count, c.triangles, c.essential, c.choices, c.found);
 }
 template <typename Archive, cases::Either<cases::TrianglePromise> T>
 void members(Archive& archive, T& p) {
@@ -82,15 +84,19 @@ template <typename Archive, cases::Either<cases::Conservative> T>
 void members(Archive& archive, T& c) {
   archive(c.kind, c.error, c.growth, c.corners, c.covers_degenerates);
 }
+template <typename Archive, cases::Either<cases::BiasPromise> T>
+void members(Archive& archive, T& b) {
+  archive(b.slope, b.unit, b.exponent);
+}
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
   archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.conservative, c.guard_band,
           c.guard_beyond_viewport, c.culls_instead_of_clipping, c.culls, c.least_area,
           c.sample_position, c.depth_function, c.depth_error, c.is_on_grid, c.clip_tolerance,
-          c.clip_error, c.viewport_error, c.depth_format, c.claims, c.bounds, c.keeps_equal_depth,
-          c.keeps_constants, c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values,
-          c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds,
-          c.triangles);
+          c.clip_error, c.viewport_error, c.depth_format, c.depth_store, c.depth_bias, c.claims,
+          c.bounds, c.keeps_equal_depth, c.keeps_constants, c.keeps_sign_of_zero, c.is_invariant,
+          c.keeps_vertex_values, c.derivative_bound, c.transform_bound, c.normal_bound,
+          c.quad_share, c.texture_bounds, c.triangles);
 }
 template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {

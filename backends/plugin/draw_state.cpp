@@ -61,6 +61,10 @@ rastercheck_draw draw_state(const cases::Case& c, const cases::Contract& promise
   draw.depth_test = c.depth_test == cases::DepthTest::none ? 0 : 1;
   draw.depth_clear = promised.depth_beginning(c.depth_clear);
   draw.depth_clamp = c.depth_clamp ? 1 : 0;
+  draw.bias_constant = c.depth_bias.constant;
+  draw.bias_slope = c.depth_bias.slope;
+  draw.bias_clamp = c.depth_bias.clamp;
+  draw.depth_bits = static_cast<std::uint32_t>(cases::unorm_bits(c.depth_format));
   draw.coverage = c.coverage ? RASTERCHECK_COVERAGE_SNAPPED : RASTERCHECK_COVERAGE_EXACT;
   if (c.coverage) {
     draw.subpixel_bits = static_cast<std::uint32_t>(c.coverage->subpixel_bits);

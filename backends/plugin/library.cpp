@@ -109,7 +109,7 @@ std::string contradiction_in(const rastercheck_contract& contract) {
 
 /// Describes an impossible value in a contract; empty if all values are possible.
 std::string fault_of(const rastercheck_contract& contract) {
-  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_DEPTH - 1;
+  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_UNORM_DEPTH - 1;
   constexpr double kAllKeeps = 2 * RASTERCHECK_KEEPS_SIGN_OF_ZERO - 1;
   constexpr double kAllSamples = 31;
   constexpr double kAnyNumber = 3.5e38;
@@ -140,6 +140,10 @@ std::string fault_of(const rastercheck_contract& contract) {
       {"conservative_growth", number(contract.conservative_growth), cases::kMaxConservativeReach},
       {"shifts_edges", number(contract.shifts_edges), 1},
       {"covers_degenerates", number(contract.covers_degenerates), 1},
+      {"depth_store", number(contract.depth_store), RASTERCHECK_STORE_EITHER},
+      {"bias_slope", number(contract.bias_slope), RASTERCHECK_SLOPE_BETWEEN},
+      {"bias_unit", number(contract.bias_unit), RASTERCHECK_UNIT_OPEN},
+      {"bias_exponent", number(contract.bias_exponent), RASTERCHECK_EXPONENT_OPEN},
       {"position_error", number(contract.position_error), number(cases::kMaxPositionError)},
       {"clip_tolerance", number(contract.clip_tolerance), kAnyNumber},
       {"guard_band", number(contract.guard_band), kAnyNumber},
@@ -213,10 +217,16 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
     return tl::unexpected(unavailable(path, fault));
   }
   rastercheck_contract promised = *contract;
-  // A plugin that was compiled before rastercheck_draw had depth_clear does not read that member.
+  // A plugin that was compiled before rastercheck_draw had depth_clear, or bias and format, does
+  // not read these members.
   constexpr std::size_t kWithDepthClear =
       offsetof(rastercheck_contract, depth_format) + sizeof(rastercheck_contract::depth_format);
   if (all->contract->size < kWithDepthClear) promised.lacks |= RASTERCHECK_LACKS_DEPTH_CLEAR;
+  constexpr std::size_t kWithBias =
+      offsetof(rastercheck_contract, bias_exponent) + sizeof(rastercheck_contract::bias_exponent);
+  if (all->contract->size < kWithBias) {
+    promised.lacks |= RASTERCHECK_LACKS_DEPTH_BIAS | RASTERCHECK_LACKS_UNORM_DEPTH;
+  }
   return Plugin{*name, *version, promised, all->draw, all->query};
 }
 
@@ -288,6 +298,25 @@ void add_bounds(const rastercheck_contract& contract, cases::Contract& promised)
   constexpr std::array kFunctions{cases::KeptDepth::less, cases::KeptDepth::less_or_equal,
                                   cases::KeptDepth::greater, cases::KeptDepth::greater_or_equal};
   promised.depth_function = kFunctions[contract.depth_function];
+}
+
+/// Adds how depths are biased and stored; `promised` has what the rules of the case say.
+void add_depth_storage(const rastercheck_contract& contract, cases::Contract& promised) {
+  constexpr std::array kStores{cases::DepthStore::nearest, cases::DepthStore::nearly_nearest,
+                               cases::DepthStore::either};
+  promised.depth_store = kStores[contract.depth_store];
+  constexpr std::array kSlopes{cases::BiasSlope::greatest, cases::BiasSlope::root,
+                               cases::BiasSlope::between};
+  promised.depth_bias.slope = kSlopes[contract.bias_slope];
+  constexpr std::array kUnits{cases::BiasUnit::power, cases::BiasUnit::double_power,
+                              cases::BiasUnit::either_power, cases::BiasUnit::least_value,
+                              cases::BiasUnit::open};
+  if (contract.bias_unit != RASTERCHECK_UNIT_OF_RULES) {
+    promised.depth_bias.unit = kUnits[contract.bias_unit - RASTERCHECK_UNIT_POWER];
+  }
+  promised.depth_bias.exponent = contract.bias_exponent == RASTERCHECK_EXPONENT_OPEN
+                                     ? cases::BiasExponent::open
+                                     : cases::BiasExponent::vertices;
 }
 
 }  // namespace
@@ -369,7 +398,10 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
   constexpr std::array kDepthFormats{cases::DepthFormat::float32, cases::DepthFormat::float64,
                                      cases::DepthFormat::unorm16, cases::DepthFormat::unorm24,
                                      cases::DepthFormat::unorm32};
-  promised.depth_format = kDepthFormats[contract.depth_format];
+  if (c.depth_format == cases::DepthFormat::float32) {
+    promised.depth_format = kDepthFormats[contract.depth_format];
+  }
+  add_depth_storage(contract, promised);
   return promised;
 }
 
@@ -389,6 +421,8 @@ constexpr std::array kFeatures{
     LackedFeature{RASTERCHECK_LACKS_DEPTH_RANGE, cases::Feature::depth_range},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_TEST, cases::Feature::depth_test},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_CLEAR, cases::Feature::depth_clear},
+    LackedFeature{RASTERCHECK_LACKS_DEPTH_BIAS, cases::Feature::depth_bias},
+    LackedFeature{RASTERCHECK_LACKS_UNORM_DEPTH, cases::Feature::unorm_depth},
     LackedFeature{RASTERCHECK_LACKS_VIEWPORT, cases::Feature::viewport},
     LackedFeature{RASTERCHECK_LACKS_VIEWPORT_FRACTIONS, cases::Feature::viewport_fractions},
     LackedFeature{RASTERCHECK_LACKS_SCISSOR, cases::Feature::scissor},

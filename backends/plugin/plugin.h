@@ -145,7 +145,9 @@ enum {
   RASTERCHECK_LACKS_SIDE_CLIPPING = 1 << 18,
   RASTERCHECK_LACKS_VIEWPORT_FRACTIONS = 1 << 19, /* viewports whose sides lie between pixels */
   /* Depth: the plugin writes no output.depth. It may still draw cases with a depth test. */
-  RASTERCHECK_LACKS_DEPTH = 1 << 20
+  RASTERCHECK_LACKS_DEPTH = 1 << 20,
+  RASTERCHECK_LACKS_DEPTH_BIAS = 1 << 21, /* rastercheck_draw.bias_… */
+  RASTERCHECK_LACKS_UNORM_DEPTH = 1 << 22 /* rastercheck_draw.depth_bits */
 };
 
 /* rastercheck_contract.clips: the vertices whose triangles may be clipped at the sides. */
@@ -191,6 +193,40 @@ enum {
   RASTERCHECK_DEPTH_ON_EITHER_SIDE = 0,
   RASTERCHECK_DEPTH_NEVER_NEARER = 1, /* less is nearer, unless depth_function says otherwise */
   RASTERCHECK_DEPTH_NEVER_FARTHER = 2
+};
+
+/* rastercheck_contract.depth_store: which number k of a unorm format of b bits a depth d becomes,
+ * if rastercheck_draw.depth_bits asks for one. */
+enum {
+  RASTERCHECK_STORE_NEAREST = 0,        /* |k - d (2^b - 1)| <= 0.5 */
+  RASTERCHECK_STORE_NEARLY_NEAREST = 1, /* 0.6, as in D3D */
+  RASTERCHECK_STORE_EITHER = 2          /* either neighbour */
+};
+
+/* rastercheck_contract.bias_slope: how steep a plane of depths is held to be. */
+enum {
+  RASTERCHECK_SLOPE_GREATEST = 0, /* max(|dz/dx|, |dz/dy|) */
+  RASTERCHECK_SLOPE_ROOT = 1,     /* sqrt((dz/dx)^2 + (dz/dy)^2) */
+  RASTERCHECK_SLOPE_BETWEEN = 2   /* anything from one to the other */
+};
+
+/* rastercheck_contract.bias_unit: what bias_constant is multiplied by in a unorm format of b
+ * bits. */
+enum {
+  RASTERCHECK_UNIT_OF_RULES = 0,     /* 2^-b; with RULES_D3D, 1/(2^b - 1) as a float */
+  RASTERCHECK_UNIT_POWER = 1,        /* 2^-b */
+  RASTERCHECK_UNIT_DOUBLE_POWER = 2, /* 2^(1-b) */
+  RASTERCHECK_UNIT_EITHER_POWER = 3, /* anything from 2^-b to 2^(1-b) */
+  RASTERCHECK_UNIT_LEAST_VALUE = 4,  /* 1/(2^b - 1) as a float */
+  RASTERCHECK_UNIT_OPEN = 5          /* anything from 0 to 2^(1-b) */
+};
+
+/* rastercheck_contract.bias_exponent: what bias_constant is multiplied by in float32 is 2^(e - 23)
+ * with e the exponent of a greatest depth. */
+enum {
+  RASTERCHECK_EXPONENT_OF_VERTICES = 0, /* of the three vertices, each clamped to the depth range;
+                                           a vertex with w <= 0 counts as the range's greater end */
+  RASTERCHECK_EXPONENT_OPEN = 1 /* of these, or of what is left of the triangle after clipping */
 };
 
 /* How far a value v may be off, in units of the float32 spacing at max(|v|, |values of the
@@ -287,6 +323,10 @@ typedef struct rastercheck_contract {
   /* With OUTER: 1 if triangles without area cover the pixels that they touch; 0 if they cover
    * nothing. */
   uint32_t covers_degenerates;
+  uint32_t depth_store;   /* RASTERCHECK_STORE_… */
+  uint32_t bias_slope;    /* RASTERCHECK_SLOPE_… */
+  uint32_t bias_unit;     /* RASTERCHECK_UNIT_… */
+  uint32_t bias_exponent; /* RASTERCHECK_EXPONENT_… */
 } rastercheck_contract;
 
 /* ------------------------------------------------------------------------------------------------
@@ -383,6 +423,17 @@ typedef struct rastercheck_draw {
    * drawn. If the case does not specify one, it is 1, and fragments of depth 1 may then be drawn;
    * with contract.depth_function GREATER or GREATER_OR_EQUAL, it is 0. */
   float depth_clear;
+  /* What is added to all depths of a triangle: bias_slope times its slope, plus bias_constant times
+   * the unit of the depth format (rastercheck_contract.bias_slope, bias_unit, bias_exponent). The
+   * sum of both is at most bias_clamp if that is positive, at least bias_clamp if that is negative.
+   * Then the depth is clamped: with RULES_D3D or depth_clamp to min_depth…max_depth, else to 0…1.
+   */
+  float bias_constant;
+  float bias_slope;
+  float bias_clamp;
+  /* 0: depths are float32. 16 or 24: they are stored as k/(2^depth_bits - 1), k an integer, and
+   * depth tests compare what is stored. output.depth is then the float nearest to it. */
+  uint32_t depth_bits;
 } rastercheck_draw;
 
 /* ------------------------------------------------------------------------------------------------

@@ -91,6 +91,7 @@ cases::Capabilities drawable(const Limits& limits) {
            (!has_samples || (limits.sample_counts & static_cast<unsigned>(count)) == 0);
   });
   if (!limits.depth_clamp) all.lacks.push_back(Feature::depth_clamp);
+  all.lacks.insert(all.lacks.end(), {Feature::depth_bias, Feature::unorm_depth});
   all.max_size = std::min({limits.max_width, limits.max_height, cases::kMaxSize});
   all.max_viewport = static_cast<int>(std::min(
       {limits.max_viewport[0], limits.max_viewport[1], static_cast<float>(cases::kMaxSize)}));

@@ -98,6 +98,16 @@ class Viewport(Record):
 
 
 @dataclass(frozen=True, repr=False)
+class DepthBias(Record):
+    """What is added to depths: constant times the unit of the depth format, plus slope times the
+    slope of the triangle; at most clamp if that is positive, at least clamp if it is negative."""
+
+    constant: float = 0.0
+    slope: float = 0.0
+    clamp: float = 0.0
+
+
+@dataclass(frozen=True, repr=False)
 class Scissor(Record):
     """The rectangle of whole pixels that may be drawn."""
 
@@ -201,6 +211,10 @@ class Case(Record):
     depth_test: Literal["none", "less"] = field(default="none", kw_only=True)
     depth_clear: Optional[float] = field(default=None, kw_only=True)
     depth_clamp: bool = field(default=False, kw_only=True)
+    depth_bias: Optional[DepthBias] = field(default=None, kw_only=True)
+    depth_format: Literal["float32", "unorm16", "unorm24"] = field(
+        default="float32", kw_only=True
+    )
     attributes: Sequence[Attribute] = field(default=(), kw_only=True)
     camera: Optional[Camera] = field(default=None, kw_only=True)
     essential: Optional[Sequence[str]] = field(default=None, kw_only=True)
@@ -290,6 +304,8 @@ _CASE = _json.Object(
     depth_test=_PLAIN,
     depth_clear=_NUMBER,
     depth_clamp=_PLAIN,
+    depth_bias=_json.Object(DepthBias, constant=_NUMBER, slope=_NUMBER, clamp=_NUMBER),
+    depth_format=_PLAIN,
     attributes=_json.Many(
         _json.Object(Attribute, name=_PLAIN, interpolation=_PLAIN, location=_PLAIN)
     ),

@@ -166,6 +166,8 @@ cases::Capabilities drawable(const Capabilities& has) {
     if (!has_it) all.lacks.push_back(feature);
   };
   add(has.has_depth_clamp, Feature::depth_clamp);
+  add(false, Feature::depth_bias);
+  add(false, Feature::unorm_depth);
   add(has.has_viewport_fractions, Feature::viewport_fractions);
   add(has.has_noperspective, Feature::noperspective);
   all.max_size = std::min(has.max_size, cases::kMaxSize);

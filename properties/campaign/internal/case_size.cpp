@@ -26,6 +26,8 @@ std::uint64_t state_of(const cases::Case& c) {
   state += count(c.depth_test != cases::DepthTest::none);
   state += count(c.depth_clear.has_value());
   state += count(c.depth_clamp);
+  state += count(!c.depth_bias.is_none());
+  state += count(c.depth_format != cases::DepthFormat::float32);
   state += count(c.viewport.min_depth != 0 || c.viewport.max_depth != 1);
   state += count(c.choices.has_value());
   state += c.clip_distance_count;

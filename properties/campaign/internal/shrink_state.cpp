@@ -134,6 +134,11 @@ void simplify_state(ShrinkSearch& search) {
   search.offer_changed([](Case& c) { c.depth_test = cases::DepthTest::none; });
   search.offer_changed([](Case& c) { c.depth_clear.reset(); });
   search.offer_changed([](Case& c) { c.depth_clamp = false; });
+  search.offer_changed([](Case& c) { c.depth_bias = {}; });
+  search.offer_changed([](Case& c) { c.depth_bias.clamp = 0; });
+  search.offer_changed([](Case& c) { c.depth_bias.slope = 0; });
+  search.offer_changed([](Case& c) { c.depth_bias.constant = 0; });
+  search.offer_changed([](Case& c) { c.depth_format = cases::DepthFormat::float32; });
   search.offer_changed([](Case& c) {
     c.viewport.min_depth = 0;
     c.viewport.max_depth = 1;
