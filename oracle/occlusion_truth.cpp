@@ -32,16 +32,13 @@ bool is_surely_not_before(const Depths& a, const Depths& b, const SceneTruth& sc
   return a && b && (sees_equals ? a->lo > b->hi : a->lo >= b->hi);
 }
 
-/// The initial values that the depth buffer may have. Its format may round the case's value by up
-/// to a step, except 0 and 1, which every format represents exactly.
+/// The initial values that the depth buffer may have (initial_depths()).
 struct InitialDepth {
   explicit InitialDepth(const SceneTruth& scene) {
-    const double clear = initial_depth(scene);
-    const bool is_exact = clear == 0 || std::abs(clear) == 1;
-    const Field step(is_exact ? 0 : cases::depth_step(scene.contract().depth_format));
-    least = Field(clear) - step;
+    const Enclosure clear = initial_depths(scene);
+    least = Field(clear.lo);
     // If the case does not name the value, it may lie beyond all depths.
-    if (scene.source().depth_clear) greatest = Field(clear) + step;
+    if (scene.source().depth_clear) greatest = Field(clear.hi);
     near = {enclose(least).lo, greatest ? enclose(*greatest).hi : kBehindAll};
   }
 

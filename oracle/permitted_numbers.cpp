@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "oracle/internal/rational_number.h"
+#include "oracle/internal/stored_depth.h"
 #include "oracle/internal/ulp_error.h"
 #include "oracle/internal/value_bound.h"
 #include "oracle/internal/values.h"
@@ -53,6 +54,23 @@ Allowed allowed_of(const cases::Contract& contract, bool is_depth,
   return is_never_less ? Allowed{Field(0), most} : Allowed{most, Field(0)};
 }
 
+/// The numbers of a unorm format, for depths in `range` before they are stored; `allowed` is in
+/// steps.
+records::FloatRange stored_numbers(const TriangleSetup& triangle, const FieldRange& range,
+                                   const Allowed& allowed, int bits) {
+  const Field steps(steps_of(bits));
+  const Field reach = has_open_depths(triangle)
+                          ? exact_reach(triangle.scene->contract().depth_store).value()
+                          : Field(0);
+  Field least(0);
+  Field greatest = steps;
+  if (allowed.below) least = std::max(least, Field(range.lo * steps - reach - *allowed.below));
+  if (allowed.above)
+    greatest = std::min(greatest, Field(range.hi * steps + reach + *allowed.above));
+  return {stored_float(static_cast<double>(ceil_to_long(least)), bits),
+          stored_float(static_cast<double>(floor_to_long(greatest)), bits)};
+}
+
 }  // namespace
 
 std::optional<records::FloatRange> TriangleTruth::permitted_numbers(
@@ -68,6 +86,9 @@ std::optional<records::FloatRange> TriangleTruth::permitted_numbers(
       attribute ? to_field(attribute_magnitude(*attribute)) : magnitude_of_depth(*setup_->scene);
   const Field& lo = to_field(range->lo);
   const Field& hi = to_field(range->hi);
+  if (const int bits = setup_->scene->unorm_bits(); bits != 0 && !attribute) {
+    return stored_numbers(*setup_, {lo, hi}, allowed, bits);
+  }
   records::FloatRange numbers{-kInfinite, kInfinite};
   if (allowed.below)
     numbers.least = 0 - greatest_float_within(in_units(*allowed.below, lo, size) - lo);

@@ -8,6 +8,7 @@
 
 #include "oracle/internal/coverage.h"
 #include "oracle/internal/rational_number.h"
+#include "oracle/internal/stored_depth.h"
 #include "oracle/internal/ulp_error.h"
 #include "oracle/internal/values.h"
 #include "oracle/triangle_truth.h"
@@ -75,7 +76,9 @@ std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
   const bool is_one_sided =
       !attribute && triangle.scene->contract().depth_error != cases::DepthError::either_side;
   if (bound.constant >= kAllDigits && !is_one_sided) return NotJudged::without_bound;
-  if (!attribute) return std::nullopt;
+  if (!attribute) {
+    return triangle.has_unbounded_depths() ? std::optional(NotJudged::left_free) : std::nullopt;
+  }
   if (bound.per_condition >= kAllDigits) return NotJudged::without_bound;  // because K >= 1
   const Scene& scene = *triangle.scene;
   if (!cases::promises_values_of(scene.contract(), scene.source(), triangle.index, *attribute)) {
@@ -155,6 +158,17 @@ Field range_in_ulps(const TriangleSetup& triangle, std::size_t attribute) {
   return (ends.hi.value() - ends.lo.value()) / to_field(unit);
 }
 
+/// A bound of a depth in ULP, as one of what a unorm format stores: in steps, with the reach where
+/// that is not open (stored_depth.h).
+Field in_steps(const TriangleSetup& triangle, const Field& ulps) {
+  const Scene& scene = *triangle.scene;
+  const Field unit =
+      to_field(ulp(to_rational(Field(std::max(scene.least_depth(), scene.greatest_depth())))));
+  const Field before = ulps * unit * Field(steps_of(scene.unorm_bits()));
+  if (has_open_depths(triangle)) return before;
+  return before + exact_reach(scene.contract().depth_store).value();
+}
+
 }  // namespace
 
 double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> attribute) {
@@ -163,6 +177,11 @@ double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> att
   const double per_condition = triangle.ideal.orientation() != 0 ? bound.per_condition : 0;
   const double absolute =
       bound.absolute > 0 ? enclose(absolute_in_ulps(triangle, attribute, bound.absolute)).lo : 0;
+  if (!attribute && triangle.scene->unorm_bits() != 0) {
+    Field ulps = exact_field(bound.constant);
+    if (absolute > 0) ulps += absolute_in_ulps(triangle, attribute, bound.absolute);
+    return enclose(in_steps(triangle, ulps)).lo;
+  }
   if (!attribute && absolute == 0) return bound.constant;
   if (!attribute) return (bound.constant + absolute) * (1 - 0x1p-48);
   if (per_condition == 0 && bound.range_share == 0 && absolute == 0) return bound.constant;
@@ -178,6 +197,9 @@ std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> at
   if (bound.constant >= kAllDigits) return std::nullopt;
   Field fixed = exact_field(bound.constant);
   if (bound.absolute > 0) fixed += absolute_in_ulps(*setup_, attribute, bound.absolute);
+  if (!attribute && setup_->scene->unorm_bits() != 0) {
+    return to_rational(in_steps(*setup_, fixed));
+  }
   if (!attribute) return to_rational(fixed);
   if (bound.range_share > 0) {
     fixed += exact_field(bound.range_share) * range_in_ulps(*setup_, *attribute);

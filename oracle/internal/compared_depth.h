@@ -17,8 +17,9 @@ namespace rastercheck::oracle {
 enum class ComparedAs { drawn, occludee };
 
 /// The largest differences between a compared depth and the exact one, in units of depth. Each is
-/// the contract's bound, unless the contract excludes that side, plus one step of the format,
-/// because the depth may be rounded to either neighbour.
+/// the contract's bound, unless the contract excludes that side, plus one step of the contract's
+/// format, because the depth may be rounded to either neighbour. If the case asks for a unorm
+/// format, the differences are those before depths are stored.
 template <typename Number>
 struct DepthSlack {
   Number nearer;
@@ -29,18 +30,18 @@ DepthSlack<Field> depth_slack(const TriangleSetup& triangle, ComparedAs as = Com
 DepthSlack<double> near_depth_slack(const TriangleSetup& triangle,
                                     ComparedAs as = ComparedAs::drawn);
 
-/// A depth with the sign that is compared.
-double directed(const SceneTruth& scene, double depth);
-
-/// The depth buffer's initial value.
-double initial_depth(const SceneTruth& scene);
+/// The depths that the depth buffer may begin with: a format may round what the case names by up to
+/// a step, except 0 and 1, which every format represents exactly.
+records::Enclosure initial_depths(const SceneTruth& scene);
 
 /// The depths that a backend may compare for a triangle's fragment at a sample; empty if any depth
-/// is right. The sample must not be forbidden.
+/// is right. The sample must not be forbidden. What a unorm format stores is the double nearest to
+/// k/(2^n − 1), here and below, so that equal numbers k are equal depths.
 std::optional<FieldRange> compared_depths(const TriangleTruth& truth, int x, int y, int sample,
                                           ComparedAs as = ComparedAs::drawn);
 
-/// Encloses the depths that may be compared for exact depths `depths`; NaN if `slack` is.
+/// Encloses the depths that may be compared for exact depths `depths`, which are not stored yet; NaN
+/// if `slack` is.
 records::Enclosure widened_depths(const SceneTruth& scene, const records::Enclosure& depths,
                                   const DepthSlack<double>& slack);
 

@@ -4,26 +4,38 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/internal/next_double.h"
+
 namespace rastercheck::oracle {
+
+std::optional<double> placement_turn(const TriangleSetup& triangle) {
+  constexpr double kUp = 1 + 0x1p-40;  // for roundings
+  const double determinant = near_double(triangle.ideal.determinant());
+  if (!(determinant > 0)) return std::nullopt;
+  double rho = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double w = near_double(triangle.columns[i][2]);
+    rho += w * triangle.edge_bands[i].to_interval().second / determinant;
+  }
+  rho *= kUp;
+  return rho < 0.5 ? std::optional(rho) : std::nullopt;
+}
 
 std::optional<double> placement_radius(const TriangleSetup& triangle) {
   constexpr double kUp = 1 + 0x1p-40;  // for roundings
   const double reach = triangle.reach.to_interval().second;
   if (triangle.shape == Shape::cut) return reach;
-  const double determinant = near_double(triangle.ideal.determinant());
-  if (!(determinant > 0)) return std::nullopt;
-  double rho = 0;
+  const std::optional<double> rho = placement_turn(triangle);
+  if (!rho) return std::nullopt;
   double least_w = std::numeric_limits<double>::infinity();
   double greatest_w = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double w = near_double(triangle.columns[i][2]);
     least_w = std::min(least_w, w);
     greatest_w = std::max(greatest_w, w);
-    rho += w * triangle.edge_bands[i].to_interval().second / determinant;
   }
-  rho *= kUp;
-  if (!(rho < 0.5) || !(rho * greatest_w * kUp < least_w)) return std::nullopt;
-  return reach * (1 + 2 * rho) / (1 - rho) * kUp;
+  if (!(*rho * greatest_w * kUp < least_w)) return std::nullopt;
+  return reach * (1 + 2 * *rho) / (1 - *rho) * kUp;
 }
 
 namespace {
@@ -91,7 +103,11 @@ void DepthFilter::set_line(const TriangleSetup& triangle, const ProjectiveMap& m
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   range_ = {-kInfinity, kInfinity};
   if (scene.clamps_depth()) {
-    range_ = {scene.least_depth().to_double(), scene.greatest_depth().to_double()};  // float32
+    range_ = {scene.clamp_least().to_double(), scene.clamp_greatest().to_double()};  // float32
+  }
+  if (scene.has_depth_bias()) {
+    const std::optional<DepthOffset>& offset = triangle.depth_offset();
+    offset_ = offset ? offset->near : records::Enclosure{-kInfinity, kInfinity};
   }
 }
 
@@ -104,6 +120,9 @@ std::optional<records::Enclosure> DepthFilter::at(int x, int y,
   records::Enclosure depths{depth - radius_, depth + radius_};
   if (vertices_) {
     depths = {std::min(depths.lo, vertices_->lo), std::max(depths.hi, vertices_->hi)};
+  }
+  if (offset_.lo != 0 || offset_.hi != 0) {
+    depths = {next_below(depths.lo + offset_.lo), next_above(depths.hi + offset_.hi)};
   }
   return records::Enclosure{std::clamp(depths.lo, range_.lo, range_.hi),
                             std::clamp(depths.hi, range_.lo, range_.hi)};

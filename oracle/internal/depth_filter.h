@@ -14,8 +14,12 @@ namespace rastercheck::oracle {
 /// for shapes placed and cut.
 std::optional<double> placement_radius(const TriangleSetup& triangle);
 
-/// Encloses the depths of a triangle's required and permitted samples in doubles. A depth test
-/// compares many depths and needs few of them exactly.
+/// The ρ of placement_filter.h: by how much placements may turn or stretch a triangle without
+/// vertices behind the eye. Empty if it is not below 1/2. Only for shapes placed and cut.
+std::optional<double> placement_turn(const TriangleSetup& triangle);
+
+/// Encloses the depths of a triangle's required and permitted samples in doubles, after bias and
+/// clamping. A depth test compares many depths and needs few of them exactly.
 ///
 /// If the contract allows several placements, the depth of each at a sample p is the depth of the
 /// exact triangle at some point q (placement_filter.h, which defines ρ and S):
@@ -50,7 +54,8 @@ class DepthFilter {
   std::optional<FilterLine> line_;  ///< |det M| times the depth
   double reciprocal_ = 0;           ///< 1 / |det M|
   double radius_ = 0;
-  records::Enclosure range_;  ///< the rules clamp depths to this
+  records::Enclosure range_;         ///< the rules clamp depths to this
+  records::Enclosure offset_{0, 0};  ///< of a depth bias; infinite if nothing bounds it
   /// The vertices' depths, if all depths between them are permitted.
   std::optional<records::Enclosure> vertices_;
 };

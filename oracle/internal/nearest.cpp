@@ -17,14 +17,6 @@ using records::Verdict;
 constexpr double kFarthest = std::numeric_limits<double>::infinity();
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 
-/// The least initial value of the depth buffer. The buffer's format may round the case's value by
-/// up to a step, except 0 and 1, which every format represents exactly.
-double nearest_clear_depth(const SceneTruth& scene) {
-  const double clear = initial_depth(scene);
-  const bool is_exact = clear == 0 || std::abs(clear) == 1;
-  return is_exact ? clear : clear - cases::depth_step(scene.contract().depth_format);
-}
-
 bool is_required(const records::SampleVerdict& decision) {
   return decision.verdict == Verdict::required;
 }
@@ -78,13 +70,13 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
     : scene_(&scene),
       y0_(y0),
       y1_(y1),
-      clear_depth_(nearest_clear_depth(scene)),
+      clear_depths_(initial_depths(scene)),
       triangles_(&triangles),
       comparison_(comparison) {
   // If the case does not name the buffer's initial value, it may lie beyond all depths.
   double horizon = kFarthest;
   if (scene.source().depth_clear) {
-    horizon = initial_depth(scene);
+    horizon = clear_depths_.hi;
     if (!scene.contract().keeps_last_of_equals()) horizon = std::nextafter(horizon, -kFarthest);
   }
   const cases::FramebufferSize& size = scene.source().framebuffer;
@@ -130,7 +122,7 @@ void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
 void NearestBand::add(Sample& sample, const Covering& covering) const {
   // NaN fails these comparisons, so a covering without a depth is neither nearer nor behind.
   sample.is_required =
-      sample.is_required || (is_required(covering.decision) && covering.depth.hi < clear_depth_);
+      sample.is_required || (is_required(covering.decision) && covering.depth.hi < clear_depths_.lo);
   if (covering.depth.lo > sample.horizon) return;
   sample.coverings.push_back(covering);
   if (!is_required(covering.decision)) return;
@@ -153,10 +145,15 @@ struct NearestBand::Rival {
   bool is_surely_nearer_than(const Rival& other) const {
     return depth && other.depth && depth->hi < other.depth->lo;
   }
+  /// True if both certainly are one number, as those of a unorm format may be.
+  bool has_depth_of(const Rival& other) const {
+    return depth && other.depth && depth->lo == depth->hi && other.depth->lo == other.depth->hi &&
+           depth->lo == other.depth->lo;
+  }
   /// True if the other fails the depth test, or is drawn over, because it has the same depth.
   bool is_equal_and_stays(const Rival& other, bool keeps_last) const {
     const bool is_first = covering->triangle < other.covering->triangle;
-    return is_first != keeps_last && plane && plane == other.plane;
+    return is_first != keeps_last && ((plane && plane == other.plane) || has_depth_of(other));
   }
   bool surely_hides(const Rival& other, bool keeps_last) const {
     return is_surely_nearer_than(other) || is_equal_and_stays(other, keeps_last);
@@ -170,7 +167,7 @@ struct NearestBand::Rival {
 bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
                           std::vector<Candidate>& candidates) {
   candidates.clear();
-  if (sample.coverings.size() == 1 && sample.coverings.front().depth.hi < clear_depth_) {
+  if (sample.coverings.size() == 1 && sample.coverings.front().depth.hi < clear_depths_.lo) {
     const Covering& only = sample.coverings.front();
     candidates.push_back({only.triangle, only.decision});
     return sample.is_required;
@@ -192,9 +189,9 @@ bool NearestBand::resolve(const Sample& sample, int y, int x, int s,
   }
   const bool keeps_last = scene_->contract().keeps_last_of_equals();
   for (const Rival& a : rivals) {
-    const bool is_drawn = a.is_surely_nearer_than(clear_depth_);
+    const bool is_drawn = a.is_surely_nearer_than(clear_depths_.lo);
     if (scene_->source().depth_clear && a.depth) {
-      const Field clear(initial_depth(*scene_));
+      const Field clear(clear_depths_.hi);
       const bool is_beyond = keeps_last ? a.depth->lo > clear : a.depth->lo >= clear;
       if (is_beyond) continue;
     }

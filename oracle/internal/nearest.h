@@ -116,8 +116,8 @@ class NearestBand {
   const SceneTruth* scene_;
   int y0_;
   int y1_;
-  /// Depths certainly nearer than this pass the depth test against an empty buffer.
-  double clear_depth_;
+  /// Depths certainly nearer than all of these pass the depth test against an empty buffer.
+  records::Enclosure clear_depths_;
   PreparedTriangles* triangles_;
   Comparison comparison_;
   std::vector<Sample> samples_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "oracle/internal/float_ulp.h"
+#include "oracle/internal/stored_depth.h"
 #include "oracle/internal/value_bound.h"
 #include "oracle/internal/value_judge.h"
 
@@ -191,6 +192,8 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   }
   if (is_flat) {
     set_flat_filter(value);
+  } else if (!attribute && scene_->scene().stores_depths()) {
+    value.method = map_ != nullptr && set_stored(value) ? ValueMethod::stored : ValueMethod::exact;
   } else if (is_centroid) {
     const bool is_known = centroids_ && !is_claimed_otherwise && set_filter(value);
     value.method = is_known ? ValueMethod::centroid : ValueMethod::exact;
@@ -284,7 +287,7 @@ bool PreparedValues::set_readings(PreparedValue& value) const {
   if (triangle_->shape == Shape::placed && !value.at_center) set_ends(value.filter, readings);
   readings.least = readings.least_end.hi;
   readings.greatest = readings.greatest_end.lo;
-  if (!value.attribute && scene_->scene().clamps_depth()) {
+  if (!value.attribute && scene_->scene().clamps_depth() && !scene_->scene().stores_depths()) {
     const auto& viewport = scene_->source().viewport;
     const auto [near, far] = std::minmax({double{viewport.min_depth}, double{viewport.max_depth}});
     readings.least = std::max(readings.least, near);
@@ -313,6 +316,37 @@ bool PreparedValues::set_depth_filter(ValueFilter& filter) const {
     if (s.lo != s.hi) return false;
     filter.s[i] = s.lo;
   }
+  return true;
+}
+
+/// Returns false if doubles cannot tell the depths of the map, or what is added to them.
+bool PreparedValues::set_stored(PreparedValue& value) const {
+  const Scene& scene = scene_->scene();
+  if (may_lie_behind(value) || !set_filter(value)) return false;
+  StoredFilter& stored = value.stored;
+  if (scene.has_depth_bias()) {
+    const std::optional<DepthOffset>& offset = triangle_->depth_offset();
+    if (!offset || !std::isfinite(offset->near.lo) || !std::isfinite(offset->near.hi)) return false;
+    stored.offset = offset->near;
+    // More than the enclosure is wider than what it encloses.
+    stored.inner = {offset->near.lo + std::abs(offset->near.lo) * 0x1p-49,
+                    offset->near.hi - std::abs(offset->near.hi) * 0x1p-49};
+  }
+  stored.least = near_double(scene.clamp_least());  // a float32, as the other end
+  stored.greatest = near_double(scene.clamp_greatest());
+  stored.bits = scene.unorm_bits();
+  stored.units = stored.bits != 0 ? steps_of(stored.bits) : value.filter.units;
+  value.filter.units = 1;
+  value.filter.exact_bits = 0;
+  value.is_clamped = false;
+  value.is_mean = false;
+  stored.is_open = has_open_depths(*triangle_);
+  if (!stored.is_open) return true;
+  if (stored.bits != 0) stored.reach = reach_of(scene_->contract().depth_store) * (1 - 0x1p-52);
+  stored.permits_exact = !is_open_ || scene_->contract().basis == cases::Basis::unspecified;
+  stored.has_readings = is_open_ && sample_shifts_ && set_readings(value);
+  value.is_open = false;
+  value.errors = &statistics_->enclosed(value.kind, stratum_);
   return true;
 }
 

@@ -22,8 +22,24 @@
 namespace rastercheck::oracle {
 
 /// How the first two levels compute a value: from the triangle's one map, as a copy of a vertex's
-/// value, as one of the values in a pixel, or not at all.
-enum class ValueMethod { exact, copy, map, centroid };
+/// value, as one of the values in a pixel, as a depth with a bias or in a unorm format, or not at
+/// all.
+enum class ValueMethod { exact, copy, map, centroid, stored };
+
+/// How a depth of the map becomes one that is stored.
+struct StoredFilter {
+  records::Enclosure offset{0, 0};  ///< the bias's
+  records::Enclosure inner{0, 0};   ///< offsets between these are certainly allowed, if lo <= hi
+  double least = 0;                 ///< the ends that the sum is clamped to
+  double greatest = 1;
+  int bits = 0;      ///< of the unorm format; 0 for float32
+  double units = 1;  ///< 1/ulp, or steps
+  bool is_open = false;
+  double reach = 0;  ///< in steps, if is_open
+  /// If is_open: the exact triangle's depth is permitted; PreparedValue::readings are known.
+  bool permits_exact = false;
+  bool has_readings = false;
+};
 
 /// A value of the triangle's fragments.
 struct PreparedValue {
@@ -46,7 +62,8 @@ struct PreparedValue {
   bool is_clamped = false;      ///< each depth is tested to lie within the clamped range
   Zero only_zero = Zero::none;  ///< set if all three vertices have this zero
   double bound = 0;
-  ValueFilter filter;
+  ValueFilter filter;  ///< in units of depth if the method is `stored`
+  StoredFilter stored;
   ShiftedReadings readings;
   /// Where the excess of values beyond an open range is counted.
   EnclosedErrors* excesses = nullptr;
@@ -97,6 +114,7 @@ class PreparedValues {
   void set_attribute_scale(PreparedValue& value) const;
   bool set_filter(PreparedValue& value) const;
   bool set_depth_filter(ValueFilter& filter) const;
+  bool set_stored(PreparedValue& value) const;
 
   const SceneTruth* scene_;
   Level first_level_;

@@ -153,6 +153,9 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   depth_range_ = exact_ring(v.max_depth) - min_depth_;
   least_depth_ = std::min(exact_ring(v.min_depth), exact_ring(v.max_depth));
   greatest_depth_ = std::max(exact_ring(v.min_depth), exact_ring(v.max_depth));
+  const bool is_to_range = case_->depth_clamp || conventions_.depth_always_clamped;
+  clamp_least_ = is_to_range ? least_depth_ : Ring(0);
+  clamp_greatest_ = is_to_range ? greatest_depth_ : Ring(1);
 }
 
 /// Chooses the least number of units in which the contract's grid is dyadic and its sample position
@@ -295,7 +298,11 @@ Ring Scene::depth_numerator(const Ring& z, const Ring& w) const {
   return sign_of(min_depth_) == 0 ? share : min_depth_ * w + share;
 }
 
-bool Scene::clamps_depth() const { return case_->depth_clamp || conventions_.depth_always_clamped; }
+/// Sums with a bias are clamped, as is what a unorm format stores. All other depths lie within the
+/// range by themselves, because the near and far plane clip.
+bool Scene::clamps_depth() const {
+  return case_->depth_clamp || conventions_.depth_always_clamped || stores_depths();
+}
 
 bool Scene::is_affine(std::size_t attribute) const {
   return contract_->is_affine(case_->attributes[attribute].interpolation);

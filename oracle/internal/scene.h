@@ -136,6 +136,15 @@ class Scene {
   const Ring& least_depth() const { return least_depth_; }
   const Ring& greatest_depth() const { return greatest_depth_; }
   bool clamps_depth() const;
+  /// The ends that depths are clamped to, if clamps_depth(): the viewport's depth range, or 0
+  /// and 1.
+  const Ring& clamp_least() const { return clamp_least_; }
+  const Ring& clamp_greatest() const { return clamp_greatest_; }
+  bool has_depth_bias() const { return !case_->depth_bias.is_none(); }
+  /// True if a depth is not simply that of the triangle's plane.
+  bool stores_depths() const { return has_depth_bias() || unorm_bits() != 0; }
+  /// The bits of the unorm format that depths are stored in; 0 for float32.
+  int unorm_bits() const { return cases::unorm_bits(case_->depth_format); }
 
   /// True if the contract claims that the attribute, which must not be flat, is linear in window
   /// space.
@@ -168,6 +177,8 @@ class Scene {
   Ring depth_range_;  ///< max_depth − min_depth
   Ring least_depth_;
   Ring greatest_depth_;
+  Ring clamp_least_;
+  Ring clamp_greatest_;
 };
 
 }  // namespace rastercheck::oracle

@@ -46,7 +46,7 @@ std::optional<Field> StageSplit::Triangles::copy_of(std::optional<std::uint32_t>
 Field StageSplit::Triangles::clamped(std::optional<std::uint32_t> attribute, Field value) const {
   const Scene& scene = given.scene.scene();
   if (attribute || !scene.clamps_depth()) return value;
-  return std::clamp(value, Field(scene.least_depth()), Field(scene.greatest_depth()));
+  return std::clamp(value, Field(scene.clamp_least()), Field(scene.clamp_greatest()));
 }
 
 Rational StageSplit::Triangles::unit(std::optional<std::uint32_t> attribute,

@@ -309,6 +309,13 @@ const TriangleSetup::NearPositions& TriangleSetup::near_positions() const {
   return *near_positions_;
 }
 
+const std::optional<DepthOffset>& TriangleSetup::depth_offset() const {
+  if (!depth_offset_) {
+    depth_offset_ = scene->has_depth_bias() ? oracle::depth_offset(*this) : std::nullopt;
+  }
+  return *depth_offset_;
+}
+
 const ProjectiveMap* TriangleSetup::value_map() const {
   const cases::Basis basis = scene->contract().basis;
   if (shape != Shape::exact && scene->contract().has_open_viewport()) return nullptr;

@@ -10,6 +10,7 @@
 
 #include "cases/case.h"
 #include "oracle/internal/convex_region.h"
+#include "oracle/internal/depth_offset.h"
 #include "oracle/internal/projective_map.h"
 #include "oracle/internal/scene.h"
 #include "oracle/internal/snapping.h"
@@ -154,6 +155,12 @@ struct TriangleSetup {
   /// The map that the contract's basis evaluates; nullptr if the contract allows several.
   const ProjectiveMap* value_map() const;
 
+  /// The offsets of the case's depth bias, found when first asked for. Empty if the case has none
+  /// or nothing bounds them.
+  const std::optional<DepthOffset>& depth_offset() const;
+  /// True if the case has a bias and nothing bounds what it adds.
+  bool has_unbounded_depths() const { return scene->has_depth_bias() && !depth_offset(); }
+
   /// A box of pixels that contains all required or permitted samples; may be larger than necessary.
   PixelBox pixels() const;
 
@@ -184,6 +191,7 @@ struct TriangleSetup {
 
   std::size_t corner_count_ = 0;
   mutable std::optional<NearPositions> near_positions_;
+  mutable std::optional<std::optional<DepthOffset>> depth_offset_;
   mutable std::optional<std::vector<ClipFunctional>> clip_functionals_;
   // Doubles answer for most triangles without any corner, and 64 maps take 100 KB.
   mutable std::array<std::vector<RingVector3>, 3>

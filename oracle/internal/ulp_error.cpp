@@ -61,6 +61,11 @@ Fraction least(const Fraction& a, const Fraction& b) { return compare(b, a) < 0 
 
 Fraction greatest(const Fraction& a, const Fraction& b) { return compare(a, b) < 0 ? b : a; }
 
+Fraction sum(const Fraction& a, const Fraction& b) {
+  if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
+  return {a.numerator * b.denominator + b.numerator * a.denominator, a.denominator * b.denominator};
+}
+
 int compare(const Ring& computed, const Fraction& exact) {
   return sign_of(computed * exact.denominator - exact.numerator);
 }

@@ -43,6 +43,9 @@ int compare(const Fraction& a, const Fraction& b);
 Fraction least(const Fraction& a, const Fraction& b);
 Fraction greatest(const Fraction& a, const Fraction& b);
 
+/// The sum of two; over their common denominator, if it is one number.
+Fraction sum(const Fraction& a, const Fraction& b);
+
 /// Certified doubles around n/d, a few units in the last place apart.
 records::Enclosure enclose(const Fraction& value);
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/internal/next_double.h"
+#include "oracle/internal/stored_depth.h"
+
 namespace rastercheck::oracle {
 namespace {
 
@@ -137,6 +140,127 @@ void ValueCascade::filter_column(const PreparedValue& prepared, int count,
   if (prepared.is_open) find_between(prepared, count);
 }
 
+namespace {
+
+/// A depth as a number of its units that has no error: the depth itself, or its number of steps;
+/// NaN if it is none of the format.
+double in_units(float depth, const StoredFilter& stored) {
+  return stored.bits == 0 ? depth : stored_number(depth, stored.bits).value_or(kNaN);
+}
+
+/// Encloses the exact depth at a sample after bias and clamping, in units of depth; `below` and
+/// `above` are the least and the greatest offset. `near` − depth lies in `error`.
+Enclosure biased(const StoredFilter& stored, double near, const Enclosure& error, double below,
+                 double above) {
+  const double lo = next_below(next_below(near - error.hi) + below);
+  const double hi = next_above(next_above(near - error.lo) + above);
+  return {std::clamp(lo, stored.least, stored.greatest),
+          std::clamp(hi, stored.least, stored.greatest)};
+}
+
+}  // namespace
+
+/// Computes enclosures of the errors of a column's first `count` depths, whose bias and format the
+/// contract does not leave open. The kernel expects float32, so it is asked for the error of a
+/// float32 near the depth without its bias, and what is exact follows from that.
+void ValueCascade::filter_stored(const PreparedValue& prepared, int count,
+                                 const Batch<float>& actual) {
+  const StoredFilter& stored = prepared.stored;
+  const auto lanes = static_cast<std::size_t>(count);
+  const double middle = stored.offset.lo + (stored.offset.hi - stored.offset.lo) / 2;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    computed_[k] = static_cast<float>(double{actual[k]} - middle);
+  }
+  if (first_level_ != Level::filter) {
+    std::fill_n(lo_.begin(), lanes, kNaN);
+    std::fill_n(hi_.begin(), lanes, kNaN);
+    return;
+  }
+  value_errors(prepared.filter, at_sample_, computed_, count, lo_, hi_);
+  const bool is_unorm = stored.bits != 0;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Enclosure exact =
+        biased(stored, computed_[k], {lo_[k], hi_[k]}, stored.offset.lo, stored.offset.hi);
+    const double depth = in_units(actual[k], stored);
+    // An ulp is a power of two; steps are not, so their product is rounded.
+    const double lo = is_unorm ? next_below(exact.lo * stored.units) : exact.lo;
+    const double hi = is_unorm ? next_above(exact.hi * stored.units) : exact.hi;
+    const double scale = is_unorm ? 1 : stored.units;
+    const bool is_known = exact.lo <= exact.hi;  // false for NaN
+    lo_[k] = is_known ? next_below(depth - hi) * scale : kNaN;
+    hi_[k] = is_known ? next_above(depth - lo) * scale : kNaN;
+  }
+}
+
+/// Finds which of a column's first `count` depths certainly have, without their bias, a value
+/// between two permitted ones. The kernel expects float32, so it is asked for the float32 on both
+/// sides.
+void ValueCascade::find_between_roundings(const PreparedValue& prepared, int count,
+                                          const Batch<float>& actual) {
+  const StoredFilter& stored = prepared.stored;
+  const double width = stored.offset.hi - stored.offset.lo;
+  const double middle = stored.offset.lo + width / 2;
+  // The middle of a range that is wider than its roundings is an offset for certain.
+  const bool is_wide = width > 0x1p-40 * (std::abs(stored.offset.lo) + std::abs(stored.offset.hi));
+  const double least = is_wide ? middle : stored.offset.lo;
+  const double greatest = is_wide ? middle : stored.offset.hi;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const auto lanes = static_cast<std::size_t>(count);
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const double lo = next_below(double{actual[k]} - greatest);
+    const auto rounded = static_cast<float>(lo);
+    computed_[k] = rounded > lo ? std::nextafter(rounded, -kInfinity) : rounded;
+  }
+  find_between_readings(prepared.filter, prepared.readings, at_sample_, sample_shifts_, computed_,
+                        count, is_between_);
+  const auto from_below = is_between_;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const double hi = next_above(double{actual[k]} - least);
+    const auto rounded = static_cast<float>(hi);
+    computed_[k] = rounded < hi ? std::nextafter(rounded, kInfinity) : rounded;
+  }
+  find_between_readings(prepared.filter, prepared.readings, at_sample_, sample_shifts_, computed_,
+                        count, is_between_);
+  for (std::size_t word = 0; word < is_between_.size(); ++word) {
+    is_between_[word] &= from_below[word];
+  }
+}
+
+/// Counts the depths that the first level knows to be among those that the contract leaves open,
+/// with an excess of 0.
+void ValueCascade::take_stored(const PreparedValue& prepared,
+                               std::span<const std::size_t> fragments,
+                               JudgedBatch::Column& column) {
+  const StoredFilter& stored = prepared.stored;
+  const int count = static_cast<int>(fragments.size());
+  const bool is_asked = first_level_ == Level::filter;
+  is_between_.fill(0);
+  if (is_asked && stored.has_readings && stored.bits == 0) {
+    find_between_roundings(prepared, count, column.actual);
+  }
+  for (std::size_t k = 0; k < fragments.size(); ++k) computed_[k] = column.actual[k];
+  if (is_asked) value_errors(prepared.filter, at_sample_, computed_, count, lo_, hi_);
+  const double units = stored.bits == 0 ? 1 : stored.units;
+  for (std::size_t k = 0; k < fragments.size(); ++k) {
+    const double depth = in_units(column.actual[k], stored);
+    const bool is_inside = depth >= stored.least * units && depth <= stored.greatest * units;
+    const Enclosure error{lo_[k], hi_[k]};
+    const double least = biased(stored, computed_[k], error, 0, stored.inner.lo).hi;
+    const double greatest = biased(stored, computed_[k], error, stored.inner.hi, 0).lo;
+    // Written so that NaN fails.
+    const bool is_known = is_asked && stored.permits_exact && error.lo <= error.hi &&
+                          depth >= next_above(least * units) - stored.reach &&
+                          depth <= next_below(greatest * units) + stored.reach;
+    column.is_by_enclosure[k] = is_inside && (is_known || is_between(k));
+    if (!column.is_by_enclosure[k]) open_.push_back(k);
+  }
+  const std::uint64_t decided = fragments.size() - open_.size();
+  records::ErrorSizes& excess = statistics_->of(prepared.kind).excess;
+  excess.histogram.add_to_bucket(0, decided);
+  excess.sum.add(0, 0, decided);
+  statistics_->levels().values.filter += decided;
+}
+
 /// The sign that the contract forbids errors of the column's values to have; 0 if either is
 /// permitted.
 int ValueCascade::forbidden_sign(const PreparedValue& prepared) const {
@@ -186,6 +310,12 @@ bool ValueCascade::is_certain(const PreparedValue& prepared, float actual,
                               const Enclosure& error) const {
   if (is_wrong_zero(prepared, actual)) return false;
   if (prepared.method == ValueMethod::copy) return true;
+  if (prepared.method == ValueMethod::stored) {
+    // An exact depth beyond the depth range may have a larger scale ULP.
+    const double size = std::max(std::abs(error.lo), std::abs(error.hi));
+    return prepared.stored.bits != 0 ||
+           std::abs(actual) * prepared.stored.units + size < 0x1.ffffffp23;
+  }
   const ValueFilter& filter = prepared.filter;
   const double most = std::max(std::abs(error.lo), std::abs(error.hi));
   if (prepared.is_clamped) {
@@ -368,7 +498,8 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   JudgedBatch::Column& column = judged_.columns_[index];
   column.kind = prepared.kind;
   column.attribute = prepared.attribute;
-  column.has_ideal = prepared.method != ValueMethod::centroid;
+  const bool is_stored = prepared.method == ValueMethod::stored;
+  column.has_ideal = prepared.method != ValueMethod::centroid && !prepared.stored.is_open;
   column.is_open = prepared.is_open || !column.has_ideal;
   if (column.is_open) column.excess.fill({});
   for (std::size_t k = 0; k < fragments.size(); ++k) {
@@ -378,9 +509,15 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   open_.clear();
   if (prepared.method == ValueMethod::centroid) {
     take_centroids(prepared, fragments, column);
+  } else if (is_stored && prepared.stored.is_open) {
+    take_stored(prepared, fragments, column);
   } else {
     const int count = static_cast<int>(fragments.size());
-    filter_column(prepared, count, column.actual);
+    if (is_stored) {
+      filter_stored(prepared, count, column.actual);
+    } else {
+      filter_column(prepared, count, column.actual);
+    }
     count_filtered(prepared, count, column);
   }
   std::uint64_t decided = fragments.size() - open_.size();

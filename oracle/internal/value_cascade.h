@@ -84,6 +84,10 @@ class ValueCascade {
   }
   void take_centroids(const PreparedValue& prepared, std::span<const std::size_t> fragments,
                       JudgedBatch::Column& column);
+  void filter_stored(const PreparedValue& prepared, int count, const Batch<float>& actual);
+  void take_stored(const PreparedValue& prepared, std::span<const std::size_t> fragments,
+                   JudgedBatch::Column& column);
+  void find_between_roundings(const PreparedValue& prepared, int count, const Batch<float>& actual);
   int forbidden_sign(const PreparedValue& prepared) const;
   bool is_on_side(const PreparedValue& prepared, const records::Enclosure& error) const;
   ErrorLimits limits_of(const PreparedValue& prepared) const;

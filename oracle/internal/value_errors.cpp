@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "oracle/internal/float_ulp.h"
+#include "oracle/internal/stored_depth.h"
+
 namespace rastercheck::oracle {
 namespace {
 
@@ -69,9 +72,34 @@ ValueErrors::Subject ValueErrors::depth_subject() const {
   subject.quantity = values_->depth_quantity();
   subject.scale = scale_exponent(std::max(scene.least_depth(), scene.greatest_depth()));
   subject.is_clamped = scene.clamps_depth();
+  subject.clamp = {{scene.clamp_least()}, {scene.clamp_greatest()}};
   subject.ends = values_->depth_ends();
   subject.corners.resize(triangle_->corner_count());
+  if (triangle_->promise.is_made && triangle_->depth_offset()) {
+    subject.offset = triangle_->depth_offset()->exact;
+  }
+  if (scene.stores_depths()) subject.has_ideal = !has_open_depths(*triangle_);
+  if (scene.unorm_bits() != 0) set_steps(subject);
   return subject;
+}
+
+/// Puts a depth, and all that it is compared with, in units of steps, which are exactly what the
+/// scale ULP of numbers up to 2^24 are then.
+void ValueErrors::set_steps(Subject& subject) const {
+  const Ring steps(steps_of(triangle_->scene->unorm_bits()));
+  for (Ring& numerator : subject.quantity.numerators) numerator = numerator * steps;
+  const auto scale = [&steps](FractionRange& range) {
+    range.lo.numerator = range.lo.numerator * steps;
+    range.hi.numerator = range.hi.numerator * steps;
+  };
+  scale(subject.clamp);
+  scale(subject.ends);
+  if (subject.offset) scale(*subject.offset);
+  subject.scale = kFractionBits;
+  subject.steps = steps;
+  if (has_open_depths(*triangle_)) {
+    subject.reach = exact_reach(triangle_->scene->contract().depth_store);
+  }
 }
 
 ValueErrors::Subject ValueErrors::attribute_subject(std::size_t attribute) const {
@@ -98,21 +126,20 @@ const Reading& ValueErrors::corner(const Subject& subject, std::size_t index) co
   return *reading;
 }
 
-Fraction ValueErrors::clamped(const Subject& subject, Fraction value) const {
+Fraction ValueErrors::clamped(const Subject& subject, Fraction value) {
   if (!subject.is_clamped) return value;
-  const Scene& scene = *triangle_->scene;
-  if (compare(scene.least_depth(), value) > 0) return {scene.least_depth()};
-  if (compare(scene.greatest_depth(), value) < 0) return {scene.greatest_depth()};
+  if (compare(subject.clamp.lo, value) > 0) return subject.clamp.lo;
+  if (compare(subject.clamp.hi, value) < 0) return subject.clamp.hi;
   return value;
 }
 
 /// The sign of computed − v, where v is `value` clamped as the rules do.
 int ValueErrors::compare_clamped(const Subject& subject, const Ring& computed,
-                                 const Fraction& value) const {
+                                 const Fraction& value) {
   const int sign = compare(computed, value);
   if (!subject.is_clamped) return sign;
-  const Ring& lo = triangle_->scene->least_depth();
-  const Ring& hi = triangle_->scene->greatest_depth();
+  const Ring& lo = subject.clamp.lo.numerator;
+  const Ring& hi = subject.clamp.hi.numerator;
   if (computed < lo) return -1;
   if (computed > hi) return 1;
   const bool both_at_an_end = (computed == lo && sign > 0) || (computed == hi && sign < 0);
@@ -121,13 +148,25 @@ int ValueErrors::compare_clamped(const Subject& subject, const Ring& computed,
 
 /// The excess of a computed value if the contract allows [lo, hi] before clamping.
 UlpError ValueErrors::beyond(const Subject& subject, Fraction lo, Fraction hi,
-                             const Ring& computed) const {
+                             const Ring& computed) {
   if (compare_clamped(subject, computed, hi) > 0) {
     return {computed, clamped(subject, std::move(hi)), subject.scale};
   }
   if (compare_clamped(subject, computed, lo) < 0) {
     return {computed, clamped(subject, std::move(lo)), subject.scale};
   }
+  return {};
+}
+
+/// The same for a depth that is stored, if the contract allows `range` before that.
+UlpError ValueErrors::beyond_stored(const Subject& subject, const FractionRange& range,
+                                    const Ring& computed) {
+  const Fraction& reach = subject.reach;
+  if (sign_of(reach.numerator) == 0) return beyond(subject, range.lo, range.hi, computed);
+  const Fraction lo = sum(clamped(subject, range.lo), {-reach.numerator, reach.denominator});
+  if (compare(computed, lo) < 0) return {computed, lo, subject.scale};
+  const Fraction hi = sum(clamped(subject, range.hi), reach);
+  if (compare(computed, hi) > 0) return {computed, hi, subject.scale};
   return {};
 }
 
@@ -139,7 +178,9 @@ std::optional<UlpError> ValueErrors::single_excess(const Subject& subject, const
   const Reading& reading = &map == &triangle_->ideal ? ideal(subject) : corner(subject, 0);
   const Fraction value = reading.at(p);
   if (sign_of(value.denominator) <= 0) return std::nullopt;
-  return beyond(subject, value, value, computed);
+  if (!subject.offset) return beyond_stored(subject, {value, value}, computed);
+  const FractionRange biased{sum(value, subject.offset->lo), sum(value, subject.offset->hi)};
+  return beyond_stored(subject, biased, computed);
 }
 
 std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const Point& p,
@@ -196,7 +237,9 @@ std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const
 bool ValueErrors::is_attained(const Subject& subject, const cases::Attribute& declared, int x,
                               int y, const Point& p, const Ring& computed) const {
   const Scene& scene = *triangle_->scene;
-  if (subject.is_clamped && (computed < scene.least_depth() || computed > scene.greatest_depth())) {
+  if (subject.offset || sign_of(subject.reach.numerator) != 0) return false;
+  if (subject.is_clamped &&
+      (compare(computed, subject.clamp.lo) < 0 || compare(computed, subject.clamp.hi) > 0)) {
     return false;
   }
   if (declared.location == cases::Location::centroid) {
@@ -227,8 +270,11 @@ std::optional<UlpError> ValueErrors::ideal_error(const Subject& subject, const P
   if (subject.perspective) {
     return UlpError(computed, subject.perspective->on(*map).at(p), subject.scale);
   }
+  if (!subject.has_ideal) return std::nullopt;
   const Reading& reading = map == &triangle_->ideal ? ideal(subject) : corner(subject, 0);
-  return UlpError(computed, clamped(subject, reading.at(p)), subject.scale);
+  Fraction value = reading.at(p);
+  if (subject.offset) value = sum(value, subject.offset->lo);
+  return UlpError(computed, clamped(subject, std::move(value)), subject.scale);
 }
 
 std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, int x, int y,
@@ -257,7 +303,10 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
   const Place place = may_lie_outside ? Place::center : Place::sample;
   const bool is_centroid = declared.location == cases::Location::centroid;
   const bool has_one_map = values_->single_map() != nullptr;
-  if (!is_centroid && (has_one_map || triangle_->shape == Shape::placed)) {
+  // Readings say nothing about open offsets, and hold no distance between them and what is stored.
+  const bool has_readings =
+      triangle_->shape == Shape::placed && !subject.offset && sign_of(subject.reach.numerator) == 0;
+  if (!is_centroid && (has_one_map || has_readings)) {
     const std::optional<UlpError> error = has_one_map ? single_excess(subject, p, place, computed)
                                                       : placed_excess(subject, p, place, computed);
     if (!error) return std::nullopt;
@@ -269,10 +318,15 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
   };
   if (is_attained(subject, declared, x, y, p, computed)) return ValueError{{}, ideal_there()};
 
-  const std::optional<OpenValue> open =
+  std::optional<OpenValue> open =
       attribute ? values_->attribute(*attribute, x, y, sample) : values_->depth(x, y, sample);
   if (!open) return std::nullopt;
-  return ValueError{beyond(subject, open->range.lo, open->range.hi, computed), ideal_there()};
+  auto& [lo, hi] = open->range;
+  if (!attribute) {
+    lo.numerator = lo.numerator * subject.steps;
+    hi.numerator = hi.numerator * subject.steps;
+  }
+  return ValueError{beyond_stored(subject, open->range, computed), ideal_there()};
 }
 
 }  // namespace rastercheck::oracle

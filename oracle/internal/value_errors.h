@@ -38,7 +38,8 @@ class ValueErrors {
   /// The triangle and the values must outlive the object.
   ValueErrors(const TriangleSetup& triangle, const TriangleValues& values);
 
-  /// The errors of a computed value of an attribute, or of the depth if `attribute` is empty.
+  /// The errors of a computed value of an attribute, or of the depth if `attribute` is empty. A
+  /// depth in a unorm format is its number of steps (stored_depth.h), and its errors are in steps.
   /// Returns nullopt if the rules leave the value undefined.
   std::optional<ValueError> of(std::optional<std::size_t> attribute, int x, int y, int sample,
                                const Ring& computed) const;
@@ -50,8 +51,14 @@ class ValueErrors {
     /// empty.
     std::optional<Quantity> perspective;
     ScaleExponent scale;
-    FractionRange ends;       ///< TriangleValues::ends
-    bool is_clamped = false;  ///< true for a depth that the rules clamp
+    FractionRange ends;        ///< TriangleValues::ends
+    bool is_clamped = false;   ///< true for a depth that the rules clamp
+    FractionRange clamp = {};  ///< where it is clamped to
+    /// A biased depth's offset, which is added to the quantity before clamping.
+    std::optional<FractionRange> offset = {};
+    bool has_ideal = true;  ///< false for stored depths that the contract leaves open
+    Ring steps{1};          ///< what values of TriangleValues are multiplied by
+    Fraction reach = {};    ///< by how much what is open is wider, because depths are stored
     // Made when first asked for.
     mutable std::optional<Reading> ideal;
     mutable std::vector<std::optional<Reading>> corners;
@@ -59,11 +66,12 @@ class ValueErrors {
   using Place = TriangleValues::Place;
 
   Subject depth_subject() const;
+  void set_steps(Subject& subject) const;
   Subject attribute_subject(std::size_t attribute) const;
   const Reading& ideal(const Subject& subject) const;
   const Reading& corner(const Subject& subject, std::size_t index) const;
-  Fraction clamped(const Subject& subject, Fraction value) const;
-  int compare_clamped(const Subject& subject, const Ring& computed, const Fraction& value) const;
+  static Fraction clamped(const Subject& subject, Fraction value);
+  static int compare_clamped(const Subject& subject, const Ring& computed, const Fraction& value);
 
   std::optional<UlpError> single_excess(const Subject& subject, const Point& p, Place place,
                                         const Ring& computed) const;
@@ -71,7 +79,9 @@ class ValueErrors {
                                         const Ring& computed) const;
   bool is_attained(const Subject& subject, const cases::Attribute& declared, int x, int y,
                    const Point& p, const Ring& computed) const;
-  UlpError beyond(const Subject& subject, Fraction lo, Fraction hi, const Ring& computed) const;
+  static UlpError beyond(const Subject& subject, Fraction lo, Fraction hi, const Ring& computed);
+  static UlpError beyond_stored(const Subject& subject, const FractionRange& range,
+                                const Ring& computed);
   std::optional<UlpError> ideal_error(const Subject& subject, const Point& p,
                                       const Ring& computed) const;
 

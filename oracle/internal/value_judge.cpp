@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oracle/internal/rational_number.h"
+#include "oracle/internal/stored_depth.h"
 #include "oracle/internal/value_bound.h"
 #include "oracle/internal/value_errors.h"
 #include "records/record.h"
@@ -44,7 +45,10 @@ std::optional<bool> is_within(const UlpError& excess, const TriangleTruth& truth
   const bool is_one_sided = is_depth_of_one_side(truth, value);
   if (is_one_sided && is_on_wrong_side(excess, truth)) return false;
   const cases::ValueBound bound = bound_of(truth.setup(), value.attribute);
-  if (records::magnitude_bound(excess.enclosure()) <= double{bound.constant}) return true;
+  const bool is_plain = value.attribute || truth.setup().scene->unorm_bits() == 0;
+  if (is_plain && records::magnitude_bound(excess.enclosure()) <= double{bound.constant}) {
+    return true;
+  }
   const auto [x, y, sample] = sample_of(value);
   const std::optional<Rational> most = truth.value_bound(value.attribute, x, y, sample);
   // Nothing is promised on the other side then.
@@ -128,13 +132,29 @@ void add(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& sc
   keep(sizes, error, scene, value, case_index, exact);
 }
 
-std::string text_of(const UlpError& error) {
-  return to_rational(error.exact().value()).to_string();
+/// The exact value that an error of a depth in steps, or of any other value, refers to.
+std::string text_of(const UlpError& error, const SceneTruth& scene, const ComputedValue& value) {
+  const int bits = value.attribute ? 0 : scene.scene().unorm_bits();
+  Field exact = error.exact().value();
+  if (bits != 0) exact /= Field(steps_of(bits));
+  return to_rational(exact).to_string();
+}
+
+/// True if the value is a finite depth and not one of the unorm format that the case asks for.
+bool is_not_of_format(const SceneTruth& scene, const ComputedValue& value) {
+  const int bits = value.attribute ? 0 : scene.scene().unorm_bits();
+  return bits != 0 && std::isfinite(value.actual) && !stored_number(value.actual, bits);
 }
 
 std::optional<ValueError> errors_of(const TriangleTruth& truth, const ComputedValue& value) {
   const auto [x, y, sample] = sample_of(value);
-  return truth.errors().of(value.attribute, x, y, sample, computed_ring(value.actual));
+  const int bits = value.attribute ? 0 : truth.setup().scene->unorm_bits();
+  Ring computed = computed_ring(value.actual);
+  if (bits != 0 && std::isfinite(value.actual)) {
+    const double nearby = double{value.actual} * steps_of(bits);
+    computed = Ring(stored_number(value.actual, bits).value_or(nearby));
+  }
+  return truth.errors().of(value.attribute, x, y, sample, computed);
 }
 
 std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedValue& value) {
@@ -184,12 +204,13 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
   if (!errors) return not_judged(records::NotJudged::undefined);
   const std::optional<bool> is_right = is_within(errors->excess, truth, value);
   if (!is_right) return not_judged(records::NotJudged::without_bound);
-  judged.fragment_class = class_of(scene, value, errors->excess, *is_right);
+  judged.fragment_class =
+      class_of(scene, value, errors->excess, *is_right && !is_not_of_format(scene, value));
   ++of_kind.classes[judged.fragment_class];
   if (std::isinf(value.actual)) return judged;
 
   const auto add_to = [&](records::ErrorSizes& sizes, const UlpError& error) {
-    add(sizes, error, scene, value, case_index, [&] { return text_of(error); });
+    add(sizes, error, scene, value, case_index, [&] { return text_of(error, scene, value); });
   };
   judged.excess = errors->excess.enclosure();
   if (errors->ideal) judged.ideal = errors->ideal->enclosure();
@@ -223,7 +244,7 @@ void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
            [&] { return to_string(range_of(*truth, value)); });
     } else {
       keep(errors.sizes, *error->ideal, scene, value, case_index,
-           [&] { return text_of(*error->ideal); });
+           [&] { return text_of(*error->ideal, scene, value); });
     }
   }
   errors.settled();

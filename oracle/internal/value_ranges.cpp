@@ -8,6 +8,7 @@
 #include "oracle/internal/float_ulp.h"
 #include "oracle/internal/next_double.h"
 #include "oracle/internal/scene.h"
+#include "oracle/internal/stored_depth.h"
 #include "oracle/internal/value_bound.h"
 
 namespace rastercheck::oracle {
@@ -69,6 +70,9 @@ ValueRanges::Bound ValueRanges::make_bound(std::optional<std::size_t> attribute)
   if (bound.terms.constant >= kNoDigit) return bound;
   double fixed{bound.terms.constant};
   fixed += bound.terms.absolute / bound.scale_ulp;
+  if (const int bits = scene_->scene().unorm_bits(); bits != 0 && !attribute) {
+    fixed += reach_of(scene_->contract().depth_store) / steps_of(bits) / bound.scale_ulp;
+  }
   if (attribute) fixed += bound.terms.range_share * (greatest - least) / bound.scale_ulp;
   bound.fixed = fixed * kRoundedUp;
   bound.varies = attribute && !bound.terms.is_uniform() && setup.ideal.orientation() != 0;
@@ -185,9 +189,14 @@ std::optional<Enclosure> ValueRanges::by_doubles(const PreparedValue& prepared,
   std::optional<Enclosure> range = exact;
   if (prepared.is_open) range = spread(prepared, lane, exact);
   const bool is_clamped = !prepared.attribute && scene_->scene().clamps_depth();
+  if (range && is_clamped && scene_->scene().has_depth_bias()) {
+    const std::optional<DepthOffset>& offset = truth_->setup().depth_offset();
+    if (!offset) return std::nullopt;
+    *range = {next_below(range->lo + offset->near.lo), next_above(range->hi + offset->near.hi)};
+  }
   if (range && is_clamped) {
-    const cases::Viewport& viewport = scene_->source().viewport;
-    const auto [near, far] = std::minmax({double{viewport.min_depth}, double{viewport.max_depth}});
+    const double near = near_double(scene_->scene().clamp_least());
+    const double far = near_double(scene_->scene().clamp_greatest());
     *range = {std::clamp(range->lo, near, far), std::clamp(range->hi, near, far)};
   }
   return range;

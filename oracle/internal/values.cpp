@@ -232,13 +232,21 @@ std::optional<OpenValue> TriangleValues::depth(int x, int y, int sample) const {
   std::optional<FractionRange> range =
       value_at(depth_, depth_ends_, scene.sample_point(x, y, sample), Place::sample);
   if (!range) return std::nullopt;
+  bool is_open = scene.contract().is_unspecified() || single_map() == nullptr;
+  if (scene.has_depth_bias()) {
+    const std::optional<DepthOffset>& offset = triangle_->depth_offset();
+    if (!offset) return OpenValue{{{scene.clamp_least()}, {scene.clamp_greatest()}}, true};
+    range->lo = sum(range->lo, offset->exact.lo);
+    range->hi = sum(range->hi, offset->exact.hi);
+    is_open = is_open || !offset->is_single;
+  }
   if (scene.clamps_depth()) {
-    const Fraction nearest{scene.least_depth()};
-    const Fraction farthest{scene.greatest_depth()};
+    const Fraction nearest{scene.clamp_least()};
+    const Fraction farthest{scene.clamp_greatest()};
     range->lo = least(greatest(range->lo, nearest), farthest);
     range->hi = least(greatest(range->hi, nearest), farthest);
   }
-  return OpenValue{*range, scene.contract().is_unspecified() || single_map() == nullptr};
+  return OpenValue{*range, is_open};
 }
 
 std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int y,

@@ -53,11 +53,12 @@ class TriangleValues {
   /// The setup must outlive the values.
   explicit TriangleValues(const TriangleSetup& triangle);
 
-  /// The depth of a fragment; empty if undefined.
+  /// The depth of a fragment after bias and clamping, before it is stored; empty if undefined.
   std::optional<OpenValue> depth(int x, int y, int sample) const;
   /// An attribute of a fragment; empty if undefined.
   std::optional<OpenValue> attribute(std::size_t index, int x, int y, int sample) const;
 
+  /// The depth without its bias.
   const Quantity& depth_quantity() const { return depth_; }
   /// The attribute as the contract claims it interpolates; used for derivatives, conditioning and
   /// errors.
