@@ -4,6 +4,10 @@
 #include <map>
 #include <tuple>
 
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/scene.h"
+#include "oracle/internal/stored_depth.h"
+
 namespace rastercheck::oracle {
 namespace {
 
@@ -26,53 +30,78 @@ void for_each_alone(const SceneTruth& scene, const Sink& sink) {
   }
 }
 
+/// A fragment of a sample, and the depths that a depth test compares for it: those of its range or,
+/// in a unorm format, the numbers that these are stored as.
+struct Contender {
+  Fragment* fragment = nullptr;
+  std::optional<ValueRange> depth;
+};
+
+ValueRange compared(const SceneTruth& scene, const ValueRange& depth) {
+  const int bits = scene.scene().unorm_bits();
+  if (bits == 0) return depth;
+  const StoredRange stored =
+      stored_range(to_field(depth.lo), to_field(depth.hi), bits, scene.contract().depth_store);
+  return {Rational(stored.least), Rational(stored.greatest), depth.is_open};
+}
+
 /// True if `a` is nearer than `b` for all depths that the rules allow. Of two equally deep
 /// fragments, the one that stays counts as nearer.
-bool surely_nearer(const Fragment& a, const Fragment& b, const cases::Contract& contract) {
+bool surely_nearer(const Contender& a, const Contender& b, const cases::Contract& contract) {
   if (!a.depth || !b.depth) return false;
   const auto order =
       contract.is_depth_reversed() ? b.depth->hi <=> a.depth->lo : a.depth->hi <=> b.depth->lo;
-  const bool is_first = a.place.triangle < b.place.triangle;
+  const bool is_first = a.fragment->place.triangle < b.fragment->place.triangle;
   return order < 0 || (order == 0 && is_first != contract.keeps_last_of_equals());
 }
 
 /// True if a fragment of this depth certainly passes the depth test (`is_sure`), or may pass it,
 /// against the depth buffer's initial value.
-bool passes(const ValueRange& depth, const Rational& clear, const cases::Contract& contract,
+bool passes(const ValueRange& depth, const ValueRange& clear, const cases::Contract& contract,
             bool is_sure) {
   const bool is_reversed = contract.is_depth_reversed();
-  const Rational& far_end = is_reversed ? depth.lo : depth.hi;
-  const Rational& near_end = is_reversed ? depth.hi : depth.lo;
-  const auto order = is_reversed ? clear <=> (is_sure ? far_end : near_end)
-                                 : (is_sure ? far_end : near_end) <=> clear;
+  const bool takes_high_end = is_reversed != is_sure;
+  const Rational& end = takes_high_end ? depth.hi : depth.lo;
+  const Rational& limit = takes_high_end ? clear.lo : clear.hi;
+  const auto order = is_reversed ? limit <=> end : end <=> limit;
   return order < 0 || (order == 0 && contract.keeps_last_of_equals());
 }
 
 /// Drops the fragments of one sample that cannot be the nearest, and turns `required` into
-/// `permitted` for those that might not be. `clear_depth` is the depth buffer's initial value; if
-/// empty, that value is unknown, and no nearer than any depth.
-void resolve(const std::vector<Fragment*>& fragments, std::optional<float> clear_depth,
-             const cases::Contract& contract, std::vector<const Fragment*>& dropped) {
-  const Rational clear(double{contract.depth_beginning(clear_depth)});
+/// `permitted` for those that might not be. If the case does not name the depth buffer's initial
+/// value, that value is no nearer than any depth.
+void resolve(const std::vector<Fragment*>& fragments, const SceneTruth& scene,
+             std::vector<const Fragment*>& dropped) {
+  const cases::Contract& contract = scene.contract();
+  const std::optional<float> named = scene.source().depth_clear;
+  const Rational begins(double{contract.depth_beginning(named)});
+  const ValueRange clear = compared(scene, {begins, begins});
+  std::vector<Contender> all;
+  all.reserve(fragments.size());
+  for (Fragment* fragment : fragments) {
+    all.push_back({fragment, fragment->depth ? std::optional(compared(scene, *fragment->depth))
+                                             : std::nullopt});
+  }
   std::vector<Fragment*> undecided;
-  for (Fragment* a : fragments) {
-    if (clear_depth && a->depth && !passes(*a->depth, clear, contract, false)) {
-      dropped.push_back(a);
+  for (const Contender& a : all) {
+    if (named && a.depth && !passes(*a.depth, clear, contract, false)) {
+      dropped.push_back(a.fragment);
       continue;
     }
-    const bool beaten = std::any_of(fragments.begin(), fragments.end(), [&](const Fragment* b) {
-      return b != a && b->decision.verdict == records::Verdict::required &&
-             surely_nearer(*b, *a, contract);
+    const bool beaten = std::any_of(all.begin(), all.end(), [&](const Contender& b) {
+      return b.fragment != a.fragment &&
+             b.fragment->decision.verdict == records::Verdict::required &&
+             surely_nearer(b, a, contract);
     });
     if (beaten) {
-      dropped.push_back(a);
+      dropped.push_back(a.fragment);
       continue;
     }
-    const bool beats_all = std::all_of(fragments.begin(), fragments.end(), [&](const Fragment* b) {
-      return b == a || surely_nearer(*a, *b, contract);
+    const bool beats_all = std::all_of(all.begin(), all.end(), [&](const Contender& b) {
+      return b.fragment == a.fragment || surely_nearer(a, b, contract);
     });
-    const bool is_drawn = a->depth && passes(*a->depth, clear, contract, true);
-    if (!is_drawn || !beats_all) undecided.push_back(a);
+    const bool is_drawn = a.depth && passes(*a.depth, clear, contract, true);
+    if (!is_drawn || !beats_all) undecided.push_back(a.fragment);
   }
   for (Fragment* a : undecided) {
     if (a->decision.verdict != records::Verdict::required) continue;
@@ -108,8 +137,7 @@ void for_each_fragment(const SceneTruth& scene,
   std::map<std::tuple<int, int, int>, std::vector<Fragment*>> by_sample;
   for (Fragment& f : all) by_sample[{f.place.y, f.place.x, f.place.sample}].push_back(&f);
   std::vector<const Fragment*> dropped;
-  for (auto& [place, fragments] : by_sample)
-    resolve(fragments, scene.source().depth_clear, scene.contract(), dropped);
+  for (auto& [place, fragments] : by_sample) resolve(fragments, scene, dropped);
   std::sort(dropped.begin(), dropped.end());
 
   std::optional<TriangleTruth> truth;

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "oracle/internal/number.h"
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/stored_depth.h"
 
 namespace rastercheck::oracle {
 namespace {
@@ -301,6 +303,14 @@ double steps_between(Storage storage, float from, float to) {
     return f < 0 ? -above : above;
   };
   return half_rank(to) - half_rank(from);
+}
+
+float stored_depth(const Rational& depth, cases::DepthFormat format) {
+  const int bits = cases::unorm_bits(format);
+  if (bits == 0) return depth.nearest_float();
+  const Field half = Field(1) / Field(2);
+  const Field steps = std::clamp(to_field(depth), Field(0), Field(1)) * Field(steps_of(bits));
+  return stored_float(static_cast<double>(floor_to_long(steps + half)), bits);
 }
 
 }  // namespace rastercheck::oracle

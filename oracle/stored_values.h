@@ -20,7 +20,9 @@
 
 #include <optional>
 
+#include "cases/coverage.h"
 #include "cases/picture_layout.h"
+#include "oracle/rational.h"
 #include "records/enclosure.h"
 
 namespace rastercheck::oracle {
@@ -40,6 +42,10 @@ std::optional<StoredNumbers> numbers_stored_as(cases::Storage storage,
 /// not be empty. Values are as in numbers_stored_as().
 StoredNumbers values_stored_of(cases::Storage storage, cases::StoreRounding rounding,
                                const records::Enclosure& range);
+
+/// A depth as a buffer stores it: the nearest float32 or, in a unorm format of n bits, the float32
+/// nearest to k/(2^n − 1), where k is the nearest integer, the greater of two.
+float stored_depth(const Rational& depth, cases::DepthFormat format);
 
 /// The number that a stored value stands for, in doubles: k/255, and for srgb8 the decoded number
 /// within 2^-48 of itself.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "oracle/fragments.h"
+#include "oracle/stored_values.h"
 
 namespace rastercheck::oracle {
 namespace {
@@ -78,13 +79,13 @@ void push(cases::Fragments& drawn, std::uint32_t triangle, int x, int y, int sam
 cases::Fragments perfect(const SceneTruth& scene) {
   cases::Fragments drawn;
   drawn.attribute_count = scene.source().attributes.size();
-  for_each_fragment(scene, [&drawn](const Fragment& f, const TriangleTruth&) {
+  for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth&) {
     std::vector<float> attributes;
     for (const auto& value : f.attributes) {
       attributes.push_back(value ? value->lo.nearest_float() : kNan);
     }
     push(drawn, f.place.triangle, static_cast<int>(f.place.x), static_cast<int>(f.place.y),
-         static_cast<int>(f.place.sample), f.depth ? f.depth->lo.nearest_float() : kNan,
+         static_cast<int>(f.place.sample), f.depth ? stored_depth(f.depth->lo, scene.source().depth_format) : kNan,
          attributes);
     return true;
   });

@@ -11,6 +11,7 @@
 
 #include "cases/sample_place.h"
 #include "oracle/judge.h"
+#include "oracle/stored_values.h"
 #include "oracle/triangle_truth.h"
 #include "properties/judged_law.h"
 
@@ -39,19 +40,23 @@ struct Repairs {
   bool is_none() const { return too_many.empty() && missing.empty() && wrong.empty(); }
 };
 
-float permitted_value(const oracle::TriangleTruth& truth, std::optional<std::uint32_t> attribute,
-                      const SamplePlace& place) {
+float permitted_value(const cases::Case& c, const oracle::TriangleTruth& truth,
+                      std::optional<std::uint32_t> attribute, const SamplePlace& place) {
   const auto x = static_cast<int>(place.x);
   const auto y = static_cast<int>(place.y);
   const auto sample = static_cast<int>(place.sample);
-  return permitted(attribute ? truth.attribute(*attribute, x, y, sample)
-                             : truth.depth(x, y, sample));
+  if (attribute) return permitted(truth.attribute(*attribute, x, y, sample));
+  const std::optional<oracle::ValueRange> depth = truth.depth(x, y, sample);
+  const bool is_unorm = c.depth_format != cases::DepthFormat::float32;
+  return depth && is_unorm ? oracle::stored_depth(depth->lo, c.depth_format) : permitted(depth);
 }
 
-std::vector<float> permitted_values(const oracle::TriangleTruth& truth, std::size_t attributes,
+std::vector<float> permitted_values(const cases::Case& c, const oracle::TriangleTruth& truth,
                                     const SamplePlace& place) {
-  std::vector<float> values{permitted_value(truth, std::nullopt, place)};
-  for (std::uint32_t a = 0; a < attributes; ++a) values.push_back(permitted_value(truth, a, place));
+  std::vector<float> values{permitted_value(c, truth, std::nullopt, place)};
+  for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
+    values.push_back(permitted_value(c, truth, a, place));
+  }
   return values;
 }
 
@@ -93,13 +98,13 @@ Repairs repairs_of(const cases::Case& c, const cases::Contract& contract, const 
     if (is_to_change && !is_missing) ++repairs.too_many[sample.place];
     if (truth == nullptr) return;
     if (is_to_change && is_missing) {
-      repairs.missing[sample.place] = permitted_values(*truth, drawn.attribute_count, sample.place);
+      repairs.missing[sample.place] = permitted_values(c, *truth, sample.place);
     }
     for (const oracle::JudgedValue& value : sample.values) {
       if (value.fragment_class == FragmentClass::correct) continue;
       if (!is_meant(value_violation(sample, value))) continue;
       repairs.wrong[sample.place][value.attribute] =
-          permitted_value(*truth, value.attribute, sample.place);
+          permitted_value(c, *truth, value.attribute, sample.place);
     }
   };
   oracle::judge(scene, drawn, options, take);

@@ -63,6 +63,9 @@ std::optional<ValuePromise> ValueFindings::promise_of(const cases::SamplePlace& 
   if (attribute) {
     const double of_vertices = truth.attribute_magnitude(*attribute).enclosure().hi;
     promise.unit = ulp_of(std::max({std::abs(promise.lo), std::abs(promise.hi), of_vertices}));
+  } else if (const int bits = cases::unorm_bits(case_->depth_format); bits != 0) {
+    promise.unit = 1 / (std::ldexp(1.0, bits) - 1);
+    promise.bound += 1;  // stored as either neighbour at most
   } else {
     promise.unit = ulp_of(double{std::max(case_->viewport.min_depth, case_->viewport.max_depth)});
   }
