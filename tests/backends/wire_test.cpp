@@ -23,6 +23,8 @@ cases::Case full_case() {
   c.depth_test = cases::DepthTest::less;
   c.depth_clear = 0.5F;
   c.depth_clamp = true;
+  c.depth_bias = {1, -2, 0.5F};
+  c.depth_format = cases::DepthFormat::unorm24;
   c.attributes = {{"u", cases::Interpolation::flat, cases::Location::centroid},
                   {"", cases::Interpolation::noperspective, cases::Location::center}};
   cases::Camera camera;
@@ -57,6 +59,9 @@ cases::Contract full_contract() {
   contract.clip_error = 0.5;
   contract.viewport_error = 0.25;
   contract.depth_format = cases::DepthFormat::unorm16;
+  contract.depth_store = cases::DepthStore::either;
+  contract.depth_bias = {cases::BiasSlope::between, cases::BiasUnit::open,
+                         cases::BiasExponent::open};
   contract.depth_function = cases::KeptDepth::greater;
   contract.depth_error = cases::DepthError::never_farther;
   contract.claims = cases::Claim::affine;

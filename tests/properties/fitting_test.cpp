@@ -46,6 +46,7 @@ Capabilities of_little() {
                Feature::side_clipping, Feature::clip_distances,
                Feature::depth_clamp,   Feature::depth_range,
                Feature::depth_test,    Feature::depth_clear,
+               Feature::depth_bias,    Feature::unorm_depth,
                Feature::viewport,      Feature::viewport_fractions,
                Feature::scissor,       Feature::culling,
                Feature::noperspective, Feature::flat};
