@@ -106,6 +106,22 @@ TEST(RandomCases, AreNotMadeForNumbersThatNoCaseHas) {
   EXPECT_EQ(capabilities_of(*backend).numbers, *terms.numbers);
 }
 
+TEST(FittedCases, StoreAndBiasDepthsOnlyWhereTheBackendDoes) {
+  cases::Case biased;
+  biased.depth_bias = {1, 2, 0.5F};
+  biased.depth_format = cases::DepthFormat::unorm16;
+  cases::Case c = biased;
+  EXPECT_TRUE(leave_out(c, Feature::depth_bias, {}));
+  EXPECT_EQ(c.depth_bias, cases::DepthBias());
+  EXPECT_EQ(c.depth_format, cases::DepthFormat::unorm16);
+  EXPECT_FALSE(needs(c, Feature::depth_bias));
+  c = biased;
+  EXPECT_TRUE(leave_out(c, Feature::unorm_depth, {}));
+  EXPECT_EQ(c.depth_bias, biased.depth_bias);
+  EXPECT_EQ(c.depth_format, cases::DepthFormat::float32);
+  EXPECT_FALSE(needs(c, Feature::unorm_depth));
+}
+
 /// The number of 2,000 generated cases for which `has` is true.
 template <typename Has>
 int count_states(const Capabilities& capabilities, const Has& has) {
