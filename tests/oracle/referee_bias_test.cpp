@@ -23,9 +23,10 @@ namespace {
 using nlohmann::json;
 
 const std::string kFolder = RASTERCHECK_SOURCE_DIR "/tests/oracle/bias_cases/";
+const std::string kDepths = RASTERCHECK_SOURCE_DIR "/tests/oracle/bias_depths.json";
 
 json expected_fragments() {
-  const auto text = cases::read_text(kFolder + "expected.json");
+  const auto text = cases::read_text(kDepths);
   return text ? json::parse(*text) : json::object();
 }
 
@@ -35,7 +36,7 @@ std::vector<std::string> case_files() {
   return files;
 }
 
-/// The referee's fragments in the words of expected.json, each triangle drawn alone.
+/// The referee's fragments in the words of bias_depths.json, each triangle drawn alone.
 json fragments_of(const cases::Case& c) {
   json found = json::array();
   for (std::size_t t = 0; t < c.triangles.size(); ++t) {
