@@ -284,6 +284,8 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   expected.clip_error = 0.0625;
   expected.viewport_error = 0.5;
   expected.depth_format = DepthFormat::unorm24;
+  expected.depth_store = DepthStore::nearly_nearest;
+  expected.depth_bias = {BiasSlope::root, BiasUnit::open, BiasExponent::open};
   expected.claims = Claim::affine;
   expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4, 0x1p-9F}, {0.51F}};
   expected.keeps_equal_depth = true;
