@@ -32,7 +32,8 @@ json expected_fragments() {
 
 std::vector<std::string> case_files() {
   std::vector<std::string> files;
-  for (const auto& [file, fragments] : expected_fragments().items()) files.push_back(file);
+  const json expected = expected_fragments();
+  for (const auto& [file, fragments] : expected.items()) files.push_back(file);
   return files;
 }
 
