@@ -197,8 +197,8 @@ Field bias_unit(const cases::Case& c, const Referee::Plane& plane) {
 Field depth_offset(const cases::Case& c, const Referee::Plane& plane) {
   const cases::DepthBias& bias = c.depth_bias;
   if (bias.is_none()) return Field(0);
-  const Field sum = steepness(c, plane) * exact_field(bias.slope) +
-                    bias_unit(c, plane) * exact_field(bias.constant);
+  Field sum = steepness(c, plane) * exact_field(bias.slope) +
+              bias_unit(c, plane) * exact_field(bias.constant);
   if (bias.clamp > 0) return std::min(sum, exact_field(bias.clamp));
   if (bias.clamp < 0) return std::max(sum, exact_field(bias.clamp));
   return sum;
