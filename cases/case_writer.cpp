@@ -47,6 +47,12 @@ std::string coverage_text(const Coverage& coverage) {
   return text + "}";
 }
 
+/// True if a reader gives this bias to a case that says nothing of one: -0 is not 0.
+bool is_default(const DepthBias& bias) {
+  return bias == DepthBias() && !std::signbit(bias.constant) && !std::signbit(bias.slope) &&
+         !std::signbit(bias.clamp);
+}
+
 std::string vertex_text(const Case& c, std::size_t vertex) {
   const ClipVertex& p = c.positions[vertex];
   std::string text = fmt::format(R"({{"position": {})", list(std::array{p.x, p.y, p.z, p.w}));
@@ -101,7 +107,7 @@ std::string to_json(const Case& c) {
   if (c.depth_test != DepthTest::none) add("depth_test", word(c.depth_test));
   if (c.depth_clear) add("depth_clear", number(*c.depth_clear));
   if (c.depth_clamp) add("depth_clamp", "true");
-  if (c.depth_bias != DepthBias()) {
+  if (!is_default(c.depth_bias)) {
     add("depth_bias", fmt::format(R"({{"constant": {}, "slope": {}, "clamp": {}}})",
                                   number(c.depth_bias.constant), number(c.depth_bias.slope),
                                   number(c.depth_bias.clamp)));

@@ -128,7 +128,7 @@ ValueBound read_bound(const JsonNode& node) {
           part("range_share"), part("absolute")};
 }
 
-BiasPromise read_depth_bias(const JsonNode& node) {
+BiasPromise read_bias_promise(const JsonNode& node) {
   node.expect_object({}, {"slope", "unit", "exponent"});
   BiasPromise bias;
   if (node.has("slope")) bias.slope = node["slope"].enumerator<BiasSlope>();
@@ -417,7 +417,7 @@ ContractTerms read_contract_terms(const JsonNode& root) {
             [](const JsonNode& node) { return node.enumerator<DepthFormat>(); });
   read_term(root, "depth_store", terms.depth_store,
             [](const JsonNode& node) { return node.enumerator<DepthStore>(); });
-  read_term(root, "depth_bias", terms.depth_bias, &read_depth_bias);
+  read_term(root, "depth_bias", terms.depth_bias, &read_bias_promise);
   read_term(root, "depth_function", terms.depth_function,
             [](const JsonNode& node) { return node.enumerator<KeptDepth>(); });
   read_term(root, "depth_error", terms.depth_error,

@@ -14,6 +14,7 @@ using FieldVector4 = Eigen::Matrix<Field, 4, 1>;
 struct Referee::Plane {
   std::array<FieldVector4, 3> clip;
   FieldMatrix3 q;
+  Field depth_offset = Field(0);  ///< what the depth bias adds to all depths
 
   Field e(Eigen::Index i, const Field& u, const Field& v) const {
     return q(i, 0) * u + q(i, 1) * v + q(i, 2);
@@ -146,14 +147,80 @@ std::optional<Field> value_at(bool is_linear_in_window, const std::array<Field, 
   return r[0] + (r[1] - r[0]) * k + (r[2] - r[0]) * l;
 }
 
-Field depth_at(const cases::Case& c, const Referee::Plane& plane, const Field& u, const Field& v) {
-  const Field ndc = plane.sum({plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]}, u, v);
+Field window_depth(const cases::Case& c, const Field& z_over_w) {
   const Field n = exact_field(c.viewport.min_depth);
   const Field f = exact_field(c.viewport.max_depth);
-  const Field unit = c.rules == Rules::opengl ? (ndc + Field(1)) / Field(2) : ndc;
-  Field depth = n + (f - n) * unit;
-  if (!c.depth_clamp && c.rules != Rules::d3d) return depth;
+  return n + (f - n) * (c.rules == Rules::opengl ? (z_over_w + Field(1)) / Field(2) : z_over_w);
+}
+
+/// The depth of the triangle's plane, neither biased nor clamped.
+Field plane_depth(const cases::Case& c, const Referee::Plane& plane, const Field& u,
+                  const Field& v) {
+  return window_depth(c, plane.sum({plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]}, u, v));
+}
+
+Field clamped_to_range(const cases::Case& c, const Field& depth) {
+  const Field n = exact_field(c.viewport.min_depth);
+  const Field f = exact_field(c.viewport.max_depth);
   return std::clamp(depth, std::min(n, f), std::max(n, f));
+}
+
+/// The greatest of |z_x| and |z_y|, in depths per pixel. Depths lie in a plane, so their
+/// differences from pixel to pixel are the derivatives.
+Field steepness(const cases::Case& c, const Referee::Plane& plane) {
+  const Field here = plane_depth(c, plane, Field(0), Field(0));
+  return std::max(magnitude(plane_depth(c, plane, Field(1), Field(0)) - here),
+                  magnitude(plane_depth(c, plane, Field(0), Field(1)) - here));
+}
+
+/// The depth that a constant bias of 1 adds.
+Field bias_unit(const cases::Case& c, const Referee::Plane& plane) {
+  const int bits = cases::unorm_bits(c.depth_format);
+  if (bits > 0 && c.rules == Rules::d3d) {
+    return exact_field(nearest_float(Field(1) / (power_of_two(bits) - Field(1))));
+  }
+  if (bits > 0) return power_of_two(-bits);
+  Field greatest(0);
+  for (const FieldVector4& vertex : plane.clip) {
+    // In front of the eye a vertex has a depth; behind it, it counts as far away.
+    const bool has_depth = sign_of(vertex[3]) > 0;
+    greatest = std::max(
+        greatest, has_depth ? clamped_to_range(c, window_depth(c, vertex[2] / vertex[3]))
+                            : exact_field(std::max(c.viewport.min_depth, c.viewport.max_depth)));
+  }
+  constexpr long kFractionBits = 23;  // of a float32
+  if (sign_of(greatest) == 0) return Field(0);
+  return power_of_two(floor_log2(greatest) - kFractionBits);
+}
+
+/// What a depth bias adds to all depths of the triangle.
+Field depth_offset(const cases::Case& c, const Referee::Plane& plane) {
+  const cases::DepthBias& bias = c.depth_bias;
+  if (bias.is_none()) return Field(0);
+  Field sum = steepness(c, plane) * exact_field(bias.slope) +
+              bias_unit(c, plane) * exact_field(bias.constant);
+  if (bias.clamp > 0) return std::min(sum, exact_field(bias.clamp));
+  if (bias.clamp < 0) return std::max(sum, exact_field(bias.clamp));
+  return sum;
+}
+
+Field depth_at(const cases::Case& c, const Referee::Plane& plane, const Field& u, const Field& v) {
+  const Field depth = plane_depth(c, plane, u, v) + plane.depth_offset;
+  if (c.depth_clamp || c.rules == Rules::d3d) return clamped_to_range(c, depth);
+  const bool is_plain = c.depth_bias.is_none() && c.depth_format == cases::DepthFormat::float32;
+  return is_plain ? depth : std::clamp(depth, Field(0), Field(1));
+}
+
+/// The numbers of the case's format that are nearest to a depth in [0, 1].
+std::vector<std::uint32_t> stored_as(const cases::Case& c, const Field& depth) {
+  const int bits = cases::unorm_bits(c.depth_format);
+  if (bits == 0) return {};
+  const Field steps = depth * (power_of_two(bits) - Field(1));
+  const auto below = static_cast<std::uint32_t>(floor_to_long(steps));
+  const Field twice_above = Field(2) * (steps - floor_of(steps));
+  if (twice_above < Field(1)) return {below};
+  if (twice_above > Field(1)) return {below + 1};
+  return {below, below + 1};
 }
 
 }  // namespace
@@ -173,7 +240,10 @@ Referee::Referee(const cases::Case& c, std::size_t triangle, cases::Claim claims
   if (!q) return;
   plane->q = *q;
   // Q = M_cam^-1 [a b c], so sign det Q = sign(det M_cam · det [a b c]), which is the facing.
-  if (is_drawn_facing(c, sign_of(plane->q.determinant()))) plane_ = std::move(plane);
+  if (is_drawn_facing(c, sign_of(plane->q.determinant()))) {
+    plane->depth_offset = depth_offset(c, *plane);
+    plane_ = std::move(plane);
+  }
 }
 
 Referee::~Referee() = default;
@@ -194,7 +264,8 @@ std::optional<RefereeFragment> Referee::at(int x, int y, int sample) const {
   const cases::SamplePlace place{static_cast<std::uint32_t>(triangle_),
                                  static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x),
                                  static_cast<std::uint32_t>(sample)};
-  RefereeFragment fragment{place, to_rational(depth_at(c, *plane_, u, v)), {}};
+  const Field depth = depth_at(c, *plane_, u, v);
+  RefereeFragment fragment{place, to_rational(depth), stored_as(c, depth), {}};
   for (std::size_t a = 0; a < c.attributes.size(); ++a) {
     const cases::Attribute& attribute = c.attributes[a];
     std::array<Field, 3> r;

@@ -10,11 +10,14 @@
 //   r = r1 + (r2 − r1) k + (r3 − r1) l                            (p. 6)
 //   P = C + (c + u a + v b) w                                     (p. 7; its third line lacks w)
 //
+// Depths are biased, clamped and stored as docs/rules.md says, by the choices of contract_of(c).
+//
 // A clip position (x, y, w) plays the role of V − C, and the viewport is the image plane: a, b, c
 // are the columns of the inverse viewport transform. The referee shares only the number type and
 // the table of sample positions (cases/sample_pattern.h) with the fast path: no adjugate, no folded
 // viewport, no edge function.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,7 +31,11 @@ namespace rastercheck::oracle {
 
 struct RefereeFragment {
   cases::SamplePlace place = {};
+  /// Biased and clamped as cases::contract_of(c) says, before it is stored.
   Rational depth;
+  /// What the depth may be stored as in a unorm format: the nearest integer of the format, or two
+  /// if the depth is half-way between them. Empty if the case asks for float32.
+  std::vector<std::uint32_t> stored;
   /// [attribute]; empty if undefined, or if the location is centroid and the rules name no point.
   std::vector<std::optional<Rational>> attributes;
 };

@@ -61,6 +61,8 @@ class Draw(NamedTuple):
     front_face: str = "ccw"
     depth_clamp: bool = False
     depth_clear: Optional[float] = None  # None: no depth test
+    depth_bias: Optional[Tuple[float, ...]] = None  # constant, slope, clamp; None: nothing is added
+    depth_format: str = "float32"
 
 
 def is_turned(draw):
@@ -174,6 +176,11 @@ def case_of(draw):
         case["depth_clamp"] = True
     if draw.depth_clear is not None:
         case.update(depth_test="less", depth_clear=hex_float(draw.depth_clear))
+    if draw.depth_bias is not None:
+        case["depth_bias"] = {part: hex_float(value) for part, value
+                              in zip(("constant", "slope", "clamp"), draw.depth_bias)}
+    if draw.depth_format != "float32":
+        case["depth_format"] = draw.depth_format
     case["attributes"] = [{"name": column.name, "interpolation": column.interpolation,
                            "location": column.location} for column in attributes]
     case["vertices"] = [vertex(i) for i in place]
@@ -190,6 +197,33 @@ def text_of(case):
             text = "[\n    " + ",\n    ".join(map(json.dumps, value)) + "\n  ]"
         members.append(f"  {json.dumps(key)}: {text}")
     return "{\n" + ",\n".join(members) + "\n}\n"
+
+
+# Depth buffers, as RenderDoc hands over their bytes.
+
+
+def held_bias(bias, notes):
+    """A depth bias as a case has it; None if nothing is added to depths. A clamp that is NaN limits
+    nothing, as 0 does."""
+    constant, slope, clamp = bias
+    clamp = 0.0 if math.isnan(clamp) else clamp
+    if not all(map(math.isfinite, (constant, slope, clamp))):
+        notes.append("left out the depth bias: has NaN or infinity")
+        return None
+    return (constant, slope, clamp) if constant != 0 or slope != 0 else None
+
+
+def depths_in(data, form, is_high):
+    """The set of depths in a buffer of `form`: "float32", "float32 stencil", "unorm16" or
+    "unorm24", whose depths are the upper (is_high) or lower three of four bytes."""
+    if form == "unorm16":
+        steps, most = {k for k, in struct.iter_unpack("<H", data)}, 2 ** 16 - 1
+    elif form == "unorm24":
+        words = {word for word, in struct.iter_unpack("<I", data)}
+        steps, most = {word >> 8 if is_high else word & 0xffffff for word in words}, 2 ** 24 - 1
+    else:
+        return {depth for depth, in struct.iter_unpack("<f" if form == "float32" else "<f4x", data)}
+    return {struct.unpack("<f", struct.pack("<f", k / most))[0] for k in steps}
 
 
 # Interpolation. Both APIs take it from the inputs of the fragment shader. RenderDoc's reflection
@@ -375,7 +409,7 @@ class Reader:
         return Draw(name=name + self.capture.name_of(self.action),
                     rules="vulkan" if self.is_vulkan else "opengl",
                     topology=self.TOPOLOGIES[self.topology], positions=positions, columns=columns,
-                    strips=strips, depth_clear=self.depth_clear(), **state)
+                    strips=strips, **self.depth_state(), **state)
 
     def fragment_inputs(self):
         shader = self.state.GetShaderReflection(self.rd.ShaderStage.Pixel)
@@ -464,65 +498,83 @@ class Reader:
         return next((texture for texture in self.controller.GetTextures()
                      if texture.resourceId == target.resourceId), None)
 
+    @staticmethod
+    def size_of(texture, target):
+        """Width and height of what of a texture is drawn into."""
+        return tuple(max(side >> target.firstMip, 1) for side in (texture.width, texture.height))
+
     def target(self):
         """Size and number of samples of what is drawn into."""
         for target in (*self.state.GetOutputTargets(), self.state.GetDepthTarget()):
             texture = self.texture(target)
             if texture is not None:
-                size = tuple(max(side >> target.firstMip, 1)
-                             for side in (texture.width, texture.height))
-                return size, max(texture.msSamp, 1)
+                return self.size_of(texture, target), max(texture.msSamp, 1)
         raise Unsayable("it draws into no texture")
 
     # Depth
 
-    def depth_clear(self):
-        """The depth that the whole buffer has before the draw; None, with a note, if a case cannot
-        have the draw's depth test."""
+    def depth_state(self):
+        """What the draw does with depths, as members of Draw: all by default if it tests none."""
         state = self.api_state
         if self.is_vulkan:
-            depth, bias, blend = state.depthStencil, state.rasterizer, state.colorBlend
+            depth, rasterizer, blend = state.depthStencil, state.rasterizer, state.colorBlend
             is_tested, is_written = depth.depthTestEnable, depth.depthWriteEnable
             others = depth.stencilTestEnable, depth.depthBoundsEnable, blend.alphaToCoverageEnable
-            is_biased = bias.depthBiasEnable
+            is_biased, clamp = rasterizer.depthBiasEnable, rasterizer.depthBiasClamp
         else:
-            depth, bias = state.depthState, state.rasterizer.state
+            depth, rasterizer = state.depthState, state.rasterizer.state
             is_tested, is_written = depth.depthEnable, depth.depthWrites
-            others = state.stencilState.stencilEnable, depth.depthBounds, bias.alphaToCoverage
-            is_biased = True
+            others = state.stencilState.stencilEnable, depth.depthBounds, rasterizer.alphaToCoverage
+            is_biased, clamp = True, rasterizer.offsetClamp  # RenderDoc has 0 if it is disabled
         for is_on, what in zip(others, ("stencil test", "depth bounds test", "alpha to coverage")):
             if is_on:
                 self.notes.append(f"left out the {what}")
-        function = self.rd.CompareFunction(depth.depthFunction).name
         target = self.texture(self.state.GetDepthTarget())
-        if not is_tested or target is None or function == "AlwaysTrue":
+        if not is_tested or target is None:
+            return {}
+        form = self.form_of(target.format)
+        bias = rasterizer.depthBias, rasterizer.slopeScaledDepthBias, clamp
+        return {"depth_clear": self.depth_clear(depth, is_written, target, form),
+                "depth_bias": held_bias(bias, self.notes) if is_biased else None,
+                "depth_format": form if form in ("unorm16", "unorm24") else "float32"}
+
+    def form_of(self, form):
+        """The words of depths_in() for a format; "" if it has none."""
+        formats = self.rd.ResourceFormatType
+        if form.type in (formats.D24S8, formats.D32S8):
+            return "unorm24" if form.type == formats.D24S8 else "float32 stencil"
+        regular = {2: "unorm16", 3: "unorm24", 4: "float32"}
+        return regular.get(form.compByteWidth, "") if form.type == formats.Regular else ""
+
+    def depth_clear(self, depth, is_written, target, form):
+        """The depth that the whole buffer has before the draw; None, with a note, if a case cannot
+        have the draw's depth test."""
+        function = self.rd.CompareFunction(depth.depthFunction).name
+        if function == "AlwaysTrue":
             return None
-        depths = self.depths_before(target)
+        depths = self.depths_before(target, form)
         for is_so, why in ((function != "Less", f"is {function}, not Less"),
                            (not is_written, "does not write depths"),
-                           (is_biased and (bias.depthBias or bias.slopeScaledDepthBias),
-                            "biases depths"),
-                           (depths is None, "has no buffer of float32 with one sample"),
+                           (depths is None, "has no buffer of float32 or unorm with one sample"),
                            (len(depths or ()) != 1, "is against depths of earlier draws")):
             if is_so:
                 self.notes.append(f"left out the depth test: it {why}")
                 return None
-        return depths.pop()[0]
+        return depths.pop()
 
-    def depths_before(self, texture):
-        """The set of depths in the buffer before the draw, each in a tuple of its own; None if they
-        are not float32, or of several samples: Mesa's lavapipe 22.3 crashes when these are read."""
-        formats, form = self.rd.ResourceFormatType, texture.format
-        has_stencil = form.type == formats.D32S8
-        is_float = has_stencil or form.type == formats.Regular and form.compByteWidth == 4
-        if texture.msSamp > 1 or not is_float:
+    def depths_before(self, texture, form):
+        """The set of depths in the buffer before the draw; None if a case has no such format, or of
+        several samples: Mesa's lavapipe 22.3 crashes when these are read."""
+        if texture.msSamp > 1 or not form:
             return None
         bound = self.state.GetDepthTarget()
         self.controller.SetFrameEvent(self.action.eventId - 1, True)
         data = self.controller.GetTextureData(
             texture.resourceId, self.rd.Subresource(bound.firstMip, bound.firstSlice, 0))
         self.controller.SetFrameEvent(self.action.eventId, True)
-        return set(struct.iter_unpack("<f4x" if has_stencil else "<f", data))
+        if form == "unorm24":  # RenderDoc 1.24 has more bytes of Vulkan's D24_UNORM_S8 than pixels
+            data = data[:4 * math.prod(self.size_of(texture, bound))]
+        return depths_in(data, form, not self.is_vulkan)
 
     # Vertices
 

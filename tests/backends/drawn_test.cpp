@@ -91,6 +91,28 @@ TEST(DrawFile, HasTheMembersOfADrawInTheirOrder) {
   EXPECT_EQ(draw_file(c, cases::contract_of(c)), expected.bytes());
 }
 
+// Kills: words that programs compiled before them would take for sample positions.
+TEST(DrawFile, HasWordsOfBiasAndFormatIfTheCaseHasOne) {
+  cases::Case c = two_triangles();
+  const std::string plain = draw_file(c, cases::contract_of(c));
+  constexpr std::size_t kHead = 8 + 28 * 4;
+  const auto with_words = [&](const std::vector<float>& bias, std::uint32_t bits) {
+    File words("");
+    words.floats(bias).words({bits});
+    return "RCDRAW2\n" + plain.substr(8, kHead - 8) + words.bytes() + plain.substr(kHead);
+  };
+  c.depth_bias = {3, -0.5F, 0.25F};
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), with_words({3, -0.5F, 0.25F}, 0));
+  c.depth_format = cases::DepthFormat::unorm24;
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), with_words({3, -0.5F, 0.25F}, 24));
+  c.depth_bias = {};
+  c.depth_format = cases::DepthFormat::unorm16;
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), with_words({0, 0, 0}, 16));
+  c.depth_format = cases::DepthFormat::float32;
+  c.depth_bias.clamp = 0.25F;  // of nothing
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), plain);
+}
+
 TEST(DrawnFile, GivesTheFragmentsOfEachDraw) {
   const auto drawn = parse_drawn(right_drawing().bytes(), "it.drawn", two_triangles());
   ASSERT_TRUE(drawn.has_value()) << to_string(drawn.error());

@@ -146,6 +146,38 @@ TEST(Exec, IsNotAskedForCasesBeyondItsLimits) {
   EXPECT_THAT(to_string(drawn.error()), HasSubstr("its limits exclude"));
 }
 
+// Kills: a program from before the protocol had these, asked for them.
+TEST(Exec, IsAskedForBiasAndUnormOnlyIfItDrawsThem) {
+  using cases::Feature;
+  const auto lacked = [](const std::string& members) {
+    const auto hello = parse_hello(R"({"protocol": 1, "name": "it")" + members + "}");
+    EXPECT_TRUE(hello) << to_string(hello.error());
+    return hello ? hello->limits.lacks : std::vector<Feature>();
+  };
+  EXPECT_THAT(lacked(""), ElementsAre(Feature::depth_bias, Feature::unorm_depth));
+  EXPECT_THAT(lacked(R"(, "draws": ["unorm_depth"])"), ElementsAre(Feature::depth_bias));
+  EXPECT_THAT(lacked(R"(, "draws": ["unorm_depth", "depth_bias"])"), testing::IsEmpty());
+  EXPECT_THAT(lacked(R"(, "limits": {"lacks": ["scissor", "depth_bias"]})"),
+              ElementsAre(Feature::depth_bias, Feature::unorm_depth, Feature::scissor));
+  EXPECT_THAT(lacked(R"(, "gives": "barycentrics", "draws": ["depth_bias", "unorm_depth"])"),
+              ElementsAre(Feature::noperspective, Feature::center, Feature::centroid));
+  EXPECT_FALSE(parse_hello(R"({"protocol": 1, "name": "it", "draws": ["colours"]})"));
+}
+
+TEST(Exec, IsToldBiasAndFormat) {
+  cases::Case c = two_triangles();
+  const std::string plain = draw_message(c, cases::contract_of(c), 0).header;
+  EXPECT_THAT(plain, HasSubstr(R"("bias_clamp":0.0,"bias_constant":0.0,"bias_slope":0.0)"));
+  EXPECT_THAT(plain, HasSubstr(R"("depth_bits":0)"));
+  c.depth_bias = {-3, 0.5F, 0x1p-10F};
+  c.depth_format = cases::DepthFormat::unorm24;
+  const std::string header = draw_message(c, cases::contract_of(c), 0).header;
+  EXPECT_THAT(header, HasSubstr(R"("bias_constant":-3.0)"));
+  EXPECT_THAT(header, HasSubstr(R"("bias_slope":0.5)"));
+  EXPECT_THAT(header, HasSubstr(R"("bias_clamp":0.0009765625)"));
+  EXPECT_THAT(header, HasSubstr(R"("depth_bits":24)"));
+}
+
 /// A way of program.py to go wrong.
 struct Way {
   std::string name;

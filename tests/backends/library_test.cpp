@@ -82,6 +82,62 @@ TEST(PluginContract, SaysWhatOtherRasterizersDo) {
   EXPECT_EQ(contract_of(contract, plain_case()).guard_beyond_viewport, 64.0F);
 }
 
+TEST(PluginContract, SaysHowDepthsAreBiasedAndStored) {
+  using cases::BiasSlope;
+  using cases::BiasUnit;
+  using cases::DepthStore;
+  const auto promised_by = [](auto change) {
+    rastercheck_contract contract{};
+    change(contract);
+    return contract_of(contract, plain_case());
+  };
+  const auto store = [&](std::uint32_t value) {
+    return promised_by([value](auto& c) { c.depth_store = value; }).depth_store;
+  };
+  EXPECT_EQ(store(RASTERCHECK_STORE_NEAREST), DepthStore::nearest);
+  EXPECT_EQ(store(RASTERCHECK_STORE_NEARLY_NEAREST), DepthStore::nearly_nearest);
+  EXPECT_EQ(store(RASTERCHECK_STORE_EITHER), DepthStore::either);
+  const auto slope = [&](std::uint32_t value) {
+    return promised_by([value](auto& c) { c.bias_slope = value; }).depth_bias.slope;
+  };
+  EXPECT_EQ(slope(RASTERCHECK_SLOPE_GREATEST), BiasSlope::greatest);
+  EXPECT_EQ(slope(RASTERCHECK_SLOPE_ROOT), BiasSlope::root);
+  EXPECT_EQ(slope(RASTERCHECK_SLOPE_BETWEEN), BiasSlope::between);
+  const auto unit = [&](std::uint32_t value) {
+    return promised_by([value](auto& c) { c.bias_unit = value; }).depth_bias.unit;
+  };
+  EXPECT_EQ(unit(RASTERCHECK_UNIT_POWER), BiasUnit::power);
+  EXPECT_EQ(unit(RASTERCHECK_UNIT_DOUBLE_POWER), BiasUnit::double_power);
+  EXPECT_EQ(unit(RASTERCHECK_UNIT_EITHER_POWER), BiasUnit::either_power);
+  EXPECT_EQ(unit(RASTERCHECK_UNIT_LEAST_VALUE), BiasUnit::least_value);
+  EXPECT_EQ(unit(RASTERCHECK_UNIT_OPEN), BiasUnit::open);
+  const auto exponent = [&](std::uint32_t value) {
+    return promised_by([value](auto& c) { c.bias_exponent = value; }).depth_bias.exponent;
+  };
+  EXPECT_EQ(exponent(RASTERCHECK_EXPONENT_OF_VERTICES), cases::BiasExponent::vertices);
+  EXPECT_EQ(exponent(RASTERCHECK_EXPONENT_OPEN), cases::BiasExponent::open);
+}
+
+TEST(PluginContract, TakesTheUnitFromTheRulesUnlessItSaysOne) {
+  rastercheck_contract contract{};
+  cases::Case c = plain_case();
+  EXPECT_EQ(contract_of(contract, c).depth_bias.unit, cases::BiasUnit::power);
+  c.rules = cases::Rules::d3d;
+  EXPECT_EQ(contract_of(contract, c).depth_bias.unit, cases::BiasUnit::least_value);
+  contract.bias_unit = RASTERCHECK_UNIT_POWER;
+  EXPECT_EQ(contract_of(contract, c).depth_bias.unit, cases::BiasUnit::power);
+}
+
+// A case's unorm format is that of what is compared; the contract's is for the other cases.
+TEST(PluginContract, ComparesWhatACaseStores) {
+  rastercheck_contract contract{};
+  contract.depth_format = RASTERCHECK_DEPTH_UNORM24;
+  cases::Case c = plain_case();
+  EXPECT_EQ(contract_of(contract, c).depth_format, cases::DepthFormat::unorm24);
+  c.depth_format = cases::DepthFormat::unorm16;
+  EXPECT_EQ(contract_of(contract, c).depth_format, cases::DepthFormat::unorm16);
+}
+
 // Kills: a table of enumerators in another order than the header's.
 TEST(PluginContract, NamesEveryRoundingAndTieRule) {
   using cases::Rounding;
@@ -218,6 +274,13 @@ TEST(PluginContract, LacksWhatItSaysAndNothingElse) {
                       c.depth_clear = 0.5F;
                     }),
             "depth buffers cleared to values other than 1");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_BIAS, [](Case& c) { c.depth_bias.constant = 1; }),
+            "depth bias");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_BIAS, [](Case& c) { c.depth_bias.slope = -1; }),
+            "depth bias");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_UNORM_DEPTH,
+                    [](Case& c) { c.depth_format = cases::DepthFormat::unorm16; }),
+            "depths stored in a unorm format");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_SIDE_CLIPPING, [](Case& c) { c.positions[1].x = 1.5F; }),
             "vertices beyond the viewport's sides");
   EXPECT_EQ(lacking(RASTERCHECK_LACKS_VIEWPORT, [](Case& c) { c.viewport.height = -4; }),
@@ -353,6 +416,23 @@ TEST(Plugin, MayHaveMoreMembersButNotFewer) {
       "plugin:x.so: the first member of its contract, `size`, is not sizeof(rastercheck_contract)");
 }
 
+// Kills: members of a draw that a plugin was compiled without, taken for read by it.
+TEST(Plugin, LacksWhatCameAfterItWasCompiled) {
+  const auto lacks_at = [](std::size_t size) {
+    Structs structs;
+    structs.contract.size = static_cast<std::uint32_t>(size);
+    const auto checked = checked_plugin(&structs.plugin, "x.so");
+    EXPECT_TRUE(checked);
+    return checked ? checked->contract.lacks : 0;
+  };
+  constexpr std::uint32_t kBias = RASTERCHECK_LACKS_DEPTH_BIAS | RASTERCHECK_LACKS_UNORM_DEPTH;
+  EXPECT_EQ(lacks_at(sizeof(rastercheck_contract)), 0U);
+  EXPECT_EQ(lacks_at(offsetof(rastercheck_contract, bias_exponent)), kBias);
+  EXPECT_EQ(lacks_at(offsetof(rastercheck_contract, depth_store)), kBias);
+  EXPECT_EQ(lacks_at(offsetof(rastercheck_contract, depth_format)),
+            kBias | RASTERCHECK_LACKS_DEPTH_CLEAR);
+}
+
 // Each message names the two members.
 TEST(Plugin, IsRefusedIfItsContractContradictsItself) {
   const auto problem_of = [](auto change) {
@@ -447,8 +527,16 @@ TEST(Plugin, SaysWhatCanBeSaid) {
             contract + "subpixel_bits is 17, but must be from 0 to 16");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.tie_rule = 12; }),
             contract + "tie_rule is 12, but must be from 0 to 11");
-  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 21U; }),
-            contract + "lacks is 2097152, but must be from 0 to 2097151");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 23U; }),
+            contract + "lacks is 8388608, but must be from 0 to 8388607");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.depth_store = 3; }),
+            contract + "depth_store is 3, but must be from 0 to 2");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.bias_slope = 3; }),
+            contract + "bias_slope is 3, but must be from 0 to 2");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.bias_unit = 6; }),
+            contract + "bias_unit is 6, but must be from 0 to 5");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.bias_exponent = 2; }),
+            contract + "bias_exponent is 2, but must be from 0 to 1");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.depth_format = 5; }),
             contract + "depth_format is 5, but must be from 0 to 4");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.position_error = -1; }),

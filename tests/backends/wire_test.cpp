@@ -23,6 +23,8 @@ cases::Case full_case() {
   c.depth_test = cases::DepthTest::less;
   c.depth_clear = 0.5F;
   c.depth_clamp = true;
+  c.depth_bias = {1, -2, 0.5F};
+  c.depth_format = cases::DepthFormat::unorm24;
   c.attributes = {{"u", cases::Interpolation::flat, cases::Location::centroid},
                   {"", cases::Interpolation::noperspective, cases::Location::center}};
   cases::Camera camera;
@@ -57,6 +59,9 @@ cases::Contract full_contract() {
   contract.clip_error = 0.5;
   contract.viewport_error = 0.25;
   contract.depth_format = cases::DepthFormat::unorm16;
+  contract.depth_store = cases::DepthStore::either;
+  contract.depth_bias = {cases::BiasSlope::between, cases::BiasUnit::open,
+                         cases::BiasExponent::open};
   contract.depth_function = cases::KeptDepth::greater;
   contract.depth_error = cases::DepthError::never_farther;
   contract.claims = cases::Claim::affine;
@@ -174,17 +179,17 @@ TEST(Wire, RefusesEveryPart) {
   }
 }
 
-// Sets each byte to 255 in turn. 29 of the refused bytes are flags and enumerators: whether there
+// Sets each byte to 255 in turn. 33 of the refused bytes are flags and enumerators: whether there
 // is a coverage, its roundings and whether there are two, basis, tie rule, grid, claim, what is
-// culled and whether instead of clipping, depth format, depth function, side of depths, five
-// promises, whether each of five optional bounds, a guard band about the viewport and a sample
-// position exist; whether coverage is conservative, its kind, its corners, and whether triangles
-// without area are covered. Four are the bytes of subpixel_bits, three of odd_steps (255 is
-// possible), 11 of the sample position (in 255 parts, it is possible). 35 are the last bytes of
-// numbers, which become negative: position error, error and growth of conservative coverage, two
-// guard bands, least area, clip tolerance, clip error, viewport error, 15 numbers of bounds, four
-// optional bounds, five numbers for textures, and two magnitudes. Eight are the bytes of the number
-// of per-triangle promises.
+// culled and whether instead of clipping, depth format, how depths are stored, three of the bias,
+// depth function, side of depths, five promises, whether each of five optional bounds, a guard band
+// about the viewport and a sample position exist; whether coverage is conservative, its kind, its
+// corners, and whether triangles without area are covered. Four are the bytes of subpixel_bits,
+// three of odd_steps (255 is possible), 11 of the sample position (in 255 parts, it is possible).
+// 35 are the last bytes of numbers, which become negative: position error, error and growth of
+// conservative coverage, two guard bands, least area, clip tolerance, clip error, viewport error,
+// 15 numbers of bounds, four optional bounds, five numbers for textures, and two magnitudes. Eight
+// are the bytes of the number of per-triangle promises.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -193,7 +198,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 29 + 4 + 3 + 11 + 35 + 8);
+  EXPECT_EQ(refused, 33 + 4 + 3 + 11 + 35 + 8);
 }
 
 // Kills: a comparison that is true for NaN.

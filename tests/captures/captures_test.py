@@ -15,6 +15,7 @@ import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -49,6 +50,10 @@ def has_packages():
     """Whether this system is the Debian that scripts/setup installs RenderDoc on."""
     release = pathlib.Path("/etc/os-release")
     return release.exists() and 'VERSION_ID="12"' in release.read_text(encoding="utf-8").splitlines()
+
+
+def float32(number):
+    return struct.unpack("<f", struct.pack("<f", number))[0]
 
 
 class Captured(unittest.TestCase):
@@ -277,6 +282,46 @@ class OpenGL(Captured):
         self.check_pixels(case, file, 1, ["of_first"])
 
 
+class Depths:
+    """The programs with other depth buffers, and with a depth bias: what a class adds to an API's own."""
+    # The format in a case, and the depth that is in the buffer of one that is cleared to 0.875, which is
+    # 57343.125 steps of 16 bits, and 14680063.125 steps of 24 bits.
+    OF_16_BITS = "unorm16", 57343 / 65535
+    OF_24_BITS = "unorm24", 14680063 / 16777215
+    OF_FLOATS = "float32", 0.875
+    BIAS = {"constant": -3.0, "slope": 1.5, "clamp": 0.03125}
+
+    def test_bias_and_format(self):
+        for name, (depth_format, clear) in self.FORMATS.items():
+            with self.subTest(name):
+                self.command("renderdoccmd", "capture", "--wait-for-exit", "--capture-file", name, "./draw", name)
+                capture, = (file.name for file in self.folder.glob(f"{name}_*.rdc"))
+                done = self.convert(capture, "--draw", self.events[1])
+                self.assertNotIn("depth", done.stderr)
+                case = json.loads(done.stdout)
+                self.assertEqual(case.get("depth_format", "float32"), depth_format)
+                self.assertEqual(case["depth_test"], "less")
+                self.assertEqual(float.fromhex(case["depth_clear"]), float32(clear))
+                self.assertEqual({part: float.fromhex(value) for part, value in case["depth_bias"].items()}, self.BIAS)
+
+    def test_nothing_without_a_depth_test(self):
+        self.assertFalse({"depth_format", "depth_bias", "depth_test"} & set(self.case_of(0)[0]))
+
+
+class VulkanDepths(Depths, Captured):
+    PROGRAM, LIBRARY = "draw.c", "-lvulkan"
+    FORMATS = {"D16_UNORM": Depths.OF_16_BITS, "X8_D24_UNORM": Depths.OF_24_BITS,
+               "D24_UNORM_S8": Depths.OF_24_BITS, "D32_SFLOAT": Depths.OF_FLOATS, "D32_SFLOAT_S8": Depths.OF_FLOATS}
+    make_headers = Vulkan.__dict__["make_headers"]
+
+
+class OpenGLDepths(Depths, Captured):
+    PROGRAM, LIBRARY = "draw_gl.c", "-lepoxy"
+    FORMATS = {"DEPTH_COMPONENT16": Depths.OF_16_BITS, "DEPTH_COMPONENT24": Depths.OF_24_BITS,
+               "DEPTH24_STENCIL8": Depths.OF_24_BITS, "DEPTH_COMPONENT32F": Depths.OF_FLOATS,
+               "DEPTH32F_STENCIL8": Depths.OF_FLOATS}
+
+
 class Cases(unittest.TestCase):
     """What needs no RenderDoc: draws as data, and qualifiers in shaders."""
 
@@ -345,6 +390,35 @@ class Cases(unittest.TestCase):
         case, notes = converter().case_of(self.draw(columns=many))
         self.assertEqual(len(case["attributes"]), 32)
         self.assertEqual(notes, ["left out attribute u32, u33: a case has 32 at most"])
+
+    def test_depth_bias_and_format(self):
+        def of(**changes):
+            case, _ = converter().case_of(self.draw(**changes))
+            return case.get("depth_bias"), case.get("depth_format")
+        self.assertEqual(of(), (None, None))
+        self.assertEqual(of(depth_format="unorm24"), (None, "unorm24"))
+        self.assertEqual(of(depth_bias=(1.0, -0.5, 0.0)),
+                         ({"constant": "0x1p+0", "slope": "-0x1p-1", "clamp": "0x0p+0"}, None))
+
+    def test_a_bias_that_adds_nothing_is_none(self):
+        notes, held = [], converter().held_bias
+        self.assertIsNone(held((0.0, -0.0, 0.5), notes))
+        self.assertEqual(held((1.0, 0.0, math.nan), notes), (1.0, 0.0, 0.0))
+        self.assertEqual(held((0.0, 2.0, -1.0), notes), (0.0, 2.0, -1.0))
+        self.assertEqual(notes, [])
+        self.assertIsNone(held((math.inf, 2.0, 0.0), notes))
+        self.assertEqual(notes, ["left out the depth bias: has NaN or infinity"])
+
+    def test_depths_of_buffers(self):
+        depths_in, pack = converter().depths_in, struct.pack
+        self.assertEqual(depths_in(pack("<3f", 0.5, 0.25, 0.5), "float32", False), {0.5, 0.25})
+        self.assertEqual(depths_in(pack("<fIfI", 0.5, 7, 0.5, 9), "float32 stencil", False), {0.5})
+        self.assertEqual(depths_in(pack("<3H", 0, 65535, 1), "unorm16", False), {0.0, 1.0, float32(1 / 65535)})
+        # A stencil of 0x12 beside the depth.
+        self.assertEqual(depths_in(pack("<2I", 0x12ffffff, 0x12000001), "unorm24", False),
+                         {1.0, float32(1 / 16777215)})
+        self.assertEqual(depths_in(pack("<2I", 0xffffff12, 0x00000112), "unorm24", True),
+                         {1.0, float32(1 / 16777215)})
 
     def test_what_a_case_cannot_hold_is_refused(self):
         for changes, reason in (

@@ -1,6 +1,7 @@
 // Draws a few triangles with Vulkan 1.3, without a display, as the frame of a RenderDoc capture if
 // RenderDoc is loaded. Prints as JSON what it gave to Vulkan, and the pixels of each draw in RGBA32F,
-// read back. captures_test.py compiles it, and its shaders to headers.
+// read back. captures_test.py compiles it, and its shaders to headers. With an argument, the name of a
+// format, depths are stored in it, and the draw with a depth test has a depth bias.
 
 #include <dlfcn.h>
 #include <inttypes.h>
@@ -97,6 +98,9 @@ static VkDevice device;
 static VkQueue queue;
 static VkCommandBuffer commands;
 static VkPipelineLayout layout;
+static VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
+static VkImageAspectFlags depth_aspects = VK_IMAGE_ASPECT_DEPTH_BIT;
+static VkBool32 is_biased;
 static VkImage color, depth;
 static VkImageView color_view, depth_view;
 static VkBuffer vertex_buffer, index_buffer, pixel_buffer;
@@ -123,7 +127,8 @@ static void open_device(void) {
                        &(VkDeviceCreateInfo){VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &dynamic,
                                              .queueCreateInfoCount = 1, .pQueueCreateInfos = &one,
                                              .pEnabledFeatures = &(VkPhysicalDeviceFeatures){
-                                                 .depthClamp = 1, .shaderClipDistance = 1}},
+                                                 .depthClamp = 1, .depthBiasClamp = 1,
+                                                 .shaderClipDistance = 1}},
                        NULL, &device));
   vkGetDeviceQueue(device, 0, 0, &queue);
 }
@@ -191,8 +196,8 @@ static void make_shared(void) {
   color_view = make_image(VK_FORMAT_R32G32B32A32_SFLOAT,
                           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                           VK_IMAGE_ASPECT_COLOR_BIT, &color);
-  depth_view = make_image(VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                          VK_IMAGE_ASPECT_DEPTH_BIT, &depth);
+  depth_view = make_image(depth_format, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                          depth_aspects, &depth);
   make_buffer(MAX_BYTES, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, &vertex_buffer, &vertices);
   make_buffer(MAX_BYTES, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, &index_buffer, &indices);
   make_buffer(PIXEL_BYTES, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &pixel_buffer, &pixels);
@@ -229,7 +234,9 @@ static VkPipeline make_pipeline(const struct Draw* d) {
       .pViewports = &d->viewport, .scissorCount = 1, .pScissors = &d->scissor};
   const VkPipelineRasterizationStateCreateInfo rasterization = {
       VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .cullMode = d->cull,
-      .depthClampEnable = d->depth_clamp, .frontFace = d->front_face, .lineWidth = 1};
+      .depthClampEnable = d->depth_clamp, .frontFace = d->front_face, .lineWidth = 1,
+      .depthBiasEnable = is_biased && d->depth_test, .depthBiasConstantFactor = -3,
+      .depthBiasSlopeFactor = 1.5f, .depthBiasClamp = 0.03125f};
   const VkPipelineMultisampleStateCreateInfo multisample = {
       VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
       .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
@@ -244,7 +251,7 @@ static VkPipeline make_pipeline(const struct Draw* d) {
   const VkPipelineRenderingCreateInfo rendering = {
       VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO, .colorAttachmentCount = 1,
       .pColorAttachmentFormats = &(VkFormat){VK_FORMAT_R32G32B32A32_SFLOAT},
-      .depthAttachmentFormat = VK_FORMAT_D32_SFLOAT};
+      .depthAttachmentFormat = depth_format};
   VkPipeline pipeline;
   CHECK(vkCreateGraphicsPipelines(
       device, VK_NULL_HANDLE, 1,
@@ -280,7 +287,7 @@ static void record(const struct Draw* d) {
   const VkRenderingAttachmentInfo depths =
       cleared(depth_view, (VkClearValue){.depthStencil = {kDepthClear, 0}});
   barrier(color, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED);
-  barrier(depth, VK_IMAGE_ASPECT_DEPTH_BIT, VK_IMAGE_LAYOUT_UNDEFINED);
+  barrier(depth, depth_aspects, VK_IMAGE_LAYOUT_UNDEFINED);
   vkCmdBeginRendering(commands, &(VkRenderingInfo){
                                     VK_STRUCTURE_TYPE_RENDERING_INFO, .layerCount = 1,
                                     .renderArea = {{0, 0}, {WIDTH, HEIGHT}},
@@ -334,7 +341,24 @@ static void print_drawn(const struct Draw* d) {
          d->scissor.offset.y, d->scissor.extent.width, d->scissor.extent.height, d->name);
 }
 
-int main(void) {
+// Takes the depth format of that name; false if there is none.
+static int choose_format(const char* name) {
+  static const struct { const char* name; VkFormat format; } kFormats[] = {
+      {"D16_UNORM", VK_FORMAT_D16_UNORM}, {"X8_D24_UNORM", VK_FORMAT_X8_D24_UNORM_PACK32},
+      {"D24_UNORM_S8", VK_FORMAT_D24_UNORM_S8_UINT}, {"D32_SFLOAT", VK_FORMAT_D32_SFLOAT},
+      {"D32_SFLOAT_S8", VK_FORMAT_D32_SFLOAT_S8_UINT}};
+  is_biased = VK_TRUE;
+  for (size_t i = 0; i < COUNT(kFormats); ++i) {
+    depth_format = kFormats[i].format;
+    depth_aspects = VK_IMAGE_ASPECT_DEPTH_BIT;
+    if (strstr(kFormats[i].name, "_S8")) depth_aspects |= VK_IMAGE_ASPECT_STENCIL_BIT;
+    if (strcmp(kFormats[i].name, name) == 0) return 1;
+  }
+  return 0;
+}
+
+int main(int count, char** words) {
+  if (count > 1 && !choose_format(words[1])) return 1;
   open_device();
   make_shared();
   // RenderDoc is used only if it is loaded already: it sees only devices that it saw being made.

@@ -1,4 +1,5 @@
-// As draw.c, with OpenGL 4.5 on a surfaceless display of EGL.
+// As draw.c, with OpenGL 4.5 on a surfaceless display of EGL. With an argument, the name of a depth
+// format, there is a depth test, and a depth bias.
 
 #include <dlfcn.h>
 #include <epoxy/egl.h>
@@ -6,6 +7,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { WIDTH = 48, HEIGHT = 32 };
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
@@ -65,6 +67,8 @@ static const struct Draw {
      {0, 0, WIDTH, HEIGHT}, GL_CW, GL_FRONT},
 };
 
+static GLenum depth_format = GL_NONE;  // there is no depth buffer
+
 static float pixels[WIDTH * HEIGHT * 4];
 
 static int open_context(void) {
@@ -101,6 +105,16 @@ static int make_shared(void) {
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, WIDTH, HEIGHT);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  if (depth_format != GL_NONE) {
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexStorage2D(GL_TEXTURE_2D, 1, depth_format, WIDTH, HEIGHT);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffsetClamp(1.5f, -3, 0.03125f);
+    glClearDepth(0.875);
+  }
   glGenVertexArrays(1, &array);
   glBindVertexArray(array);
   glGenBuffers(2, buffers);
@@ -121,7 +135,7 @@ static int make_shared(void) {
 
 static void draw(const struct Draw* d) {
   glDisable(GL_SCISSOR_TEST);
-  glClear(GL_COLOR_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);
   (d->culled == GL_NONE ? glDisable : glEnable)(GL_CULL_FACE);
   if (d->culled != GL_NONE) glCullFace(d->culled);
@@ -144,7 +158,21 @@ static void print_floats(const char* name, const float* values, size_t count) {
   printf("], ");
 }
 
-int main(void) {
+// Takes the depth format of that name; false if there is none.
+static int choose_format(const char* name) {
+  static const struct { const char* name; GLenum format; } kFormats[] = {
+      {"DEPTH_COMPONENT16", GL_DEPTH_COMPONENT16}, {"DEPTH_COMPONENT24", GL_DEPTH_COMPONENT24},
+      {"DEPTH24_STENCIL8", GL_DEPTH24_STENCIL8}, {"DEPTH_COMPONENT32F", GL_DEPTH_COMPONENT32F},
+      {"DEPTH32F_STENCIL8", GL_DEPTH32F_STENCIL8}};
+  for (size_t i = 0; i < COUNT(kFormats); ++i) {
+    depth_format = kFormats[i].format;
+    if (strcmp(kFormats[i].name, name) == 0) return 1;
+  }
+  return 0;
+}
+
+int main(int count, char** words) {
+  if (count > 1 && !choose_format(words[1])) return 1;
   if (!open_context() || !make_shared()) return 1;
   struct RenderDoc* renderdoc = NULL;
   void* library = dlopen("librenderdoc.so", RTLD_NOW | RTLD_NOLOAD);

@@ -28,6 +28,8 @@ TEST(Capabilities, OfEverythingLackNothing) {
   c.viewport = {0.5F, 3, -7.25F, 2, 0.5F, 0};
   c.framebuffer.samples = 16;
   c.depth_test = DepthTest::less;
+  c.depth_bias = {1, 1, 0};
+  c.depth_format = DepthFormat::unorm16;
   EXPECT_EQ(lacked_by({}, c), "");
   EXPECT_TRUE(Capabilities().is_everything());
 }
@@ -56,6 +58,10 @@ TEST(Capabilities, NameTheFeatureThatIsLacking) {
             "fractional viewports");
   EXPECT_EQ(without(Feature::nonpositive_w, [](Case& c) { c.triangles[0][2] = 3; }),
             "vertices with w <= 0");
+  EXPECT_EQ(without(Feature::depth_bias, [](Case& c) { c.depth_bias.slope = 0x1p-149F; }),
+            "depth bias");
+  EXPECT_EQ(without(Feature::unorm_depth, [](Case& c) { c.depth_format = DepthFormat::unorm24; }),
+            "depths stored in a unorm format");
   EXPECT_EQ(without(Feature::scissor,
                     [](Case& c) {
                       c.scissor = Scissor{0, 0, 8, 4};
@@ -88,11 +94,20 @@ TEST(Capabilities, AreOfRulesSizesAndNumbersOfThings) {
   EXPECT_EQ(lacked_by(has, c), "2 clip distances");
 }
 
+// Kills: a limit that excludes too much. A clamp alone changes no depth.
+TEST(Capabilities, NeedNoBiasForAClampAlone) {
+  Capabilities has;
+  has.lacks = {Feature::depth_bias, Feature::unorm_depth};
+  Case c = plain();
+  c.depth_bias.clamp = 0.5F;
+  EXPECT_EQ(lacked_by(has, c), "");
+}
+
 TEST(Capabilities, ComeBackAsTheyWere) {
   Capabilities has;
   has.rules = {Rules::vulkan, Rules::d3d};
   has.sample_counts = {1, 8};
-  has.lacks = {Feature::depth_range, Feature::centroid};
+  has.lacks = {Feature::depth_range, Feature::depth_bias, Feature::unorm_depth, Feature::centroid};
   has.max_size = 4096;
   has.max_viewport = 8192;
   has.max_attributes = 3;

@@ -75,6 +75,9 @@ TEST(CaseReader, OptionalKeysHaveTheirDefaults) {
   EXPECT_EQ(c.depth_test, DepthTest::none);
   EXPECT_FALSE(c.depth_clear.has_value());
   EXPECT_FALSE(c.depth_clamp);
+  EXPECT_EQ(c.depth_bias, DepthBias());
+  EXPECT_TRUE(c.depth_bias.is_none());
+  EXPECT_EQ(c.depth_format, DepthFormat::float32);
   EXPECT_FALSE(c.essential.has_value());
   EXPECT_FALSE(c.choices.has_value());
   EXPECT_TRUE(c.attributes.empty());
@@ -101,6 +104,9 @@ TEST(CaseReader, DefaultsWithinObjects) {
   EXPECT_EQ(c.coverage.value(), (Snapping{0, Rounding::nearest_even, 0}));
   EXPECT_EQ(read_with("camera", "{}").camera, Camera{});
   EXPECT_EQ(read_with("found", "{}").found, Found{});
+  EXPECT_EQ(read_with("depth_bias", "{}").depth_bias, DepthBias());
+  EXPECT_EQ(read_with("depth_bias", R"({"constant": 0})").depth_bias, DepthBias());
+  EXPECT_EQ(read_with("depth_bias", R"({"slope": 2})").depth_bias, (DepthBias{0, 2, 0}));
 
   json document = minimal();
   document["attributes"] = json::parse(R"([{"name": "u"}])");
@@ -137,6 +143,9 @@ TEST(CaseReader, EveryKeyOfTheStateIsReadIntoItsField) {
   EXPECT_EQ(read_with("choices", "18446744073709551615").choices, 18446744073709551615U);
   EXPECT_TRUE(read_with("depth_clamp", "true").depth_clamp);
   EXPECT_FALSE(read_with("depth_clamp", "false").depth_clamp);
+  EXPECT_EQ(
+      read_with("depth_bias", R"({"constant": -3, "slope": 0.5, "clamp": "-0x1p-8"})").depth_bias,
+      (DepthBias{-3, 0.5F, -0x1p-8F}));
   EXPECT_EQ(read_with("found", R"({"property": "l", "backend": "b", "verdict": "v", "seed": 1,
                                    "index": 2})")
                 .found,
@@ -185,6 +194,9 @@ TEST(CaseReader, EveryWordMeansWhatItSays) {
   EXPECT_EQ(read_with("cull", R"("back")").cull, Cull::back);
   EXPECT_EQ(read_with("front_face", R"("ccw")").front_face, FrontFace::ccw);
   EXPECT_EQ(read_with("depth_test", R"("none")").depth_test, DepthTest::none);
+  EXPECT_EQ(read_with("depth_format", R"("float32")").depth_format, DepthFormat::float32);
+  EXPECT_EQ(read_with("depth_format", R"("unorm16")").depth_format, DepthFormat::unorm16);
+  EXPECT_EQ(read_with("depth_format", R"("unorm24")").depth_format, DepthFormat::unorm24);
   EXPECT_EQ(read_with("fill_rule", R"("top_left")").fill_rule, TieRule::top_left);
   EXPECT_EQ(read_with("basis", R"("ideal")").basis, Basis::ideal);
   EXPECT_EQ(read_with("basis", R"("snapped")").basis, Basis::snapped);
@@ -267,6 +279,15 @@ TEST(CaseReader, LimitsAreInclusive) {
 }
 
 // Like the example in docs/case-format.md, but with more members and with one vertex three times.
+// A clamp without anything to clamp is no bias, but is kept.
+TEST(CaseReader, AClampAloneIsNoBias) {
+  const DepthBias bias = read_with("depth_bias", R"({"clamp": 0.5})").depth_bias;
+  EXPECT_EQ(bias.clamp, 0.5F);
+  EXPECT_TRUE(bias.is_none());
+  EXPECT_FALSE(read_with("depth_bias", R"({"slope": "0x1p-149"})").depth_bias.is_none());
+  EXPECT_FALSE(read_with("depth_bias", R"({"constant": -1})").depth_bias.is_none());
+}
+
 TEST(CaseReader, TheExampleOfTheContractReads) {
   const std::string vertex = R"({"position": [0.5, "0x1.8p-2", 0, 1], "attributes": ["0x1p-3"]})";
   const Case c = read(R"({

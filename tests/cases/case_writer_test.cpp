@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cases/case_reader.h"
+#include "cases/names.h"
 
 namespace rastercheck::cases::case_writer_test {
 namespace {
@@ -38,6 +39,7 @@ std::vector<std::uint32_t> bits_of(const Case& c) {
   };
   const Viewport& v = c.viewport;
   add(std::array{v.x, v.y, v.width, v.height, v.min_depth, v.max_depth});
+  add(std::array{c.depth_bias.constant, c.depth_bias.slope, c.depth_bias.clamp});
   if (c.coverage) add(std::array{c.coverage->position_error});
   if (c.camera) {
     add(c.camera->model);
@@ -81,6 +83,8 @@ Case every_key() {
   c.depth_test = DepthTest::less;
   c.depth_clear = 0.1F;
   c.depth_clamp = true;
+  c.depth_bias = {16777217.0F * 2, -0.1F, 0x1p-24F};
+  c.depth_format = DepthFormat::unorm24;
   c.attributes = {{"u", Interpolation::noperspective, Location::centroid},
                   {"v", Interpolation::flat, Location::center}};
   c.camera = Camera{};
@@ -157,6 +161,20 @@ TEST(CaseWriter, APositionErrorOfMinusZeroKeepsItsSign) {
   expect_read_back_the_same(c);
 }
 
+TEST(CaseWriter, EveryPartOfADepthBiasSurvives) {
+  for (const DepthBias& bias : {DepthBias{1, 0, 0}, DepthBias{0, -1, 0}, DepthBias{0, 0, 0.5F},
+                                DepthBias{-0.0F, 0, 0}, DepthBias{0, 0, -0.0F}}) {
+    Case c = one_triangle();
+    c.depth_bias = bias;
+    expect_read_back_the_same(c);
+  }
+  for (const DepthFormat format : kDepthFormatsOfCases) {
+    Case c = one_triangle();
+    c.depth_format = format;
+    expect_read_back_the_same(c);
+  }
+}
+
 TEST(CaseWriter, NamesOfAnyTextSurvive) {
   for (const std::string& name :
        {std::string("quote \" backslash \\ slash /"), std::string("line\nline\r\n\ttab"),
@@ -197,8 +215,8 @@ TEST(CaseWriter, OptionalKeysThatAreNotSetAreLeftOut) {
   const std::string text = to_json(one_triangle());
   for (const char* key :
        {"\"basis\"", "\"fill_rule\"", "\"scissor\"", "\"depth_test\"", "\"depth_clamp\"",
-        "\"depth_clear\"", "\"essential\"", "\"choices\"", "\"attributes\"", "\"camera\"",
-        "\"clip_distances\"", "\"found\"", "\"position_error\""}) {
+        "\"depth_clear\"", "\"depth_bias\"", "\"depth_format\"", "\"essential\"", "\"choices\"",
+        "\"attributes\"", "\"camera\"", "\"clip_distances\"", "\"found\"", "\"position_error\""}) {
     EXPECT_THAT(text, Not(HasSubstr(key)));
   }
 }
@@ -244,6 +262,8 @@ Case random_case() {
     snapping.position_error = static_cast<float>(*rc::gen::inRange(0, 1 << 24)) * 0x1p-12F;
     c.coverage = snapping;
   }
+  c.depth_bias = {*any_float(), *any_float(), *any_float()};
+  c.depth_format = *rc::gen::elementOf(kDepthFormatsOfCases);
   const auto attributes = *rc::gen::inRange<std::size_t>(0, 4);
   for (std::size_t i = 0; i < attributes; ++i) {
     const auto interpolation =

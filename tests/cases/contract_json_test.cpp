@@ -42,6 +42,8 @@ ContractTerms all_terms() {
   terms.clip_error = 0.0625F;
   terms.viewport_error = 0.5F;
   terms.depth_format = DepthFormat::unorm24;
+  terms.depth_store = DepthStore::nearly_nearest;
+  terms.depth_bias = BiasPromise{BiasSlope::root, BiasUnit::open, BiasExponent::open};
   terms.depth_function = KeptDepth::greater_or_equal;
   terms.depth_error = DepthError::never_farther;
   terms.claims = Claim::affine;
@@ -119,6 +121,38 @@ TEST(ContractJson, HasDistancesBeyondTheViewport) {
   of_origin.guard_band = 99.0F;
   EXPECT_EQ(with_terms(own, of_origin, Case()).guard_beyond_viewport, std::nullopt);
   EXPECT_EQ(with_terms(own, terms, Case()).guard_beyond_viewport, 0.0F);
+}
+
+TEST(ContractJson, HasWordsForBiasAndStorage) {
+  const auto bias = [](const std::string& text) {
+    return parse("\"depth_bias\": " + text).value_or(ContractTerms()).depth_bias;
+  };
+  EXPECT_EQ(bias("{}"), BiasPromise());
+  EXPECT_EQ(bias(R"({"slope": "between"})"), (BiasPromise{.slope = BiasSlope::between}));
+  EXPECT_EQ(bias(R"({"unit": "double_power"})"), (BiasPromise{.unit = BiasUnit::double_power}));
+  EXPECT_EQ(bias(R"({"unit": "either_power"})"), (BiasPromise{.unit = BiasUnit::either_power}));
+  EXPECT_EQ(bias(R"({"unit": "least_value"})"), (BiasPromise{.unit = BiasUnit::least_value}));
+  EXPECT_EQ(bias(R"({"exponent": "open"})"), (BiasPromise{.exponent = BiasExponent::open}));
+  EXPECT_EQ(parse(R"("depth_store": "either")").value_or(ContractTerms()).depth_store,
+            DepthStore::either);
+  EXPECT_THAT(refusal(R"("depth_bias": {"slope": "steep"})"), HasSubstr("/depth_bias/slope"));
+  EXPECT_THAT(refusal(R"("depth_bias": {"clamp": 1})"), HasSubstr("/depth_bias"));
+  EXPECT_THAT(refusal(R"("depth_store": "unorm")"), HasSubstr("/depth_store"));
+}
+
+// A case that asks for a unorm format gets it; the term is about the other cases.
+TEST(ContractJson, LeavesTheFormatOfACaseThatAsksForOne) {
+  ContractTerms terms;
+  terms.depth_format = DepthFormat::float64;
+  terms.depth_store = DepthStore::either;
+  terms.depth_bias = BiasPromise{.slope = BiasSlope::root};
+  Case c;
+  EXPECT_EQ(with_terms(contract_of(c), terms, c).depth_format, DepthFormat::float64);
+  c.depth_format = DepthFormat::unorm24;
+  const Contract contract = with_terms(contract_of(c), terms, c);
+  EXPECT_EQ(contract.depth_format, DepthFormat::unorm24);
+  EXPECT_EQ(contract.depth_store, DepthStore::either);
+  EXPECT_EQ(contract.depth_bias.slope, BiasSlope::root);
 }
 
 // Each message names both members.
@@ -250,6 +284,8 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   expected.clip_error = 0.0625;
   expected.viewport_error = 0.5;
   expected.depth_format = DepthFormat::unorm24;
+  expected.depth_store = DepthStore::nearly_nearest;
+  expected.depth_bias = {BiasSlope::root, BiasUnit::open, BiasExponent::open};
   expected.claims = Claim::affine;
   expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4, 0x1p-9F}, {0.51F}};
   expected.keeps_equal_depth = true;

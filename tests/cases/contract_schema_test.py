@@ -50,6 +50,8 @@ FULL_CONTRACT = {
     "clip_error": 0.25,
     "viewport_error": 0.5,
     "depth_format": "unorm24",
+    "depth_store": "either",
+    "depth_bias": {"slope": "between", "unit": "least_value", "exponent": "open"},
     "depth_function": "less_or_equal",
     "depth_error": "never_nearer",
     "claims": "affine",

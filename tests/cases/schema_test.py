@@ -235,6 +235,8 @@ FULL_CASE = {
     "depth_test": "less",
     "depth_clear": 0.5,
     "depth_clamp": True,
+    "depth_bias": {"constant": -2, "slope": "0x1.8p+0", "clamp": -0.125},
+    "depth_format": "unorm16",
     "essential": ["rules", "centroid"],
     "choices": 18446744073709551615,
     "picture": {

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Compares `rastercheck oracle` with the second opinion (second_opinion/rules.py).
 
-For each random case (seeds S to S+N-1), each FILE and, with --vectors, each known answer, the
-program's fragments must equal those of rules.py: same samples, verdicts, reasons, rationals, ranges
-and nulls. Cases with a camera are compared twice, the second time with --clip. The last line counts
-what was compared. A run of 500 or more random cases also fails if it met no fragment, no permitted
-sample, no tie or no range.
+For each random case (seeds S to S+N-1), each random case with a depth bias or a unorm format of
+depth (--biased), each FILE and, with --vectors, each known answer, the program's fragments must
+equal those of rules.py: same samples, verdicts, reasons, rationals, ranges and nulls. Cases with a
+camera are compared twice, the second time with --clip. The last line counts what was compared. A
+run of 500 or more random cases also fails if it met no fragment, no permitted sample, no tie or no
+range, or no biased fragment if it was to meet some.
 
 --self-check needs no program: it compares rules.py with the known answers alone.
 """
@@ -31,10 +32,12 @@ SHOWN = 10  # differences printed in full
 class Tally:
     def __init__(self):
         self.cases = self.failures = self.fragments = self.permitted = self.ties = self.ranges = 0
+        self.biased = 0
 
-    def count(self, fragments):
+    def count(self, fragments, is_biased=False):
         self.cases += 1
         self.fragments += len(fragments)
+        self.biased += len(fragments) if is_biased else 0
         for f in fragments:
             self.permitted += f["verdict"] == "permitted"
             self.ties += f["reason"] == "tie"
@@ -42,7 +45,7 @@ class Tally:
 
     def __str__(self):
         return (f"second opinion: {self.cases} cases, {self.fragments} fragments, of which "
-                f"{self.permitted} permitted, {self.ties} ties, {self.ranges} with ranges; "
+                f"{self.permitted} permitted, {self.ties} ties, {self.ranges} with ranges, {self.biased} biased; "
                 f"{self.failures} differences")
 
 
@@ -76,7 +79,7 @@ def compare(binary, label, case, clip, tally, keep):
     expected = rules.oracle(case, clip)["fragments"]
     fragments, trouble = ask(binary, case, clip)
     if trouble is None:
-        tally.count(expected)
+        tally.count(expected, is_biased="depth_bias" in case)
         difference = first_difference(fragments, expected)
         if difference is None:
             return
@@ -91,6 +94,14 @@ def compare(binary, label, case, clip, tally, keep):
         name = "".join(c if c.isalnum() else "_" for c in os.path.basename(label)) + ".json"
         with open(os.path.join(keep, name), "w", encoding="utf-8") as file:
             json.dump(case, file, indent=1)
+
+
+def biased_case(seed):
+    """A random case with a bias or a unorm format that rules.py answers."""
+    case = generate.random_biased_case(seed)
+    if not rules.is_decided(case) or not rules.is_decided(case, clip=True):
+        del case["depth_bias"]["slope"]
+    return case
 
 
 def read_json(path):
@@ -127,6 +138,8 @@ def main():
     parser.add_argument("binary", nargs="?", metavar="RASTERCHECK_BINARY")
     parser.add_argument("files", nargs="*", metavar="FILE", help="case files, or known answers")
     parser.add_argument("--cases", type=int, default=200, metavar="N", help="random cases (default 200)")
+    parser.add_argument("--biased", type=int, default=0, metavar="N",
+                        help="random cases with a depth bias or a unorm format (default 0)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="first seed (default 1)")
     parser.add_argument("--vectors", metavar="DIR", help="known answers: {\"case\": ..., \"oracle\": ...}")
     parser.add_argument("--keep", metavar="DIR", help="save the cases that differ")
@@ -152,9 +165,12 @@ def main():
         both(path, case)
     for seed in range(options.seed, options.seed + options.cases):
         both(f"seed {seed}", generate.random_case(seed))
+    for seed in range(options.seed, options.seed + options.biased):
+        both(f"biased {seed}", biased_case(seed))
 
-    vacuous = [k for k in ("fragments", "permitted", "ties", "ranges") if getattr(tally, k) == 0]
-    if tally.fragments == 0 or (options.cases >= ENOUGH_CASES and vacuous):
+    wanted = ["fragments", "permitted", "ties", "ranges"] + (["biased"] if options.biased else [])
+    vacuous = [k for k in wanted if getattr(tally, k) == 0]
+    if tally.fragments == 0 or (options.cases + options.biased >= ENOUGH_CASES and vacuous):
         print(f"nothing was compared: no {', no '.join(vacuous)}")
         tally.failures += 1
     print(tally)

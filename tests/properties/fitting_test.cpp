@@ -46,6 +46,7 @@ Capabilities of_little() {
                Feature::side_clipping, Feature::clip_distances,
                Feature::depth_clamp,   Feature::depth_range,
                Feature::depth_test,    Feature::depth_clear,
+               Feature::depth_bias,    Feature::unorm_depth,
                Feature::viewport,      Feature::viewport_fractions,
                Feature::scissor,       Feature::culling,
                Feature::noperspective, Feature::flat};
@@ -103,6 +104,22 @@ TEST(RandomCases, AreNotMadeForNumbersThatNoCaseHas) {
   terms.numbers = cases::MagnitudeRange{0.5F, 4};
   backend->hold_to(terms);
   EXPECT_EQ(capabilities_of(*backend).numbers, *terms.numbers);
+}
+
+TEST(FittedCases, StoreAndBiasDepthsOnlyWhereTheBackendDoes) {
+  cases::Case biased;
+  biased.depth_bias = {1, 2, 0.5F};
+  biased.depth_format = cases::DepthFormat::unorm16;
+  cases::Case c = biased;
+  EXPECT_TRUE(leave_out(c, Feature::depth_bias, {}));
+  EXPECT_EQ(c.depth_bias, cases::DepthBias());
+  EXPECT_EQ(c.depth_format, cases::DepthFormat::unorm16);
+  EXPECT_FALSE(needs(c, Feature::depth_bias));
+  c = biased;
+  EXPECT_TRUE(leave_out(c, Feature::unorm_depth, {}));
+  EXPECT_EQ(c.depth_bias, biased.depth_bias);
+  EXPECT_EQ(c.depth_format, cases::DepthFormat::float32);
+  EXPECT_FALSE(needs(c, Feature::unorm_depth));
 }
 
 /// The number of 2,000 generated cases for which `has` is true.

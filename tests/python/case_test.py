@@ -11,6 +11,7 @@ from rastercheck import (
     Case,
     CaseError,
     Channel,
+    DepthBias,
     Found,
     Framebuffer,
     PictureLayout,
@@ -41,8 +42,10 @@ DEFAULTS = {
         "front_face": "ccw",
         "depth_test": "none",
         "depth_clamp": False,
+        "depth_format": "float32",
         "attributes": [],
     },
+    "depth_bias": {"constant": 0.0, "slope": 0.0, "clamp": 0.0},
     "framebuffer": {"samples": 1.0},
     "viewport": {"min_depth": 0.0, "max_depth": 1.0},
     "coverage": {"rounding": "nearest_even", "position_error": 0.0},
@@ -126,6 +129,8 @@ def test_all_members_come_back():
         depth_test="less",
         depth_clear=0.5,
         depth_clamp=True,
+        depth_bias=DepthBias(-2, 0.5, float32(0.1)),
+        depth_format="unorm24",
         attributes=[Attribute("u", "flat", "centroid"), Attribute("v")],
         camera=Camera(projection=[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 0]),
         essential=["flat", "samples"],
@@ -142,6 +147,20 @@ def test_all_members_come_back():
     assert again == case
     assert hash(again) == hash(case)
     assert math.copysign(1, again.vertices[0].attributes[1]) == -1
+
+
+def test_a_depth_bias_needs_not_have_all_members():
+    for member, bias in (
+        ('{"constant": 0}', DepthBias()),
+        ('{"slope": 2}', DepthBias(slope=2.0)),
+        ('{"clamp": "-0x1p-3", "constant": 1}', DepthBias(1.0, 0.0, -0.125)),
+    ):
+        text = TRIANGLE.to_json().replace('"rules"', f'"depth_bias": {member}, "rules"', 1)
+        case = Case.from_json(text)
+        assert case.depth_bias == bias
+        assert Case.from_json(case.to_json()) == case
+    assert TRIANGLE.depth_bias is None
+    assert "depth_bias" not in TRIANGLE.to_json()
 
 
 def test_minus_zero_keeps_its_sign():

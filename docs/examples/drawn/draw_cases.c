@@ -10,8 +10,9 @@
  * what was drawn.
  *
  * Files are little-endian, and so must be the machine. The formats: a file of draws begins with
- * "RCDRAW1\n" and the 28 numbers of read_draw(), and then has its arrays; a drawing begins with
- * "RCDRAWN1" and the number of draws, each of which write_output() writes.
+ * "RCDRAW1\n" and the 28 numbers of read_draw(), or with "RCDRAW2\n" and 32, and then has its
+ * arrays; a drawing begins with "RCDRAWN1" and the number of draws, each of which write_output()
+ * writes.
  */
 #include <math.h>
 #include <stdio.h>
@@ -55,7 +56,8 @@ static float as_float(uint32_t word) {
 /* Reads a file of draws. The arrays stay in `bytes`. Returns 0 if the file is of another kind. */
 static int read_draw(const char* bytes, size_t size, rastercheck_draw* draw) {
   const uint32_t* w = (const uint32_t*)(bytes + 8);
-  if (size < 8 + 28 * 4 || memcmp(bytes, "RCDRAW1\n", 8) != 0) return 0;
+  const int has_depth_words = size >= 8 + 32 * 4 && memcmp(bytes, "RCDRAW2\n", 8) == 0;
+  if (!has_depth_words && (size < 8 + 28 * 4 || memcmp(bytes, "RCDRAW1\n", 8) != 0)) return 0;
   *draw = (rastercheck_draw){
       .size = sizeof *draw,
       .rules = w[0],
@@ -88,6 +90,13 @@ static int read_draw(const char* bytes, size_t size, rastercheck_draw* draw) {
       .depth_clear = as_float(w[27]),
   };
   w += 28;
+  if (has_depth_words) {
+    draw->bias_constant = as_float(w[0]);
+    draw->bias_slope = as_float(w[1]);
+    draw->bias_clamp = as_float(w[2]);
+    draw->depth_bits = w[3];
+    w += 4;
+  }
   const size_t vertices = draw->vertex_count;
   draw->sample_positions = take(&w, (size_t)draw->samples * 2);
   draw->positions = take(&w, vertices * 4);
@@ -100,7 +109,8 @@ static int read_draw(const char* bytes, size_t size, rastercheck_draw* draw) {
 
 static void write_word(FILE* file, uint32_t word) { fwrite(&word, sizeof word, 1, file); }
 
-/* Writes the answer to one draw: the status and, of what was drawn, the rectangle that it lies in. */
+/* Writes the answer to one draw: the status and, of what was drawn, the rectangle that it lies in.
+ */
 static void write_output(FILE* file, uint32_t status, const rastercheck_draw* draw,
                          const rastercheck_output* out) {
   const uint32_t length = status == RASTERCHECK_OK ? 0 : (uint32_t)strlen(out->message);
@@ -129,6 +139,20 @@ static void write_output(FILE* file, uint32_t status, const rastercheck_draw* dr
     const size_t row = ((size_t)y * draw->width + out->min_x) * draw->samples;
     fwrite(out->attributes + row * values, sizeof(float), columns * values, file);
   }
+}
+
+/* Draws, unless the plugin says that it lacks what only a file of the second kind asks for. */
+static uint32_t draw_or_refuse(const rastercheck_plugin* plugin, const rastercheck_draw* draw,
+                               rastercheck_output* out) {
+  const uint32_t lacks = plugin->contract->lacks;
+  const int has_bias = draw->bias_constant != 0 || draw->bias_slope != 0;
+  if ((has_bias && (lacks & RASTERCHECK_LACKS_DEPTH_BIAS) != 0) ||
+      (draw->depth_bits != 0 && (lacks & RASTERCHECK_LACKS_UNORM_DEPTH) != 0)) {
+    snprintf(out->message, out->message_size, "a depth bias, or depths of %u bits",
+             draw->depth_bits);
+    return RASTERCHECK_UNSUPPORTED;
+  }
+  return plugin->draw(draw, out);
 }
 
 /* Draws a case and writes its drawing. Returns 0 if there is not enough memory. */
@@ -163,7 +187,7 @@ static int draw_case(const rastercheck_plugin* plugin, const rastercheck_draw* w
       out.min_x = out.min_y = 0;
       out.max_x = draw.width;
       out.max_y = draw.height;
-      write_output(file, plugin->draw(&draw, &out), &draw, &out);
+      write_output(file, draw_or_refuse(plugin, &draw, &out), &draw, &out);
     }
   } else {
     write_word(file, 0);

@@ -208,6 +208,12 @@ constexpr std::array kOfPlaces{
                 }},
     PlainChange{"there is no depth test", [](Case& c) { c.depth_test = cases::DepthTest::none; }},
     PlainChange{"the depth buffer is cleared to 1", [](Case& c) { c.depth_clear.reset(); }},
+    PlainChange{"depth is not biased", [](Case& c) { c.depth_bias = {}; }},
+    PlainChange{"the slope biases no depth", [](Case& c) { c.depth_bias.slope = 0; }},
+    PlainChange{"the constant biases no depth", [](Case& c) { c.depth_bias.constant = 0; }},
+    PlainChange{"the bias is not clamped", [](Case& c) { c.depth_bias.clamp = 0; }},
+    PlainChange{"depth is stored as float32",
+                [](Case& c) { c.depth_format = cases::DepthFormat::float32; }},
     PlainChange{"depth runs in the other direction",
                 [](Case& c) {
                   // Direct3D has no viewports with min_depth > max_depth.

@@ -19,6 +19,11 @@ def f32(x):
     return struct.unpack("<f", struct.pack("<f", x))[0]
 
 
+def value_of(text):
+    """The number of one of the spellings of `written`."""
+    return float.fromhex(text) if isinstance(text, str) else float(text)
+
+
 def next_f32(x, direction):
     """The float32 neighbour of x towards +-infinity (direction +1 or -1)."""
     if x == 0:
@@ -461,6 +466,31 @@ def random_case(seed: int, family: str = "") -> dict:
             vertex["clip_distances"] = [written(rng, c) for c in d.distances[index]]
         case["vertices"].append(vertex)
     case["triangles"] = d.triangles
+    return case
+
+
+def random_biased_case(seed: int) -> dict:
+    """Case number `seed` with a depth bias, a unorm format, or both."""
+    case = random_case(seed)
+    rng = random.Random(f"bias {seed}")
+    depth_format = rng.choice([None, "float32", "unorm16", "unorm16", "unorm24"])
+    if depth_format is not None:
+        case["depth_format"] = depth_format
+    if depth_format in (None, "float32") or rng.random() < 0.8:
+        def signed(values):
+            return rng.choice([-1, 1]) * rng.choice(values)
+
+        bias = {"constant": signed([0, 1, 1, 3, 1000, 2.0 ** 16, 2.0 ** 22, rng.uniform(0, 2 ** 20)]),
+                "slope": signed([0, 0, 0.5, 1, 2, 2.0 ** -10, rng.uniform(0, 4)]),
+                "clamp": signed([0, 0, 2.0 ** -3, 2.0 ** -10, 2.0 ** -20, rng.uniform(0, 1)])}
+        case["depth_bias"] = {key: written(rng, f32(value)) for key, value in bias.items() if value != 0
+                              or rng.random() < 0.5}
+    if rng.random() < 0.2:  # half-way between two numbers of every unorm format
+        for vertex in case["vertices"]:
+            if "camera" not in case and abs(w := value_of(vertex["position"][3])) > 2.0 ** -100:
+                vertex["position"][2] = written(rng, (0 if case["rules"] == "opengl" else 0.5) * w)
+    if case.get("depth_test") == "less" and rng.random() < 0.5:
+        case["depth_clear"] = written(rng, f32(rng.choice([0.5, 1, rng.uniform(0, 1)])))
     return case
 
 

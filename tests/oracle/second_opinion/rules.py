@@ -18,22 +18,26 @@ Three coverages:
   snapped cut   some vertex is clipped (behind the eye, beyond the guard band, or outside a clip plane): each
                 boundary answers in, out or maybe; samples near a cut boundary are permitted.
 Attributes and depth come from the ideal map, the placed one, or both (`basis`); where several points or
-placements are allowed, a value is a range [lo, hi].
+placements are allowed, a value is a range [lo, hi]. Depth is biased and clamped, but not yet stored in the case's
+format (depth.py); a depth test compares what is stored.
 
 Window coordinates are pixels; grid coordinates g are integers in units of 2^-subpixel_bits pixels; sample
 offsets are sixteenths of a pixel. Nothing is rounded, except clip positions to float32 with clip=True.
 
-What this does not do: check its input, draw quickly, or share code with the oracle.
+What this does not do: check its input, draw quickly, share code with the oracle, or answer for a slope bias
+where several maps give the depth (`is_decided`).
 Usage: rules.py [--clip] CASE.json
 """
 
 import collections
+import functools
 import itertools
 import json
 import math
 import sys
 from fractions import Fraction
 
+import depth as stored_depth
 from exact import (adjugate, clip_polygon, combine, corners_of, cross, dot, hull_of, in_convex_hull, number,
                    rectangle, round_to_float32, sign)
 
@@ -79,6 +83,12 @@ class Case:
         self.clamps_depth = self.depth_clamp or self.rules == "d3d"
         self.depth_test = case.get("depth_test", "none")
         self.depth_clear = number(case["depth_clear"]) if "depth_clear" in case else None
+        self.bias = stored_depth.read_bias(case)
+        self.depth_bits = stored_depth.BITS[case.get("depth_format", "float32")]
+        if self.clamps_depth:
+            self.depth_limits = sorted((self.near, self.far))
+        else:  # drawn without bias in floats, a depth is within the range that clipping leaves
+            self.depth_limits = (0, 1) if self.bias or self.depth_bits else None
         self.attributes = [(a.get("interpolation", "smooth"), a.get("location", "sample"))
                            for a in case.get("attributes", [])]
         self.basis = case.get("basis", "snapped" if self.rules == "d3d" else "ideal")
@@ -522,14 +532,47 @@ class Triangle:
             values.append(self.value_at(channel, centre, style))
         return (None if None in values else hull_of(values)), len(values)
 
-    # ---- output ----
+    # ---- depth ----
+
+    def slope(self):
+        """max(|z_x|, |z_y|) per pixel; None where several maps give the depth, 0 where none does."""
+        if self.case.basis == "ideal":
+            q = self.ideal
+        elif self.has_one_map():
+            q = self.corner_maps[0]
+        else:
+            return None
+        if q.rows is None:
+            return Fraction(0)
+        z_x, z_y, _ = combine(q.rows, self.z)
+        scale = self.case.depth(Fraction(1)) - self.case.depth(Fraction(0))  # from z/w to window depth
+        return abs(scale) * max(abs(z_x), abs(z_y))
+
+    @functools.cached_property
+    def offset(self):
+        """What the bias adds to all depths."""
+        case = self.case
+        if case.bias is None:
+            return 0
+        low, high = sorted((case.near, case.far))
+        depths = [min(max(case.depth(z / w), low), high) if w > 0 else high for z, w in zip(self.z, self.w)]
+        r = stored_depth.unit(case.depth_bits, case.rules, depths)
+        m = self.slope() if case.bias.slope else 0
+        assert m is not None, "the slope is undecided: see is_decided()"
+        return stored_depth.offset(case.bias, m, r)
 
     def fragment_depth(self, p):
+        """The range of depths at p, biased and clamped; None where no map gives one."""
         value = self.value_at(self.depth_channel, p, "sample")
-        if value is not None and self.case.clamps_depth:
-            low, high = sorted((self.case.near, self.case.far))
+        if value is None:
+            return None
+        value = tuple(v + self.offset for v in value)
+        if self.case.depth_limits:
+            low, high = self.case.depth_limits
             value = tuple(min(max(v, low), high) for v in value)
         return value
+
+    # ---- output ----
 
     def attribute(self, k, x, y, p, points, verdicts):
         """(value, does it print as a range by rule)."""
@@ -551,7 +594,7 @@ class Triangle:
         return self.centroid_any(channel, x, y, covered), True
 
     def fragments(self, index):
-        """By y, x, sample; "range" is the depth as numbers, for the depth test."""
+        """By y, x, sample; "range" is what a depth test compares, as numbers."""
         case, found = self.case, []
         for y, x in itertools.product(range(case.height), range(case.width)):
             verdicts = [self.verdict(x, y, offset) for offset in case.samples]
@@ -564,7 +607,7 @@ class Triangle:
                               for k in range(len(case.attributes))]
                 found.append({"triangle": index, "x": x, "y": y, "sample": sample, "verdict": judgement[0],
                               "reason": judgement[1], "depth": printed(depth, self.ranged),
-                              "attributes": attributes, "range": depth})
+                              "attributes": attributes, "range": stored_depth.compared(depth, case.depth_bits)})
         return found
 
 
@@ -577,34 +620,12 @@ def printed(value, ranged):
     return str(value[0])
 
 
-def depth_test_less(fragments, clear):
-    """Keeps fragments that may be nearest; those not surely nearest become permitted.
-
-    clear: the depth buffer's initial value; None: 1 or anything beyond it.
-    """
-    def nearer(a, b):  # surely, in any choice of values; a tie goes to the earlier triangle
-        if a["range"] is None or b["range"] is None:
-            return False
-        high, low = a["range"][1], b["range"][0]
-        return high < low or (high == low and a["triangle"] < b["triangle"])
-
-    def lies_before(a):  # the buffer's beginning, surely
-        return a["range"] is not None and a["range"][1] < (1 if clear is None else clear)
-
-    if clear is not None:
-        fragments = [f for f in fragments if f["range"] is None or f["range"][0] < clear]
-    groups = {}
-    for f in fragments:
-        groups.setdefault((f["y"], f["x"], f["sample"]), []).append(f)
-    kept = []
-    for f in fragments:
-        others = [g for g in groups[f["y"], f["x"], f["sample"]] if g is not f]
-        if any(g["verdict"] == REQUIRED and nearer(g, f) for g in others):
-            continue
-        if f["verdict"] == REQUIRED and not (lies_before(f) and all(nearer(f, g) for g in others)):
-            f = {**f, "verdict": PERMITTED, "reason": "depth"}
-        kept.append(f)
-    return kept
+def is_decided(case: dict, clip: bool = False) -> bool:
+    """False if a triangle's slope matters to its depths, but several maps give them."""
+    parsed = Case(case, clip)
+    if parsed.bias is None or parsed.bias.slope == 0:
+        return True
+    return all(Triangle(parsed, indices).slope() is not None for indices in case["triangles"])
 
 
 def oracle(case: dict, clip: bool = False) -> dict:
@@ -614,7 +635,7 @@ def oracle(case: dict, clip: bool = False) -> dict:
     for index, indices in enumerate(case["triangles"]):
         fragments += Triangle(parsed, indices).fragments(index)
     if parsed.depth_test == "less":
-        fragments = depth_test_less(fragments, parsed.depth_clear)
+        fragments = stored_depth.depth_test_less(fragments, parsed.depth_clear, parsed.depth_bits)
     for f in fragments:
         del f["range"]
     return {"format": "rastercheck-oracle", "version": 1, "case": case.get("name", ""),

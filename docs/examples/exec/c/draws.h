@@ -129,6 +129,10 @@ static inline void draws_read_member(draws* d, const char* key, size_t length, c
   DRAWS_READ(depth_test, draw, *value == 't');
   DRAWS_READ(depth_clamp, draw, *value == 't');
   DRAWS_READ(depth_clear, draw, draws_float(value));
+  DRAWS_READ(bias_constant, draw, draws_float(value));
+  DRAWS_READ(bias_slope, draw, draws_float(value));
+  DRAWS_READ(bias_clamp, draw, draws_float(value));
+  DRAWS_READ(depth_bits, draw, draws_uint(value));
   DRAWS_READ(coverage, draw, draws_index("as_asked exact snapped", value));
   DRAWS_READ(subpixel_bits, draw, draws_uint(value));
   DRAWS_READ(rounding, draw, draws_index("nearest_even half_up", value));

@@ -71,6 +71,7 @@ draw! {
     scissor_x: i32, scissor_y: i32, scissor_width: i32, scissor_height: i32,
     cull: Cull, front_face: FrontFace,
     depth_test: bool, depth_clamp: bool, depth_clear: f32,
+    bias_constant: f32, bias_slope: f32, bias_clamp: f32, depth_bits: u32,
     coverage: Coverage, subpixel_bits: u32, rounding: Rounding, tie_rule: TieRule, basis: Basis,
     vertex_count: usize, triangle_count: usize,
     attribute_count: usize, clip_distance_count: usize
