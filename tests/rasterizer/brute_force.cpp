@@ -112,7 +112,16 @@ bool BruteForce::covers(const Rational& u, const Rational& v) const {
 }
 
 Rational BruteForce::depth(const Rational& u, const Rational& v) const {
-  return clamped_to_range(in_range(combined(z_).at(u, v)));
+  return clamped_to_range(plane_depth(u, v));
+}
+
+Rational BruteForce::plane_depth(const Rational& u, const Rational& v) const {
+  return in_range(combined(z_).at(u, v));
+}
+
+Rational BruteForce::steepness() const {
+  const Functional z = combined(z_);
+  return std::max(Rational(abs(z.a)), Rational(abs(z.b))) * abs(in_range(1) - in_range(0));
 }
 
 /// The depth of z in clip space, divided by w.
@@ -150,17 +159,14 @@ Rational BruteForce::offset() const {
     // bits, 2^-24 is half a unit in the last place and what follows rounds it up.
     if (is_d3d) r *= 1 + power_of_two(bits == 16 ? -16 : -23);
   }
-  const Functional z = combined(z_);
-  const Rational span = in_range(1) - in_range(0);
-  const Rational m = std::max(Rational(abs(z.a)), Rational(abs(z.b))) * abs(span);
-  const Rational sum = m * Rational(bias.slope) + r * Rational(bias.constant);
+  const Rational sum = steepness() * Rational(bias.slope) + r * Rational(bias.constant);
   const Rational clamp = bias.clamp;
   if (clamp > 0 && sum > clamp) return clamp;
   return clamp < 0 && sum < clamp ? clamp : sum;
 }
 
 Rational BruteForce::biased_depth(const Rational& u, const Rational& v) const {
-  Rational depth = in_range(combined(z_).at(u, v));
+  Rational depth = plane_depth(u, v);
   if (!state_.depth_bias.is_none()) depth += offset();
   if (state_.depth_clamp || state_.convention == Convention::d3d) return clamped_to_range(depth);
   return depth < 0 ? Rational(0) : depth > 1 ? Rational(1) : depth;

@@ -25,6 +25,10 @@ class BruteForce {
   bool is_culled() const;
   bool covers(const Rational& u, const Rational& v) const;
   Rational depth(const Rational& u, const Rational& v) const;
+  /// The depth before it is clamped.
+  Rational plane_depth(const Rational& u, const Rational& v) const;
+  /// The greater |derivative| of that by u and by v.
+  Rational steepness() const;
   /// The depth with State::depth_bias, clamped, before it is stored in State::depth_format.
   Rational biased_depth(const Rational& u, const Rational& v) const;
 
