@@ -182,6 +182,19 @@ std::optional<float> stored_clear(const cases::Case& c) {
   return stored_clear(c, *c.depth_clear);
 }
 
+void promise_depths(const cases::Case& c, cases::Contract& contract) {
+  // The bounds, rounded up to short decimals. Depths are rounded to float32 or stored as integers,
+  // which has no bound in the contract's terms.
+  constexpr float kBound = 0.51F;
+  constexpr float kBoundBeforeStoring = 0.01F;
+  static_assert(kBound >= ras::kValueBound && kBoundBeforeStoring >= ras::kValueBound - 0.5);
+  const bool is_float = format(c.depth_format) == ras::DepthFormat::float32;
+  contract.bounds.depth = {is_float ? kBound : kBoundBeforeStoring};
+  contract.depth_format = c.depth_format;
+  contract.depth_bias.unit =
+      c.rules == cases::Rules::d3d ? cases::BiasUnit::least_value : cases::BiasUnit::power;
+}
+
 CaseMesh::CaseMesh(const cases::Case& c) : case_(c) {
   positions_.reserve(c.positions.size());
   for (const cases::ClipVertex& p : c.positions) positions_.emplace_back(p.x, p.y, p.z, p.w);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "cases/error.h"
 #include "cases/picture.h"
 #include "rasterizer/rasterizer.h"
@@ -37,6 +38,10 @@ rasterizer::State state_of(const cases::Case& c,
 float stored_clear(const cases::Case& c, float depth);
 /// What the case names as the depth buffer's initial value, as stored; empty if it names none.
 std::optional<float> stored_clear(const cases::Case& c);
+
+/// Adds what the rasterizer promises of depths (rasterizer.h): its bound, the format that a case
+/// asks for, and the bias.
+void promise_depths(const cases::Case& c, cases::Contract& contract);
 
 /// A case's triangles as the rasterizer's mesh. The case must outlive this object.
 class CaseMesh {

@@ -84,14 +84,14 @@ DepthRange depth_range(const State& state) {
   // covered pixel can lie outside it; their depths can then leave the range.
   const bool is_clamped = state.depth_clamp || state.convention == Convention::d3d;
   const bool may_leave = state.snapping || state.conservative == Conservative::outer;
-  range.steps = depth_steps(state.depth_format);
-  const bool has_own_limits = range.steps != 0 || !state.depth_bias.is_none();
-  if (has_own_limits && !is_clamped) {
-    range.least = 0;
-    range.greatest = 1;
-  } else if (may_leave && !is_clamped) {
+  if (may_leave && !is_clamped) {
     range.least = -std::numeric_limits<double>::infinity();
     range.greatest = std::numeric_limits<double>::infinity();
+  }
+  range.steps = depth_steps(state.depth_format);
+  if ((range.steps != 0 || !state.depth_bias.is_none()) && !is_clamped) {
+    range.least = 0;
+    range.greatest = 1;
   }
   return range;
 }
@@ -136,7 +136,7 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
   const std::array<double, 3> vertex_w{p[0].w, p[1].w, p[2].w};
   out.w = vertex_w;
   const bool has_one_w = p[0].w == p[1].w && p[1].w == p[2].w && p[0].w > 0;
-  out.depth = {depth_range(state), {p[0].z, p[1].z, p[2].z}, {}, {}};
+  out.depth = {depth_range(state), {p[0].z, p[1].z, p[2].z}, {}};
   const bool is_placed = source.corners[0] != nullptr;
   if (is_placed) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -211,7 +211,7 @@ void set_up_flat_values(const State& state, const ValueSource& source, TriangleV
   const std::size_t provoking = provoking_vertex(state);
   const glm::vec4& p = source.positions[provoking];
   out = TriangleValues();
-  out.depth = {depth_range(state), {}, {}, {}};
+  out.depth = {depth_range(state), {}, {}};
   if (has_equal_depth(source.positions)) {
     const glm::vec4& at = plane_vertex(source.positions);
     set_level_depth(state, source.positions, at.z, at.w, out);

@@ -74,7 +74,7 @@ struct DepthLine : DepthRange {
   std::array<double, 3> k{};
   /// The plane of the biased depth; constant if the triangle is a plane of equal depth.
   Plane plane;
-  DepthOffset offset;  ///< the bias
+  DepthOffset offset = {};  ///< the bias
 };
 
 struct TriangleValues {
