@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "rasterizer/internal/depth_store.h"
+#include "rasterizer/internal/exact_values.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -113,15 +114,6 @@ std::optional<double> certain_level(const BiasTerms& bias, const ClipPositions& 
 double exact_level(const BiasTerms& bias, const ClipPositions& vertices) {
   const std::optional<double> level = certain_level(bias, vertices);
   return level ? *level : (exact_power(bias, vertices) * kFloatStep) * bias.constant;
-}
-
-/// Σ k_i E_i.
-ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& k) {
-  ExactSum sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const double component : e[i].components()) sum.add_product(component, k[i]);
-  }
-  return sum;
 }
 
 /// m |det| T.

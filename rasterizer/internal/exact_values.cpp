@@ -58,7 +58,8 @@ double float_scale(const Weights& weights) {
   return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest) - 2) : 1;
 }
 
-/// Σ k_i E_i.
+}  // namespace
+
 ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& k) {
   ExactSum sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -66,8 +67,6 @@ ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& 
   }
   return sum;
 }
-
-}  // namespace
 
 DepthRange depth_range(const State& state) {
   // Turns −0 into 0, because the greater of two zeros may or may not be −0.

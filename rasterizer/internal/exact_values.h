@@ -103,6 +103,9 @@ struct ValueSource {
   PieceCorners corners{};
 };
 
+/// Returns Σ k_i E_i without rounding.
+ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& k);
+
 /// Prepares the values for evaluation.
 void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
                    TriangleValues& out);
