@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
+#include "rasterizer/internal/depth_store.h"
 #include "rasterizer/rasterizer.h"
 #include "tests/rasterizer/brute_force.h"
 #include "tests/rasterizer/kept_frame.h"
@@ -259,6 +260,21 @@ TEST(UnormDepth, IsWhatTheDepthTestCompares) {
   }
 }
 
+/// `drawn` is the stored depth of a sample, `exact` that before it is stored.
+void expect_within_bound(const State& state, float drawn, const Rational& exact) {
+  const Rational bound = Rational(1, 2) + power_of_two(-7);
+  const double steps = depth_steps(state.depth_format);
+  if (steps == 0) {
+    const Rational scale = std::max(state.viewport.min_depth, state.viewport.max_depth);
+    const Rational error = abs(Rational(drawn) - exact);
+    ASSERT_LE(error, bound * float_ulp(std::max(exact, scale))) << exact.get_d();
+    return;
+  }
+  const double k = std::round(double{drawn} * steps);
+  ASSERT_EQ(drawn, static_cast<float>(k / steps));
+  ASSERT_LE(abs(Rational(k) - exact * Rational(steps)), bound) << exact.get_d();
+}
+
 DepthBias random_bias(Random& random) {
   DepthBias bias;
   bias.constant = random.pick({0.0F, 1.0F, -3.0F, random.real(-4, 24), random.any_real()});
@@ -267,65 +283,151 @@ DepthBias random_bias(Random& random) {
   return bias;
 }
 
-/// A bias whose terms, and the depth at the target's middle, cancel but for about 1/2. Empty if no
-/// float32 is large enough.
-std::optional<DepthBias> cancelling_bias(Random& random, const RandomDraw& draw,
-                                         const BruteForce& exact) {
-  const Rational depth =
-      exact.plane_depth(Rational(draw.size.width) / 2, Rational(draw.size.height) / 2);
-  DepthBias bias;
-  if (exact.steepness() != 0 && !random.one_in(4)) {
-    bias.slope = static_cast<float>(
-        Rational(power_of_two(random.between(-2, 22)) / exact.steepness()).get_d());
-  }
-  if (!std::isfinite(bias.slope)) return std::nullopt;
-  const Rational rest = Rational(1, 2) - depth - Rational(bias.slope) * exact.steepness();
-  const int bits = draw.state.depth_format == DepthFormat::unorm16 ? 16 : 24;
-  bias.constant = static_cast<float>(Rational(rest * power_of_two(bits)).get_d());
-  if (!std::isfinite(bias.constant)) return std::nullopt;
-  return bias;
-}
-
 // Kills: an offset that is not certain and is trusted; a bound that is not kept; a step that is not
 // the nearest.
 TEST(DepthBias, RandomDepthsAreWithinTheBound) {
   Random random(2029);
   int checked = 0;
-  for (int i = 0; i < 12'000; ++i) {
+  for (int i = 0; i < 6'000; ++i) {
     SCOPED_TRACE(i);
     RandomDraw draw = random_draw(random);
     draw.state.depth_bias = random_bias(random);
     using F = DepthFormat;
     draw.state.depth_format = random.pick({F::float32, F::unorm16, F::unorm24});
-    const double steps = draw.state.depth_format == F::float32   ? 0
-                         : draw.state.depth_format == F::unorm16 ? kSteps16
-                                                                 : 16777215;
     const BruteForce exact(draw.state, draw.mesh, draw.mesh.triangles[0]);
-    if (!exact.is_degenerate() && steps != 0 && random.one_in(3)) {
-      const auto bias = cancelling_bias(random, draw, exact);
-      if (bias) draw.state.depth_bias = *bias;
-    }
-    if (steps == 0 && draw.state.depth_bias.is_none()) continue;
+    if (draw.state.depth_format == F::float32 && draw.state.depth_bias.is_none()) continue;
     const auto pattern = brute_force_pattern(draw.size.samples);
     const Fragments fragments = fragments_of(draw.state, draw.mesh, draw.size);
-    const Rational scale = std::max(draw.state.viewport.min_depth, draw.state.viewport.max_depth);
     for (std::size_t f = 0; f < fragments.size(); f += 1 + fragments.size() / 16) {
       const auto& at = pattern[fragments.sample[f]];
       const Rational depth =
           exact.biased_depth(Rational(fragments.x[f]) + at[0], Rational(fragments.y[f]) + at[1]);
-      const Rational bound = Rational(1, 2) + power_of_two(-7);
       ++checked;
-      if (steps == 0) {
-        const Rational error = abs(Rational(fragments.depth[f]) - depth);
-        ASSERT_LE(error, bound * float_ulp(std::max(depth, scale))) << depth.get_d();
-        continue;
-      }
-      const double k = std::round(double{fragments.depth[f]} * steps);
-      ASSERT_EQ(fragments.depth[f], static_cast<float>(k / steps));
-      ASSERT_LE(abs(Rational(k) - depth * Rational(steps)), bound) << depth.get_d();
+      expect_within_bound(draw.state, fragments.depth[f], depth);
+      if (HasFatalFailure()) return;
     }
   }
-  EXPECT_GT(checked, 10'000);
+  EXPECT_GT(checked, 3'000);
+}
+
+/// A state with numbers that double does not hold, for depths of 24 bits.
+State odd_state(Random& random) {
+  State state = small_state(16, 16, random.pick({Convention::opengl, Convention::vulkan}));
+  state.viewport.origin = {0.3F, 0.7F};
+  state.viewport.size = {13.7F, 12.9F};
+  state.viewport.min_depth = random.pick({0.0F, 0.1F, 0.9F});
+  state.viewport.max_depth = random.pick({1.0F, 0.7F});
+  state.depth_format = DepthFormat::unorm24;
+  return state;
+}
+
+/// A triangle with random w, and z/w of that size.
+SmallMesh odd_triangle(Random& random, float size) {
+  SmallMesh mesh;
+  mesh.triangles = {{0, 1, 2}};
+  for (int i = 0; i < 3; ++i) {
+    const float w = 0.5F + std::abs(random.real(-3, 0));
+    const float z = w * size * (0.1F + std::abs(random.real(-3, -2)));
+    mesh.positions.emplace_back(w * random.real(-2, 0), w * random.real(-2, 0), z, w);
+  }
+  return mesh;
+}
+
+/// Expects the bound of the triangle's samples. Returns how many depths no limit decides.
+int expect_samples_within_bound(const State& state, const SmallMesh& mesh,
+                                const BruteForce& exact) {
+  int between = 0;
+  const auto [least, greatest] = std::minmax(state.viewport.min_depth, state.viewport.max_depth);
+  const Fragments fragments = fragments_of(state, mesh, {16, 16, 1});
+  for (std::size_t f = 0; f < fragments.size(); f += 1 + fragments.size() / 16) {
+    const Rational half(1, 2);
+    const Rational depth =
+        exact.biased_depth(Rational(fragments.x[f]) + half, Rational(fragments.y[f]) + half);
+    if (depth > least && depth < greatest) ++between;
+    expect_within_bound(state, fragments.depth[f], depth);
+    if (testing::Test::HasFatalFailure()) break;
+  }
+  return between;
+}
+
+/// constant such that about 1/2 is left of the sum of `terms` and r · constant.
+float constant_against(const Rational& terms) {
+  return static_cast<float>(Rational((Rational(1, 2) - terms) * power_of_two(24)).get_d());
+}
+
+// Kills: an offset in double whose terms are 2^23 times the depth.
+TEST(DepthBias, KeepsWhatIsLeftOfRandomTermsThatCancel) {
+  Random random(2030);
+  int between = 0;
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE(i);
+    State state = odd_state(random);
+    const SmallMesh mesh = odd_triangle(random, 1);
+    const BruteForce exact(state, mesh, mesh.triangles[0]);
+    if (exact.is_degenerate() || exact.steepness() == 0) continue;
+    state.depth_bias.slope = static_cast<float>(
+        Rational(power_of_two(random.between(18, 23)) / exact.steepness()).get_d());
+    state.depth_bias.constant =
+        constant_against(Rational(state.depth_bias.slope) * exact.steepness());
+    between += expect_samples_within_bound(state, mesh, exact);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(between, 1000);
+}
+
+// Kills: a level depth that is rounded before the offset brings it back. Pixels would show this
+// only where depths are as far as 2^24.
+TEST(DepthBias, SumsLevelDepthsThatOffsetsBringBack) {
+  Random random(2032);
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE(i);
+    State state = odd_state(random);
+    state.depth_bias.constant = 1;
+    const BiasTerms bias = bias_terms(state);
+    const double z = random.real(0, 30);
+    const double w = std::abs(random.real(-3, 3)) + 0.125;
+    const bool is_opengl = state.convention == Convention::opengl;
+    const Rational share = is_opengl ? Rational((Rational(z) / Rational(w) + 1) / 2)
+                                     : Rational(Rational(z) / Rational(w));
+    const Rational near = state.viewport.min_depth;
+    const Rational depth = near + (Rational(state.viewport.max_depth) - near) * share;
+    DepthOffset offset;
+    offset.value = 0.5 - depth.get_d();
+    const Rational exact = depth + Rational(offset.value);
+    const Rational error = abs(Rational(deep_level_depth(bias, offset, z, w)) - exact);
+    ASSERT_LE(error, power_of_two(-51) * abs(exact));
+  }
+}
+
+// Kills: depths of 2^22 that lose digits before an offset of as much brings them back.
+TEST(DepthBias, BringsRandomDepthsBack) {
+  Random random(2031);
+  int between = 0;
+  for (int i = 0; i < 4000; ++i) {
+    SCOPED_TRACE(i);
+    State state = odd_state(random);
+    state.depth_clamp = true;
+    const float size = std::ldexp(1.0F, random.between(21, 23));
+    SmallMesh mesh = odd_triangle(random, size);
+    if (random.one_in(2)) {  // one depth
+      mesh.positions[0].z = mesh.positions[0].w * size * (1 - std::abs(random.real(-3, -2)));
+      mesh.positions[1] = mesh.positions[0] * 0.5F + glm::vec4{1, 0, 0, 0};
+      mesh.positions[2] = mesh.positions[0] * 2.0F + glm::vec4{0, 1, 0, 0};
+    } else {  // depths of size to size + 2
+      for (glm::vec4& p : mesh.positions) {
+        p.w = random.pick({0.5F, 1.0F, 2.0F});
+        p.z = (size + static_cast<float>(random.between(0, 4)) / 2) * p.w;
+      }
+    }
+    const BruteForce exact(state, mesh, mesh.triangles[0]);
+    if (exact.is_degenerate()) continue;
+    if (random.one_in(2)) state.depth_bias.slope = random.real(-3, 0);
+    state.depth_bias.constant = constant_against(
+        exact.plane_depth(7, 7) + Rational(state.depth_bias.slope) * exact.steepness());
+    between += expect_samples_within_bound(state, mesh, exact);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(between, 500);
 }
 
 }  // namespace
