@@ -207,6 +207,43 @@ TEST_P(DrawOnTarget, LeavesOfStoredDepthsWhatItsFragmentsLeave) {
   }
 }
 
+// Triangles on one plane, whose slope 2^22 times the constant all but cancels, or of one depth near
+// 2^23, which it all but cancels with depth clamp. Kills: kernels that trust offsets in double.
+TEST_P(DrawOnTarget, LeavesOfBiasesThatCancelWhatItsFragmentsLeave) {
+  const OnTarget on_target(GetParam());
+  Random random(18);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size{70, 61, 1};
+    State state = small_state(size.width, size.height, Convention::vulkan);
+    state.depth_test = DepthTest::less;
+    state.depth_format = DepthFormat::unorm24;
+    const bool is_level = i % 2 == 0;
+    state.depth_clamp = is_level;
+    // z/w = 1/2 + x/w/4: for each of 70 pixels 1/140 more
+    constexpr float kSlope = 140 * 0x1p22F;
+    const float level = 0x1p23F - 1;
+    state.depth_bias =
+        is_level ? DepthBias{-level * 0x1p24F, 0, 0} : DepthBias{-0x1p46F - 0x1p22F, kSlope, 0};
+    std::vector<glm::vec4> corners;
+    for (int triangle = 0; triangle < 200; ++triangle) {
+      const float x = random.real(-3, -1);
+      const float y = random.real(-3, -1);
+      const float reach = random.pick({0.05F, 0.3F});
+      for (int corner = 0; corner < 3; ++corner) {
+        const float w = is_level && corner > 0 ? corners[corners.size() - corner].w
+                                               : 1 + std::abs(random.real(-3, -1));
+        glm::vec4 p{w * (x + reach * random.real(-3, 0)), w * (y + reach * random.real(-3, 0)), 0,
+                    w};
+        p.z = is_level ? w * level : w / 2 + p.x / 4;
+        corners.push_back(p);
+      }
+    }
+    expect_kept(state, with_values(random, state, corners).mesh(), size);
+    if (HasFatalFailure()) return;
+  }
+}
+
 /// Three corners within a few units in the last place of a diagonal through the middle of the
 /// viewport. Edges through the middle have small constants, so that double decides the triangle's
 /// orientation with certainty, but not its values.
