@@ -81,7 +81,7 @@ TEST(CpuDepth, TestsWhatIsStored) {
     EXPECT_EQ(seen(name, c), (Seen{0.25F - 0x1p-20F, 1})) << name;
     c.depth_format = cases::DepthFormat::unorm16;
     EXPECT_EQ(seen(name, c).depth, -1) << name;
-    c.depth_clear = 0.25F + 0x1p-20F;
+    c.depth_clear = 0.25F + 0x1p-17F;  // 16384.25 steps
     EXPECT_EQ(seen(name, c).depth, -1) << name;
     c.depth_clear = 0.25F + 0x1p-15F;
     EXPECT_EQ(seen(name, c), (Seen{16384 / kSteps16, 0})) << name;
@@ -107,7 +107,7 @@ TEST(CpuDepth, OccludesByWhatIsStored) {
     EXPECT_FALSE(is_occluded(1)) << name;
     c.depth_format = cases::DepthFormat::unorm16;
     EXPECT_TRUE(is_occluded(1)) << name;
-    c.depth_clear = 0.25F + 0x1p-20F;
+    c.depth_clear = 0.25F + 0x1p-17F;  // 16384.25 steps
     EXPECT_TRUE(is_occluded(0)) << name;
   }
 }
