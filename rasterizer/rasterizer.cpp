@@ -4,6 +4,7 @@
 
 #include "rasterizer/internal/checked_draw.h"
 #include "rasterizer/internal/checked_frame.h"
+#include "rasterizer/internal/depth_store.h"
 #include "rasterizer/internal/fragment_drawing.h"
 #include "rasterizer/trace.h"
 
@@ -20,6 +21,8 @@ std::string_view to_string(Error error) {
       return "the viewport has a number that is not finite, or a depth outside [0, 1]";
     case Error::scissor:
       return "the scissor has a negative size";
+    case Error::depth_bias:
+      return "the depth bias has a number that is not finite";
     case Error::subpixel_bits:
       return "the subpixel bits of the snapping are not within 0 to 16";
     case Error::snapped_conservative:
@@ -52,6 +55,11 @@ std::string_view to_string(Error error) {
 DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize& size,
                           Fragments& fragments) {
   return draw_checked(&draw_mesh, state, mesh, size, fragments);
+}
+
+float stored_depth(DepthFormat format, float depth) {
+  if (format == DepthFormat::float32) return depth;
+  return stored(std::clamp(depth, 0.0F, 1.0F), depth_steps(format));
 }
 
 TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,

@@ -70,6 +70,35 @@ enum class DepthTest {
 /// is rounded to the nearest byte, ties to even.
 enum class Blend { off, over, additive };
 
+/// Storage format of depths, as fragments and framebuffers have them and depth tests compare them.
+///
+///   float32   the nearest float
+///   unormB    k/(2^B − 1) with the nearest whole number k, handed over as the nearest float. These
+///             floats differ for different k and have the same order, so a depth test that compares
+///             them compares the k.
+enum class DepthFormat { float32, unorm16, unorm24 };
+
+/// An offset o that is added to the depths of a triangle:
+///
+///   o = m · slope + r · constant, at most `clamp` if that is above 0, at least `clamp` if below 0
+///   m = max(|∂d/∂u|, |∂d/∂v|) of the window depth d, per pixel of window x and y
+///   r   unormB: 2^-B; Convention::d3d: the least positive depth 1/(2^B − 1) as float32
+///       float32: 2^(e − 23) with 2^e <= d_max < 2^(e + 1), where d_max is the greatest depth of
+///       the three vertices, each clamped to the viewport's depth range; a vertex with w <= 0
+///       counts as the range's greater end. 0 if d_max = 0.
+///
+/// m belongs to the plane that depths come from (State::basis); it is 0 for triangles that
+/// Conservative::outer draws without area. The sum d + o is clamped to the viewport's depth range
+/// if State::depth_clamp is set or the convention is d3d, else to [0, 1].
+struct DepthBias {
+  float constant = 0;
+  float slope = 0;
+  float clamp = 0;
+
+  /// True if nothing is added; `clamp` then means nothing.
+  bool is_none() const { return constant == 0 && slope == 0; }
+};
+
 /// Storage format of a sample's colour.
 enum class ColorFormat {
   float32,  ///< any number of attributes
@@ -181,6 +210,9 @@ struct State {
   Conservative conservative = Conservative::off;
   Precision precision = Precision::float64;
   bool depth_clamp = false;
+  DepthBias depth_bias = {};
+  /// With a unorm format, depths are clamped as biased ones are.
+  DepthFormat depth_format = DepthFormat::float32;
   /// True if fragments carry the screen derivatives of their attributes. Only draw_fragments()
   /// reads this.
   bool derivatives = false;
@@ -209,6 +241,7 @@ enum class Error {
   sample_count,          ///< not 1, 2, 4, 8 or 16
   viewport,              ///< a number that is not finite, or depths outside [0, 1]
   scissor,               ///< a negative size
+  depth_bias,            ///< a number that is not finite
   subpixel_bits,         ///< not 0…16
   snapped_conservative,  ///< conservative coverage of snapped vertices
   attribute_count,       ///< more than kMaxAttributes, or not the framebuffer's
@@ -295,8 +328,12 @@ struct DrawResult {
 DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize& size,
                           Fragments& fragments);
 
-/// Sets the framebuffer to the given size, to `depth` and to zero attributes, in the framebuffer's
-/// own format. Returns an error if the size is invalid or memory runs out.
+/// Returns the number that stands for `depth`, clamped to [0, 1], in a unorm format: what a depth
+/// buffer of that format begins with. float32: `depth` itself. `depth` must not be NaN.
+float stored_depth(DepthFormat format, float depth);
+
+/// Sets the framebuffer to the given size, to `depth` (see stored_depth()) and to zero attributes,
+/// in the framebuffer's own format. Returns an error if the size is invalid or memory runs out.
 std::optional<Error> clear(Picture& framebuffer, const TargetSize& size,
                            std::size_t attribute_count, float depth);
 

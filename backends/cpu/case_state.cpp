@@ -124,6 +124,20 @@ ras::ColorFormat format(cases::ColorFormat format) {
   return format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8 : ras::ColorFormat::float32;
 }
 
+ras::DepthFormat format(cases::DepthFormat format) {
+  switch (format) {
+    case cases::DepthFormat::unorm16:
+      return ras::DepthFormat::unorm16;
+    case cases::DepthFormat::unorm24:
+      return ras::DepthFormat::unorm24;
+    case cases::DepthFormat::float32:
+    case cases::DepthFormat::float64:
+    case cases::DepthFormat::unorm32:
+      break;  // no case asks for the last two
+  }
+  return ras::DepthFormat::float32;
+}
+
 ras::Rounding rounding(cases::Rounding asked_for) {
   if (asked_for == cases::Rounding::floor) return ras::Rounding::floor;
   return asked_for == cases::Rounding::half_up ? ras::Rounding::half_up
@@ -147,6 +161,8 @@ ras::State state_of(const cases::Case& c, ras::Conservative conservative) {
   s.fill_rule = c.fill_rule == cases::TieRule::top_left ? ras::FillRule::top_left
                                                         : ras::FillRule::bottom_left;
   s.depth_clamp = c.depth_clamp;
+  s.depth_bias = {c.depth_bias.constant, c.depth_bias.slope, c.depth_bias.clamp};
+  s.depth_format = format(c.depth_format);
   for (const cases::Attribute& attribute : c.attributes) {
     s.attributes.push_back(qualifier(attribute));
   }
@@ -155,6 +171,28 @@ ras::State state_of(const cases::Case& c, ras::Conservative conservative) {
   if (c.coverage && conservative == ras::Conservative::off) s.snapping = snapping(*c.coverage);
   s.basis = c.basis == cases::Basis::ideal ? ras::Basis::ideal : ras::Basis::snapped;
   return s;
+}
+
+float stored_clear(const cases::Case& c, float depth) {
+  return ras::stored_depth(format(c.depth_format), depth);
+}
+
+std::optional<float> stored_clear(const cases::Case& c) {
+  if (!c.depth_clear) return std::nullopt;
+  return stored_clear(c, *c.depth_clear);
+}
+
+void promise_depths(const cases::Case& c, cases::Contract& contract) {
+  // The bounds, rounded up to short decimals. Depths are rounded to float32 or stored as integers,
+  // which has no bound in the contract's terms.
+  constexpr float kBound = 0.51F;
+  constexpr float kBoundBeforeStoring = 0.01F;
+  static_assert(kBound >= ras::kValueBound && kBoundBeforeStoring >= ras::kValueBound - 0.5);
+  const bool is_float = format(c.depth_format) == ras::DepthFormat::float32;
+  contract.bounds.depth = {is_float ? kBound : kBoundBeforeStoring};
+  contract.depth_format = c.depth_format;
+  contract.depth_bias.unit =
+      c.rules == cases::Rules::d3d ? cases::BiasUnit::least_value : cases::BiasUnit::power;
 }
 
 CaseMesh::CaseMesh(const cases::Case& c) : case_(c) {

@@ -4,9 +4,11 @@
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "cases/error.h"
 #include "cases/picture.h"
 #include "rasterizer/rasterizer.h"
@@ -20,6 +22,7 @@ rasterizer::Convention convention(cases::Rules rules);
 rasterizer::DepthTest depth_test(cases::DepthFunction function);
 rasterizer::Blend blend(cases::Blend blend);
 rasterizer::ColorFormat format(cases::ColorFormat format);
+rasterizer::DepthFormat format(cases::DepthFormat format);
 rasterizer::Wrap wrap(cases::Wrap wrap);
 rasterizer::Filter filter(cases::Filter filter);
 
@@ -30,6 +33,15 @@ rasterizer::Snapping snapping(const cases::Snapping& asked_for);
 /// exact positions, whatever grid the case asks for.
 rasterizer::State state_of(const cases::Case& c,
                            rasterizer::Conservative conservative = rasterizer::Conservative::off);
+
+/// A depth buffer's initial value, as the format of the case's depths holds it.
+float stored_clear(const cases::Case& c, float depth);
+/// What the case names as the depth buffer's initial value, as stored; empty if it names none.
+std::optional<float> stored_clear(const cases::Case& c);
+
+/// Adds what the rasterizer promises of depths (rasterizer.h): its bound, the format that a case
+/// asks for, and the bias.
+void promise_depths(const cases::Case& c, cases::Contract& contract);
 
 /// A case's triangles as the rasterizer's mesh. The case must outlive this object.
 class CaseMesh {

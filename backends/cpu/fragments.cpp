@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "backends/cpu/case_state.h"
@@ -17,9 +18,10 @@ namespace ras = rasterizer;
 /// buffer's initial value.
 std::vector<std::size_t> nearest(const ras::Fragments& fragments, const cases::Case& c) {
   const auto samples = static_cast<std::size_t>(c.framebuffer.samples);
+  const std::optional<float> initial = stored_clear(c);
   std::vector<std::vector<std::size_t>> rows(static_cast<std::size_t>(c.framebuffer.height));
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    if (c.depth_clear && !(fragments.depth[i] < *c.depth_clear)) continue;
+    if (initial && !(fragments.depth[i] < *initial)) continue;
     rows[static_cast<std::size_t>(fragments.y[i])].push_back(i);
   }
   const std::size_t none = fragments.size();

@@ -42,7 +42,7 @@ class FramebufferDrawing {
         state_(state_of(c, conservative)),
         memory_(c),
         threads_(threads),
-        clear_depth_(is_tested() ? c.depth_clear.value_or(kFarthest) : kUntouched) {
+        clear_depth_(is_tested() ? stored_clear(c).value_or(kFarthest) : kUntouched) {
     result_.attribute_count = c.attributes.size();
   }
 

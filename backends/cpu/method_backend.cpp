@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "backends/cpu/case_state.h"
 #include "backends/cpu/fragments.h"
@@ -163,7 +164,7 @@ void add_exact_coverage(const cases::Case& c, const ras::Promise& promise,
   contract.tie_rule = c.fill_rule;
   contract.bounds.smooth = value_bound(promise.smooth, 0);
   contract.bounds.noperspective = {kBound};
-  contract.bounds.depth = {kBound};
+  promise_depths(c, contract);
   contract.keeps_equal_depth = true;
 }
 
@@ -181,8 +182,11 @@ cases::Contract contract_of(const cases::Case& c, const ras::Promise& promise) {
 
 class MethodBackend : public Backend, private Tracer {
  public:
-  explicit MethodBackend(const ras::Method& method) : method_(&method) {}
+  explicit MethodBackend(const ras::Method& method) : method_(&method) {
+    if (scans()) capabilities_.lacks = {cases::Feature::depth_bias, cases::Feature::unorm_depth};
+  }
 
+  About about() const override { return {.capabilities = capabilities_}; }
   cases::Contract promise(const cases::Case& c) const override {
     const CaseMesh memory(c);
     return contract_of(c, method_->promise(state_of(c), memory.mesh(), target_size(c)));
@@ -190,7 +194,15 @@ class MethodBackend : public Backend, private Tracer {
   Tracer* tracer() override { return this; }
 
  private:
+  /// True if the method scan-converts polygons, depths included: as float32, without bias.
+  bool scans() const {
+    return method_->promise(ras::State(), ras::Mesh(), {1, 1, 1}).scan == ras::ScanKind::scanned;
+  }
+
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    if (const std::string what = cases::lacked_by(capabilities_, c); !what.empty()) {
+      return tl::unexpected(Error{"", "", "the method has no " + what, Failure::unsupported});
+    }
     const CaseMesh memory(c);
     ras::Fragments fragments;
     const ras::DrawResult drawn = ras::draw_fragments_by(method_->name, state_of(c), memory.mesh(),
@@ -206,6 +218,7 @@ class MethodBackend : public Backend, private Tracer {
   }
 
   const ras::Method* method_;
+  cases::Capabilities capabilities_;
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "backends/cpu/case_state.h"
+
 namespace rastercheck::backends {
 namespace {
 
@@ -35,7 +37,7 @@ Result<bool> is_hidden_in_depth_buffer(const cases::Case& c, std::size_t occlude
   if (!asked_about) return tl::unexpected(asked_about.error());
 
   // A buffer whose initial value the case does not name begins farther than all depths.
-  const float initial = c.depth_clear.value_or(std::numeric_limits<float>::infinity());
+  const float initial = stored_clear(c).value_or(std::numeric_limits<float>::infinity());
   const auto samples = static_cast<std::size_t>(c.framebuffer.width) *
                        static_cast<std::size_t>(c.framebuffer.height) *
                        static_cast<std::size_t>(c.framebuffer.samples);

@@ -132,7 +132,8 @@ Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline&
                                     const PictureOptions& options) {
   ras::Picture framebuffer;
   framebuffer.format = format(pipeline.format);
-  if (const auto error = draw_into(c, pipeline, pipeline.clear_depth, options, framebuffer)) {
+  if (const auto error =
+          draw_into(c, pipeline, stored_clear(c, pipeline.clear_depth), options, framebuffer)) {
     return tl::unexpected(refused(*error));
   }
   if (pipeline.resolves) {

@@ -69,7 +69,9 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
   static_assert(kBound >= ras::kValueBound && kBound >= ras::kDerivativeBound);
   static_assert(kFloatSmoothBound >= ras::kFloatSmoothBound);
   static_assert(kFloatAffineBound >= ras::kFloatAffineBound);
-  contract.bounds = {{kBound, 0}, {kBound, 0}, {kBound, 0}};
+  contract.bounds.smooth.constant = kBound;
+  contract.bounds.noperspective.constant = kBound;
+  promise_depths(c, contract);
   if (precision == ras::Precision::float32) {
     contract.bounds.smooth.constant = kFloatSmoothBound;
     contract.bounds.noperspective.constant = kFloatAffineBound;

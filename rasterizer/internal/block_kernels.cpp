@@ -80,13 +80,14 @@ HWY_INLINE void Affine(const PlaneRow& plane, int count, const BlockWeights& wei
   for (int j = 0; j < count; j += lanes) StoreValue(Along(plane, weights, j), out + j);
 }
 
-template <typename T>
+/// Passes clamped depths to put(j, depth).
+template <typename Put>
 HWY_INLINE void Depth(const PlaneRow& plane, double least, double greatest, int count,
-                      const BlockWeights& weights, T* out) {
+                      const BlockWeights& weights, const Put& put) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int j = 0; j < count; j += lanes) {
-    StoreValue(Clamped(Along(plane, weights, j), least, greatest), out + j);
+    put(j, Clamped(Along(plane, weights, j), least, greatest));
   }
 }
 
@@ -98,9 +99,16 @@ void EvaluateAffine(const PlaneRow& plane, int count, const BlockWeights& weight
   Affine(plane, count, weights, out);
 }
 
-void EvaluateDepth(const PlaneRow& plane, double least, double greatest, int count,
+void EvaluateDepth(const PlaneRow& plane, double least, double greatest, double steps, int count,
                    const BlockWeights& weights, float* out) {
-  Depth(plane, least, greatest, count, weights, out);
+  if (steps == 0) {
+    Depth(plane, least, greatest, count, weights,
+          [out](int j, Vector depth) HWY_ATTR { StoreValue(depth, out + j); });
+  } else {
+    Depth(plane, least, greatest, count, weights, [out, steps](int j, Vector depth) HWY_ATTR {
+      hn::StoreU(StoredInSteps(depth, steps), Halves(), out + j);
+    });
+  }
 }
 
 void SmoothInDouble(const PlaneRow& numerator, int count, const BlockWeights& weights,
@@ -114,7 +122,8 @@ void AffineInDouble(const PlaneRow& plane, int count, const BlockWeights& weight
 
 void DepthInDouble(const PlaneRow& plane, double least, double greatest, int count,
                    const BlockWeights& weights, double* out) {
-  Depth(plane, least, greatest, count, weights, out);
+  Depth(plane, least, greatest, count, weights,
+        [out](int j, Vector depth) HWY_ATTR { StoreValue(depth, out + j); });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -150,9 +159,9 @@ void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weigh
   HWY_DYNAMIC_DISPATCH(EvaluateAffine)(plane, count, weights, out);
 }
 
-void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
+void evaluate_depth(const PlaneRow& plane, double least, double greatest, double steps, int count,
                     const BlockWeights& weights, float* out) {
-  HWY_DYNAMIC_DISPATCH(EvaluateDepth)(plane, least, greatest, count, weights, out);
+  HWY_DYNAMIC_DISPATCH(EvaluateDepth)(plane, least, greatest, steps, count, weights, out);
 }
 
 void evaluate_smooth(const PlaneRow& numerator, int count, const BlockWeights& weights,

@@ -52,11 +52,11 @@ void evaluate_smooth(const PlaneRow& numerator, int count, const BlockWeights& w
 /// out[j] = the plane's value, rounded once to float32.
 void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weights, float* out);
 
-/// out[j] = the plane's value clamped to [least, greatest], then rounded to float32.
-void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
+/// out[j] = the plane's value clamped to [least, greatest], then stored (depth_store.h).
+void evaluate_depth(const PlaneRow& plane, double least, double greatest, double steps, int count,
                     const BlockWeights& weights, float* out);
 
-// The same functions with the same operations, but without the final rounding to float32.
+// The same functions with the same operations, but before values are rounded or stored.
 void evaluate_smooth(const PlaneRow& numerator, int count, const BlockWeights& weights,
                      double* out);
 void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weights, double* out);

@@ -75,7 +75,7 @@ class Evaluator {
   HWY_INLINE hn::Vec<Halves> DepthAt(const TileCell& cell, std::size_t lane) const {
     const auto value =
         Clamped(At(depth_, cell, lane), setting_.depth_least, setting_.depth_greatest);
-    return hn::DemoteTo(Halves(), value);
+    return Stored(value, setting_.depth_steps);
   }
 
   /// Stores the depths of a cell's lanes; returns the lanes that may pass the test.

@@ -20,6 +20,17 @@
 //            (f − n) z for the depth range from n to f (exact_values.h), and adding n adds 3u. |n|,
 //            |f| and |f − n| are at most max(|n|, |f|); if vertices are snapped and z leaves [0,
 //            1], |(f − n) z| <= 2 max(|n|, |f|, |depth|). Together below 2^-31 of that maximum.
+//   bias     is certified by depth_bias.h: its error is below 2^-35 M, M = max(|n|, |f|). It adds u
+//            of itself where it is added, and as much each time its sum with a depth is rounded. If
+//            depths before it are within the range, the errors above are below (9/8 2^-32 +
+//            2^-34) M. If they may leave it, |bias| <= M, so that a depth whose sum d with the bias
+//            is not clamped has |(f − n) z| <= 3 max(M, |d|), and the determinant adds 3 · 2^-34 of
+//            that maximum. Together below 2^-31 of it: 9/8 + 3/4 + 1/8 = 2, and the bias's error is
+//            really below 3/2 2^-36. Clamping keeps errors from growing, and moves a sum beyond the
+//            limits to the nearest of them, as it moves the exact one, but for that error.
+//
+// A unorm depth (depth_store.h) is at most 1, so before it is stored it is off by less than 2^-31,
+// which is 2^-7 of a step of 24 bits, the product with the number of steps included.
 //
 // With half an ULP for the rounding to float32, no value has an error above kValueBound
 // (rasterizer.h). If rounding reaches the next power of two, the rounding error is at most half of

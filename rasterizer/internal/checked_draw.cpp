@@ -18,6 +18,10 @@ bool is_viewport(const Viewport& viewport) {
          is_depth(viewport.min_depth) && is_depth(viewport.max_depth);
 }
 
+bool is_finite(const DepthBias& bias) {
+  return std::isfinite(bias.constant) && std::isfinite(bias.slope) && std::isfinite(bias.clamp);
+}
+
 /// How many floats the attributes and the derivatives have.
 struct FloatCounts {
   std::size_t attributes = 0;
@@ -47,6 +51,7 @@ std::optional<Error> check_size(const TargetSize& size) {
 std::optional<Error> check_state(const State& state) {
   if (!is_viewport(state.viewport)) return Error::viewport;
   if (state.scissor.size.x < 0 || state.scissor.size.y < 0) return Error::scissor;
+  if (!is_finite(state.depth_bias)) return Error::depth_bias;
   if (state.snapping && (state.snapping->subpixel_bits < kLeastSubpixelBits ||
                          state.snapping->subpixel_bits > kMostSubpixelBits)) {
     return Error::subpixel_bits;

@@ -17,6 +17,7 @@
 
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/depth_store.h"
 #include "rasterizer/internal/vectors-inl.h"
 #include "rasterizer/rasterizer.h"
 
@@ -36,6 +37,21 @@ HWY_INLINE Vector OnPlane(double a, Vector u, double row) {
 HWY_INLINE Vector Clamped(Vector depth, double least, double greatest) {
   const Doubles d;
   return hn::Min(hn::Max(depth, hn::Set(d, least)), hn::Set(d, greatest));
+}
+
+/// The numbers stored for clamped depths in a unorm format: stored() (depth_store.h).
+HWY_INLINE hn::Vec<Halves> StoredInSteps(Vector depth, double steps) {
+  const Doubles d;
+  const auto to_whole = hn::Set(d, kToWhole);
+  const auto all = hn::Set(d, steps);
+  const auto k = hn::Sub(hn::Add(hn::Mul(depth, all), to_whole), to_whole);
+  return hn::DemoteTo(Halves(), hn::Div(k, all));
+}
+
+/// The numbers stored for clamped depths.
+HWY_INLINE hn::Vec<Halves> Stored(Vector depth, double steps) {
+  if (HWY_UNLIKELY(steps != 0)) return StoredInSteps(depth, steps);
+  return hn::DemoteTo(Halves(), depth);
 }
 
 /// 1 / Σ E_i.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rasterizer/internal/depth_store.h"
 #include "rasterizer/internal/float_kernels.h"
 
 namespace rastercheck::rasterizer {
@@ -18,12 +19,11 @@ bool has_equal_depth(const Positions& p) {
   return is_equal(p[0], p[1]) && is_equal(p[1], p[2]) && is_equal(p[2], p[0]);
 }
 
-/// The depth of a plane of constant depth: z/w at the vertex with the largest |w|.
-double plane_depth(const Positions& p) {
-  const glm::vec4& at = *std::max_element(p.begin(), p.end(), [](const auto& a, const auto& b) {
+/// The vertex that gives a plane of constant depth its z/w: the one with the largest |w|.
+const glm::vec4& plane_vertex(const Positions& p) {
+  return *std::max_element(p.begin(), p.end(), [](const auto& a, const auto& b) {
     return std::abs(a.w) < std::abs(b.w);
   });
-  return double{at.z} / double{at.w};
 }
 
 double held_depth(const DepthLine& line, double depth) {
@@ -58,7 +58,8 @@ double float_scale(const Weights& weights) {
   return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest) - 2) : 1;
 }
 
-/// Σ k_i E_i.
+}  // namespace
+
 ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& k) {
   ExactSum sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -66,8 +67,6 @@ ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& 
   }
   return sum;
 }
-
-}  // namespace
 
 DepthRange depth_range(const State& state) {
   // Turns −0 into 0, because the greater of two zeros may or may not be −0.
@@ -88,12 +87,47 @@ DepthRange depth_range(const State& state) {
     range.least = -std::numeric_limits<double>::infinity();
     range.greatest = std::numeric_limits<double>::infinity();
   }
+  range.steps = depth_steps(state.depth_format);
+  if ((range.steps != 0 || !state.depth_bias.is_none()) && !is_clamped) {
+    range.least = 0;
+    range.greatest = 1;
+  }
   return range;
 }
 
 std::size_t provoking_vertex(const State& state) {
   return state.convention == Convention::opengl ? 2 : 0;
 }
+
+namespace {
+
+/// Makes the plane of depth that of constant depth z/w, with the bias.
+void set_level_depth(const State& state, const Positions& p, double z, double w,
+                     TriangleValues& out) {
+  DepthLine& depth = out.depth;
+  out.has_constant_depth = true;
+  depth.plane = {0, 0, depth.low + depth.span * (z / w)};
+  if (state.depth_bias.is_none()) return;
+  out.bias = bias_terms(state);
+  depth.offset = level_offset(out.bias, p);
+  depth.plane.c = depth.offset.is_deep ? deep_level_depth(out.bias, depth.offset, z, w)
+                                       : depth.plane.c + depth.offset.value;
+}
+
+/// Makes the plane of depth that of the weights, with the bias.
+void set_sloped_depth(const State& state, const Positions& p, const Weights& weights,
+                      TriangleValues& out) {
+  DepthLine& depth = out.depth;
+  const double scale = depth.span * (1 / weights.det_t);
+  depth.plane = plane_of(weights.edges, depth.k, *weights.frame, scale, depth.low);
+  if (state.depth_bias.is_none()) return;
+  out.bias = bias_terms(state);
+  depth.offset = sloped_offset(out.bias, p, {weights, out.w, depth.k}, depth.plane, scale);
+  depth.plane.c += depth.offset.value;
+  if (depth.offset.is_deep) out.certificates.depth_is_certain = false;
+}
+
+}  // namespace
 
 void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
                    TriangleValues& out) {
@@ -111,12 +145,11 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
   }
   out.certificates = certify(weights, out.w, out.depth.k);
   out.has_constant_depth = has_equal_depth(p);
-  const DepthLine& depth = out.depth;
   if (out.has_constant_depth) {
-    out.depth.plane = {0, 0, depth.low + depth.span * plane_depth(p)};
+    const glm::vec4& at = plane_vertex(p);
+    set_level_depth(state, p, at.z, at.w, out);
   } else {
-    const double scale = depth.span * (1 / weights.det_t);
-    out.depth.plane = plane_of(weights.edges, depth.k, *weights.frame, scale, depth.low);
+    set_sloped_depth(state, p, weights, out);
   }
   out.sum = plane_of(weights.edges, {1, 1, 1}, *weights.frame);
 
@@ -178,10 +211,13 @@ void set_up_flat_values(const State& state, const ValueSource& source, TriangleV
   const glm::vec4& p = source.positions[provoking];
   out = TriangleValues();
   out.depth = {depth_range(state), {}, {}};
-  const double of_vertex = p.w > 0 ? double{p.z} / double{p.w} : 0;
-  const double z = has_equal_depth(source.positions) ? plane_depth(source.positions) : of_vertex;
-  out.depth.plane.c = out.depth.low + out.depth.span * z;
-  out.has_constant_depth = true;
+  if (has_equal_depth(source.positions)) {
+    const glm::vec4& at = plane_vertex(source.positions);
+    set_level_depth(state, source.positions, at.z, at.w, out);
+  } else {
+    const bool is_in_front = p.w > 0;
+    set_level_depth(state, source.positions, is_in_front ? p.z : 0, is_in_front ? p.w : 1, out);
+  }
   out.attributes.resize(state.attributes.size());
   for (std::size_t a = 0; a < state.attributes.size(); ++a) {
     out.attributes[a].copy = source.attributes[provoking][a];
@@ -253,11 +289,15 @@ double value_at(const ValueLine& line, const TriangleValues& triangle, const Wei
 double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {
   const DepthLine& line = triangle.depth;
   if (triangle.has_constant_depth) return held_depth(line, line.plane.c);
+  if (line.offset.is_deep) {
+    return held_depth(
+        line, deep_depth_at(triangle.bias, line.offset, {weights, triangle.w, line.k}, u, v));
+  }
   // Outside the triangle z may be infinite, which 0 must not be multiplied by.
-  if (line.span == 0) return held_depth(line, line.low);
+  if (line.span == 0) return held_depth(line, line.low + line.offset.value);
   const std::array<ExactSum, 3> e = weights.exact_at(u, v);
   const double z = combine(e, line.k).nearest() / weights.exact_det_t();
-  return held_depth(line, line.low + line.span * z);
+  return held_depth(line, (line.low + line.span * z) + line.offset.value);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -6,7 +6,8 @@
 //
 //   smooth         r = Σ r_i E_i / Σ E_i
 //   noperspective  r = Σ r_i w_i E_i / (|det| T)          r_i w_i is exact in double
-//   depth          z = Σ z_i E_i / (|det| T), then n + (f − n) z, halved for OpenGL
+//   depth          z = Σ z_i E_i / (|det| T), then n + (f − n) z, halved for OpenGL, and the bias
+//                  (depth_bias.h)
 //
 // All are computed in double if a certificate (certificates.h) shows that double suffices;
 // numerators and denominator are each collected into one plane (plane.h). Otherwise (slivers, the
@@ -32,6 +33,7 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/certificates.h"
+#include "rasterizer/internal/depth_bias.h"
 #include "rasterizer/internal/grid_polygon.h"
 #include "rasterizer/internal/weights.h"
 
@@ -53,12 +55,14 @@ struct ValueLine {
   std::array<float, 3> r{};
 };
 
-/// Maps z of clip space to depth: low + span · z, clamped to [least, greatest].
+/// Maps z of clip space to depth: low + span · z and the bias, clamped to [least, greatest], then
+/// stored in a format of these steps (depth_store.h).
 struct DepthRange {
   double low = 0;
   double span = 0;
   double least = 0;
   double greatest = 0;
+  double steps = 0;
 };
 DepthRange depth_range(const State& state);
 
@@ -68,8 +72,9 @@ std::size_t provoking_vertex(const State& state);
 /// Depth, z = Σ k_i E_i / (|det| T).
 struct DepthLine : DepthRange {
   std::array<double, 3> k{};
-  /// The plane of the depth; constant if the triangle is a plane of equal depth.
+  /// The plane of the biased depth; constant if the triangle is a plane of equal depth.
   Plane plane;
+  DepthOffset offset = {};  ///< the bias
 };
 
 struct TriangleValues {
@@ -82,6 +87,7 @@ struct TriangleValues {
   /// The `scale` of float_smooth_weights(): a power of two.
   double float_scale = 1;
   DepthLine depth;
+  BiasTerms bias;  ///< set only if the draw has a bias
   bool has_constant_depth = false;
   Certificates certificates;
 };
@@ -96,6 +102,9 @@ struct ValueSource {
   std::array<std::span<const float>, 3> attributes;
   PieceCorners corners{};
 };
+
+/// Returns Σ k_i E_i without rounding.
+ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& k);
 
 /// Prepares the values for evaluation.
 void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
@@ -123,7 +132,7 @@ double exact_value_at(const ValueLine& line, const Weights& weights, double u, d
 /// double.
 double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                       double u, double v, double scale, double period);
-/// Returns the depth, clamped to its range, from exact sums.
+/// Returns the biased depth, clamped to its range but not stored, from exact sums.
 double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v);
 
 }  // namespace rastercheck::rasterizer

@@ -6,6 +6,7 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/conservative_coverage.h"
+#include "rasterizer/internal/depth_store.h"
 #include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/exact_values.h"
 #include "rasterizer/internal/grid_coverage.h"
@@ -197,11 +198,12 @@ class FallbackDrawingBy : public FallbackDrawing {
   float depth_of(const SampleInPart& sample) const {
     const TriangleValues& values = sample.part.values;
     if (!values.has_constant_depth && !values.certificates.depth_is_certain) {
-      return static_cast<float>(
-          exact_depth_at(values, sample.part.weights, sample.at.u, sample.at.v));
+      return stored(exact_depth_at(values, sample.part.weights, sample.at.u, sample.at.v),
+                    values.depth.steps);
     }
     const double depth = sample.on(values.depth.plane);
-    return static_cast<float>(std::min(std::max(depth, values.depth.least), values.depth.greatest));
+    return stored(std::min(std::max(depth, values.depth.least), values.depth.greatest),
+                  values.depth.steps);
   }
 
   /// The value of an attribute at the sample itself. Uses the operations of fragment_drawing.cpp.

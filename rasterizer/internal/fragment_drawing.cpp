@@ -6,6 +6,7 @@
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/block_output.h"
 #include "rasterizer/internal/conservative_coverage.h"
+#include "rasterizer/internal/depth_store.h"
 #include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_setting.h"
@@ -207,14 +208,15 @@ void Drawing<Coverage, Tap>::evaluate_part(const BlockPlace& place, const DrawnP
   if (!is_depth_exact) {
     const DepthLine& depth = values.depth;
     const PlaneRow row = row_of(depth.plane, place, part);
-    evaluate_depth(row, depth.least, depth.greatest, place.count, weights_, out.depth.data());
+    evaluate_depth(row, depth.least, depth.greatest, depth.steps, place.count, weights_,
+                   out.depth.data());
     tap_.depth(shown(place, part, masks.drawn), row, out.depth.data());
   } else {
     for_each_bit(masks.drawn, [&](int j) {
       const PartPoint at{part, place.first + j + offset.x, place.y + offset.y};
       const double exact = exact_depth_at(values, part.weights, at.u, at.v);
       float& depth = out.depth[static_cast<std::size_t>(j)];
-      depth = static_cast<float>(exact);
+      depth = stored(exact, values.depth.steps);
       tap_.exact(place, j, std::nullopt, at, exact, depth);
     });
   }

@@ -157,7 +157,7 @@ HWY_INLINE void PutValues(const KernelSetting& setting, const PlanesOfLanes& pla
                           FragmentList& out) {
   const Halves floats;
   const auto depth = Clamped(planes.Depth(), setting.depth_least, setting.depth_greatest);
-  hn::StoreU(hn::DemoteTo(floats, depth), floats, out.depth.data() + at);
+  hn::StoreU(Stored(depth, setting.depth_steps), floats, out.depth.data() + at);
   EvaluateAttributes(planes, [&](std::size_t a, Vector value, Vector /*reciprocal*/) HWY_ATTR {
     hn::StoreU(RoundToFloats(value), floats, out.attributes[a].data() + at);
   });

@@ -16,6 +16,7 @@
 // After foreach_target.h, as Highway requires.
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/group_bias-inl.h"
 #include "rasterizer/internal/group_fragments-inl.h"
 #include "rasterizer/internal/group_lanes-inl.h"
 #include "rasterizer/internal/group_outline-inl.h"
@@ -110,15 +111,20 @@ HWY_INLINE Lanes PutDepth(const KernelSetting& setting, const Part& part, const 
   const Three& w = p.w;
   const auto error = SumOfSizes(z, outline.band);
   Lanes certain = hn::Le(hn::Mul(error, hn::Set(d, kDepthCertainty)), outline.det_t);
+  const auto depth_scale = hn::Mul(hn::Set(d, setting.depth_span), scale);
   PlaneLanes depth =
-      Collect(outline.edges, z, hn::Set(d, setting.t),
-              hn::Mul(hn::Set(d, setting.depth_span), scale), hn::Set(d, setting.depth_low));
+      Collect(outline.edges, z, hn::Set(d, setting.t), depth_scale, hn::Set(d, setting.depth_low));
   const Lanes is_level = All(hn::Eq(hn::Mul(z[0], w[1]), hn::Mul(z[1], w[0])),
                              hn::Eq(hn::Mul(z[1], w[2]), hn::Mul(z[2], w[1])),
                              hn::Eq(hn::Mul(z[2], w[0]), hn::Mul(z[0], w[2])));
   if (BitsOf(d, is_level) != 0) {
     depth = Constant(is_level, LevelDepth(setting, p), depth);
     certain = hn::Or(certain, is_level);
+  }
+  if (setting.bias.is_any) {
+    const OffsetLanes offset = OffsetsOf(setting, p, outline.edges, depth, depth_scale, is_level);
+    certain = hn::And(certain, offset.certain);
+    depth.c = hn::Add(depth.c, offset.value);
   }
   PutPlane(part, Numbers::kDepth, depth);
   return certain;

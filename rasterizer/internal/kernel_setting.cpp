@@ -109,6 +109,8 @@ std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile
   out.depth_span = depth.span;
   out.depth_least = depth.least;
   out.depth_greatest = depth.greatest;
+  out.depth_steps = depth.steps;
+  out.bias = bias_terms(state);
   out.tests_depth = state.depth_test == DepthTest::less;
   out.provoking = provoking_vertex(state);
   out.attributes = state.attributes.size();
@@ -119,7 +121,7 @@ std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile
     out.has_smooth = out.has_smooth || out.interpolation[a] == Interpolation::smooth;
     out.has_affine = out.has_affine || out.interpolation[a] == Interpolation::noperspective;
   }
-  out.is_plain = out.all_smooth && out.tests_depth;
+  out.is_plain = out.all_smooth && out.tests_depth && out.depth_steps == 0;
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "rasterizer/internal/depth_bias.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/grid_position.h"
 
@@ -70,6 +71,8 @@ struct KernelSetting {
   double depth_span = 0;
   double depth_least = 0;
   double depth_greatest = 0;
+  double depth_steps = 0;  ///< depth_store.h
+  BiasTerms bias;
   bool tests_depth = false;
   std::size_t provoking = 0;
   std::size_t attributes = 0;
@@ -77,7 +80,7 @@ struct KernelSetting {
   bool has_smooth = false;
   bool has_affine = false;
   bool all_smooth = false;
-  bool is_plain = false;  ///< depth is tested, and attributes exist and are all smooth
+  bool is_plain = false;  ///< float32 depth is tested, and attributes exist and are all smooth
   /// True if small triangles yield covered samples instead of fragments (LaneFate::covered).
   bool makes_cells = false;
 };

@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "rasterizer/internal/depth_store.h"
 #include "rasterizer/internal/group_kernels.h"
 #include "rasterizer/internal/masks.h"
 
@@ -162,7 +163,8 @@ class PartDrawing {
     const PlanesOfRow planes{*this, along, y};
     auto value = planes.At(along.depth, depth_rows_);
     if (kClamps) value = Clamped(value, setting_.depth_least, setting_.depth_greatest);
-    const auto depth = hn::DemoteTo(floats, value);
+    // A plain setting has no steps.
+    const auto depth = kPlain ? hn::DemoteTo(floats, value) : Stored(value, setting_.depth_steps);
     auto mask = hn::FirstN(floats, hn::Lanes(floats));
     if constexpr (!std::is_same_v<Within, Everywhere>) mask = within;
     if (TestsDepth()) {
@@ -328,8 +330,8 @@ void put_vertex(const KernelSetting& setting, const double* numbers, const Verte
   const double* const plane = numbers + TriangleNumbers::kDepth;
   const double row = plane[1] * area.v[sample.row] + plane[2];
   const double value = plane[0] * area.u[sample.column] + row;
-  const auto depth =
-      static_cast<float>(std::min(std::max(value, setting.depth_least), setting.depth_greatest));
+  const float depth = stored(std::min(std::max(value, setting.depth_least), setting.depth_greatest),
+                             setting.depth_steps);
   const int place = sample.row * kTileSize + sample.column;
   if (setting.tests_depth && !(depth < area.depth[place])) return;
   area.depth[place] = depth;

@@ -198,13 +198,14 @@ HWY_INLINE Depths DepthsOf(const double* numbers, const TileArea& area, const Ti
 
 /// True if no fragment of a triangle with these depths can pass the test in a part. This includes
 /// fragments whose coverage is decided later, because their depths come from the same plane.
-/// Clamping and rounding are monotone too.
+/// Clamping and storing are monotone too.
 HWY_INLINE bool IsHidden(const KernelSetting& setting, DepthTest test, const Depths& depths,
                          const TileArea& area, const TilePart& part) {
   if (test == DepthTest::never) return true;
   if (!lets_fall(test)) return false;
-  const auto least = static_cast<float>(
-      std::min(std::max(depths.least, setting.depth_least), setting.depth_greatest));
+  const float least =
+      stored(std::min(std::max(depths.least, setting.depth_least), setting.depth_greatest),
+             setting.depth_steps);
   for (int band = part.rows.begin / kBandSize; band * kBandSize < part.rows.end; ++band) {
     const float greatest = area.greatest[band];
     if (!(test == DepthTest::less ? least >= greatest : least > greatest)) return false;

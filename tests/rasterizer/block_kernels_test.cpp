@@ -140,7 +140,7 @@ TEST_P(BlockKernels, ValuesAreThoseOfScalarArithmetic) {
       sum_weights(sum, 0, count, weights_);
       evaluate_smooth(plane, count, weights_, smooth.data());
       evaluate_affine(plane, count, weights_, affine.data());
-      evaluate_depth(plane, 0.25, 0.75, count, weights_, depth.data());
+      evaluate_depth(plane, 0.25, 0.75, 0, count, weights_, depth.data());
       for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
         const double value = expected.values[j];
         const double quotient = value * (1 / sums.values[j]);

@@ -1,5 +1,7 @@
 #include "tests/rasterizer/brute_force.h"
 
+#include <algorithm>
+
 namespace rastercheck::rasterizer {
 
 BruteForce::BruteForce(const State& state, const SmallMesh& mesh, const glm::uvec3& corners)
@@ -110,14 +112,64 @@ bool BruteForce::covers(const Rational& u, const Rational& v) const {
 }
 
 Rational BruteForce::depth(const Rational& u, const Rational& v) const {
+  return clamped_to_range(plane_depth(u, v));
+}
+
+Rational BruteForce::plane_depth(const Rational& u, const Rational& v) const {
+  return in_range(combined(z_).at(u, v));
+}
+
+Rational BruteForce::steepness() const {
+  const Functional z = combined(z_);
+  return std::max(Rational(abs(z.a)), Rational(abs(z.b))) * abs(in_range(1) - in_range(0));
+}
+
+/// The depth of z in clip space, divided by w.
+Rational BruteForce::in_range(const Rational& z) const {
   const Rational near = state_.viewport.min_depth;
   const Rational far = state_.viewport.max_depth;
-  const Rational z = combined(z_).at(u, v);
   const Rational share = state_.convention == Convention::opengl ? Rational((z + 1) / 2) : z;
-  const Rational depth = near + (far - near) * share;
-  const Rational least = near < far ? near : far;
-  const Rational greatest = near < far ? far : near;
+  return near + (far - near) * share;
+}
+
+Rational BruteForce::clamped_to_range(const Rational& depth) const {
+  const Rational least = std::min(state_.viewport.min_depth, state_.viewport.max_depth);
+  const Rational greatest = std::max(state_.viewport.min_depth, state_.viewport.max_depth);
   return depth < least ? least : depth > greatest ? greatest : depth;
+}
+
+/// State::depth_bias of the triangle.
+Rational BruteForce::offset() const {
+  const DepthBias& bias = state_.depth_bias;
+  const bool is_d3d = state_.convention == Convention::d3d;
+  Rational r;
+  if (state_.depth_format == DepthFormat::float32) {
+    Rational most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational depth =
+          w_[i] > 0 ? clamped_to_range(in_range(z_[i] / w_[i]))
+                    : Rational(std::max(state_.viewport.min_depth, state_.viewport.max_depth));
+      if (depth > most) most = depth;
+    }
+    r = most == 0 ? Rational(0) : power_of_two(floor_log2(most) - 23);
+  } else {
+    const int bits = state_.depth_format == DepthFormat::unorm16 ? 16 : 24;
+    r = power_of_two(-bits);
+    // 1/(2^b − 1) = 2^-b (1 + 2^-b + 2^-2b + …), of which float32 has two terms of 16 bits; of 24
+    // bits, 2^-24 is half a unit in the last place and what follows rounds it up.
+    if (is_d3d) r *= 1 + power_of_two(bits == 16 ? -16 : -23);
+  }
+  const Rational sum = steepness() * Rational(bias.slope) + r * Rational(bias.constant);
+  const Rational clamp = bias.clamp;
+  if (clamp > 0 && sum > clamp) return clamp;
+  return clamp < 0 && sum < clamp ? clamp : sum;
+}
+
+Rational BruteForce::biased_depth(const Rational& u, const Rational& v) const {
+  Rational depth = plane_depth(u, v);
+  if (!state_.depth_bias.is_none()) depth += offset();
+  if (state_.depth_clamp || state_.convention == Convention::d3d) return clamped_to_range(depth);
+  return depth < 0 ? Rational(0) : depth > 1 ? Rational(1) : depth;
 }
 
 Rational BruteForce::reciprocal_w(const Rational& u, const Rational& v) const {

@@ -25,6 +25,12 @@ class BruteForce {
   bool is_culled() const;
   bool covers(const Rational& u, const Rational& v) const;
   Rational depth(const Rational& u, const Rational& v) const;
+  /// The depth before it is clamped.
+  Rational plane_depth(const Rational& u, const Rational& v) const;
+  /// The greater |derivative| of that by u and by v.
+  Rational steepness() const;
+  /// The depth with State::depth_bias, clamped, before it is stored in State::depth_format.
+  Rational biased_depth(const Rational& u, const Rational& v) const;
 
   /// 1/w.
   Rational reciprocal_w(const Rational& u, const Rational& v) const;
@@ -44,6 +50,9 @@ class BruteForce {
   std::array<Rational, 3> weights(const Rational& u, const Rational& v) const;
   Functional combined(const std::array<Rational, 3>& factors) const;
   bool owns_zero(const Functional& functional) const;
+  Rational in_range(const Rational& z) const;
+  Rational clamped_to_range(const Rational& depth) const;
+  Rational offset() const;
   bool is_in_viewport(const Rational& u, const Rational& v) const;
 
   const State& state_;

@@ -196,7 +196,8 @@ void expect_certified(const Prepared& p, const SampleOffset& at, Certified& coun
   std::array<float, kBlockSize> out{};
   if (p.values.certificates.depth_is_certain) {  // certain for all samples, also outside
     const DepthLine& depth = p.values.depth;
-    evaluate_depth(row_at(p, depth.plane, at), depth.least, depth.greatest, 1, weights, out.data());
+    evaluate_depth(row_at(p, depth.plane, at), depth.least, depth.greatest, depth.steps, 1, weights,
+                   out.data());
     EXPECT_TRUE(is_within(out[0], exact_depth(p, e), kValueBound)) << "depth";
     ++count.depth;
   }
@@ -449,7 +450,7 @@ float depth_of(const Prepared& p) {
   const SampleOffset middle{3.5, 3.5};
   const DepthLine& depth = p.values.depth;
   std::array<float, kBlockSize> out{};
-  evaluate_depth(row_at(p, depth.plane, middle), depth.least, depth.greatest, 1,
+  evaluate_depth(row_at(p, depth.plane, middle), depth.least, depth.greatest, depth.steps, 1,
                  block_at(p, middle), out.data());
   EXPECT_EQ(out[0], static_cast<float>(exact_depth_at(p.values, p.weights, middle.x, middle.y)));
   return out[0];

@@ -155,6 +155,95 @@ TEST_P(DrawOnTarget, LeavesBeforeAndBehindTheEyeWhatItsFragmentsLeave) {
   }
 }
 
+/// Any bias and format, and any way to cover samples and to clamp that changes depths.
+void store_depths(Random& random, State& state) {
+  using F = DepthFormat;
+  state.depth_format = random.pick({F::float32, F::float32, F::unorm16, F::unorm24});
+  state.depth_bias.constant = random.pick({0.0F, 1.0F, -64.0F, 0x1p18F, random.any_real()});
+  state.depth_bias.slope = random.pick({0.0F, 1.0F, -0.5F, random.real(-4, 4), random.any_real()});
+  state.depth_bias.clamp = random.pick({0.0F, 0.0F, 0.0F, 0x1p-7F, -0x1p-7F});
+  state.depth_clamp = random.one_in(3);
+  if (random.one_in(2)) {
+    state.viewport.min_depth = random.pick({0.0F, 1.0F, 0.25F});
+    state.viewport.max_depth = random.pick({0.0F, 0.5F, 0.3F});
+  }
+  if (random.one_in(3)) {
+    state.snapping = {8, Rounding::nearest_even};
+    state.basis = random.pick({Basis::snapped, Basis::snapped, Basis::ideal});
+  } else if (random.one_in(4)) {
+    state.conservative = random.pick({Conservative::outer, Conservative::inner});
+  }
+}
+
+// Kills: kernels whose offsets have other roundings, or are trusted where those of fragments are
+// not; kernels that store or clamp otherwise; hierarchical depth of depths that are not stored.
+TEST_P(DrawOnTarget, LeavesOfStoredDepthsWhatItsFragmentsLeave) {
+  const OnTarget on_target(GetParam());
+  Random random(17);
+  for (int i = 0; i < 80; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size{random.pick({63, 64, 70}), random.pick({20, 65}), random.pick({1, 1, 4})};
+    State state = frame_state(random, size);
+    if (random.one_in(6)) state.depth_test = DepthTest::greater;
+    store_depths(random, state);
+    std::vector<glm::vec4> corners;
+    for (int triangle = 0; triangle < 40; ++triangle) {
+      const int reach = random.pick({0, 4, 7, 12});
+      const glm::vec2 near{random.between(0, size.width), random.between(0, size.height)};
+      const bool is_on_grid = random.one_in(2);
+      const bool is_level = random.one_in(4);
+      for (int corner = 0; corner < 3; ++corner) {
+        corners.push_back(grid_corner(random, state, size, near, reach));
+        glm::vec4& p = corners.back();
+        if (is_on_grid) continue;
+        p.x += p.w * random.real(-9, -5);
+        p.y += p.w * random.real(-9, -5);
+        p.z = p.w * (is_level ? 0.3F : std::abs(random.real(-6, -1)));
+        if (random.one_in(12)) p.w = -p.w;
+      }
+    }
+    expect_kept(state, with_values(random, state, corners).mesh(), size);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Triangles on one plane, whose slope 2^22 times the constant all but cancels, or of one depth near
+// 2^23, which it all but cancels with depth clamp. Kills: kernels that trust offsets in double.
+TEST_P(DrawOnTarget, LeavesOfBiasesThatCancelWhatItsFragmentsLeave) {
+  const OnTarget on_target(GetParam());
+  Random random(18);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size{70, 61, 1};
+    State state = small_state(size.width, size.height, Convention::vulkan);
+    state.depth_test = DepthTest::less;
+    state.depth_format = DepthFormat::unorm24;
+    const bool is_level = i % 2 == 0;
+    state.depth_clamp = is_level;
+    // z/w = 1/2 + x/w/4: for each of 70 pixels 1/140 more
+    constexpr float kSlope = 140 * 0x1p22F;
+    const float level = 0x1p23F - 1;
+    state.depth_bias =
+        is_level ? DepthBias{-level * 0x1p24F, 0, 0} : DepthBias{-0x1p46F - 0x1p22F, kSlope, 0};
+    std::vector<glm::vec4> corners;
+    for (int triangle = 0; triangle < 200; ++triangle) {
+      const float x = random.real(-3, -1);
+      const float y = random.real(-3, -1);
+      const float reach = random.pick({0.05F, 0.3F});
+      for (int corner = 0; corner < 3; ++corner) {
+        const float w = is_level && corner > 0 ? corners[corners.size() - corner].w
+                                               : 1 + std::abs(random.real(-3, -1));
+        glm::vec4 p{w * (x + reach * random.real(-3, 0)), w * (y + reach * random.real(-3, 0)), 0,
+                    w};
+        p.z = is_level ? w * level : w / 2 + p.x / 4;
+        corners.push_back(p);
+      }
+    }
+    expect_kept(state, with_values(random, state, corners).mesh(), size);
+    if (HasFatalFailure()) return;
+  }
+}
+
 /// Three corners within a few units in the last place of a diagonal through the middle of the
 /// viewport. Edges through the middle have small constants, so that double decides the triangle's
 /// orientation with certainty, but not its values.

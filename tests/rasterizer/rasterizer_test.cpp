@@ -103,6 +103,16 @@ TEST(DrawFragments, ADepthOutsideZeroToOneIsAnError) {
   EXPECT_EQ(reversed.error(), std::nullopt);
 }
 
+TEST(DrawFragments, ADepthBiasThatIsNotFiniteIsAnError) {
+  for (const float bad : {kInfinity, -kInfinity, kNan}) {
+    for (const auto member : {&DepthBias::constant, &DepthBias::slope, &DepthBias::clamp}) {
+      Arguments arguments;
+      arguments.state.depth_bias.*member = bad;
+      EXPECT_EQ(arguments.error(), Error::depth_bias);
+    }
+  }
+}
+
 TEST(DrawFragments, ANegativeScissorSizeIsAnErrorAndANegativeOriginIsNot) {
   Arguments narrow;
   narrow.state.scissor.size.x = -1;
