@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "backends/appended_drawing.h"
+#include "backends/unorm_depth.h"
 #include "backends/vulkan/internal/case_commands.h"
 #include "backends/vulkan/internal/commands.h"
 #include "backends/vulkan/internal/fragment_buffer.h"
@@ -69,9 +71,10 @@ class CaseFragments {
     drawn_.attribute_count = c.attributes.size();
   }
 
-  /// Adds the next layer of a pass. Every pass must have all layers in the same order.
+  /// Adds the next layer of a pass. Every pass must have all layers in the same order. For the
+  /// first pass only, `first_reading` tells how its depths were stored.
   Result<void> add(const Target& target, std::size_t layer, const Layer& triangles, Pass pass,
-                   bool is_first_pass);
+                   const DepthReading* first_reading);
   void begin_pass() { next_ = 0; }
   /// True if the pass has as many fragments as the first pass.
   bool is_complete() const { return next_ == drawn_.size(); }
@@ -116,14 +119,17 @@ bool CaseFragments::is_next(std::size_t triangle, std::size_t index) const {
 }
 
 Result<void> CaseFragments::add(const Target& target, std::size_t layer, const Layer& triangles,
-                                Pass pass, bool is_first_pass) {
+                                Pass pass, const DepthReading* first_reading) {
   const std::span<const float> numbers = target.numbers(layer);
-  const std::span<const float> depths = target.depths(layer);
+  const std::vector<float> depths =
+      first_reading != nullptr ? target.depths(layer) : std::vector<float>();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] == 0) continue;
-    if (is_first_pass) {
+    if (first_reading != nullptr) {
       if (Result<void> placed = place(i, numbers[i], triangles); !placed) return placed;
-      drawn_.depth.push_back(depths[i]);
+      const Result<float> depth = first_reading->stored(depths[i]);
+      if (!depth) return tl::unexpected(depth.error());
+      drawn_.depth.push_back(*depth);
       drawn_.attributes.resize(drawn_.attributes.size() + drawn_.attribute_count);
     } else {
       const bool is_number = numbers[i] >= 1 && numbers[i] <= 0x1p24F;
@@ -176,6 +182,7 @@ struct CaseDrawing::Impl {
         records(std::move(the_records)) {}
 
   Result<const Target*> target_for(TargetShape shape);
+  Result<DepthReading> depth_reading(const cases::Case& c);
   Result<void> hand_over(const std::vector<float>& vertices);
   Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
                            const Target& target);
@@ -195,6 +202,8 @@ struct CaseDrawing::Impl {
   FragmentBuffer records;
   HostBuffer vertices;
   std::optional<Target> target;
+  /// How shaders convert unorm depths, by bits and samples.
+  std::map<std::pair<int, int>, std::optional<UnormFetch>> fetches;
 };
 
 CaseDrawing::CaseDrawing(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -217,6 +226,36 @@ Result<const Target*> CaseDrawing::Impl::target_for(TargetShape shape) {
   if (!made) return tl::unexpected(made.error());
   target = *std::move(made);
   return &*target;
+}
+
+/// Finds out how the depths of a case are to be read, on the first such case by clearing layers of
+/// one pixel to known depths.
+Result<DepthReading> CaseDrawing::Impl::depth_reading(const cases::Case& c) {
+  const int bits = cases::unorm_bits(c.depth_format);
+  const int samples = c.framebuffer.samples;
+  if (bits == 0 || samples == 1) return DepthReading{bits, std::nullopt};
+  if (const auto known = fetches.find({bits, samples}); known == fetches.end()) {
+    const std::vector<std::uint32_t> stored = telling_depths(bits);
+    const Result<const Target*> of_shape =
+        target_for({1, 1, samples, 0, stored.size(), c.depth_format});
+    if (!of_shape) return tl::unexpected(of_shape.error());
+    const Result<void> done = commands.run(*device, [&](VkCommandBuffer buffer) {
+      (*of_shape)->begin(buffer);
+      for (std::size_t i = 0; i < stored.size(); ++i) {
+        (*of_shape)->begin_layer(buffer, i, unorm_depth(stored[i], bits));
+        Target::end_layer(buffer);
+      }
+      (*of_shape)->end(buffer, reader, stored.size());
+    });
+    if (!done) return tl::unexpected(done.error());
+    std::vector<float> fetched;
+    for (std::size_t i = 0; i < stored.size(); ++i) fetched.push_back((*of_shape)->depths(i)[0]);
+    fetches[{bits, samples}] = fetch_of(fetched, bits);
+  }
+  const std::optional<UnormFetch> fetch = fetches[{bits, samples}];
+  if (fetch) return DepthReading{bits, fetch};
+  return failed(fmt::format("its shaders do not fetch depths of {} bits exactly", bits),
+                Failure::unsupported);
 }
 
 Result<void> CaseDrawing::Impl::hand_over(const std::vector<float>& floats) {
@@ -292,9 +331,12 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
   const std::vector<Layer> layers = layers_of(c);
   const std::vector<Pass> passes =
       passes_of(slots, static_cast<std::size_t>(device->limits().slots));
+  const Result<DepthReading> reading = depth_reading(c);
+  if (!reading) return tl::unexpected(reading.error());
   for (const Pass pass : passes) {
-    TargetShape shape{c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples, pass.size(),
-                      1};
+    TargetShape shape{
+        c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples, pass.size(), 1,
+        c.depth_format};
     if (shape.bytes() > kMost) {
       return failed(
           fmt::format("{} x {} pixels of {} samples and {} attributes do not fit into the "
@@ -315,7 +357,8 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
       }
       for (std::size_t i = 0; i < some.size(); ++i) {
         const bool is_first = pass.data() == passes.front().data();
-        const Result<void> added = fragments.add(**of_shape, i, some[i], pass, is_first);
+        const Result<void> added =
+            fragments.add(**of_shape, i, some[i], pass, is_first ? &*reading : nullptr);
         if (!added) return tl::unexpected(added.error());
       }
       go_on();

@@ -1,8 +1,10 @@
 #include "backends/vulkan/internal/target.h"
 
 #include <array>
+#include <cstdint>
 #include <utility>
 
+#include "backends/unorm_depth.h"
 #include "backends/vulkan/slots.h"
 
 namespace rastercheck::backends::vulkan {
@@ -20,8 +22,10 @@ std::size_t part_bytes(const TargetShape& shape, std::size_t components) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
 
+bool is_depth_format(VkFormat format) { return format != kNumberFormat && format != kSlotFormat; }
+
 VkImageCreateInfo image_info(const TargetShape& shape, VkFormat format) {
-  const bool is_depth = format == kDepthFormat;
+  const bool is_depth = is_depth_format(format);
   const auto drawn = static_cast<VkImageUsageFlags>(
       is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   const auto read = static_cast<VkImageUsageFlags>(
@@ -52,7 +56,7 @@ Result<ImageView> make_view(const Device& device, VkImage image, VkFormat format
   info.image = image;
   info.viewType = type;
   info.format = format;
-  info.subresourceRange = {aspect(format == kDepthFormat), 0, 1, first, count};
+  info.subresourceRange = {aspect(is_depth_format(format)), 0, 1, first, count};
   return make_object<ImageView>("vkCreateImageView", &vkCreateImageView, device.get(), info);
 }
 
@@ -78,7 +82,8 @@ Result<void> Target::add_part(const Device& device, VkFormat format, std::size_t
   if (!image) return tl::unexpected(image.error());
   Part part;
   part.image = *std::move(image);
-  part.is_depth = format == kDepthFormat;
+  part.is_depth = is_depth_format(format);
+  part.has_stencil = format == VK_FORMAT_D24_UNORM_S8_UINT;
   part.components = components;
   const VkImage handle = part.image.image.get();
   for (std::uint32_t i = 0; i < shape_.layers; ++i) {
@@ -100,7 +105,7 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
                               const TargetShape& shape) {
   Target target;
   target.shape_ = shape;
-  Result<void> added = target.add_part(device, kDepthFormat, 1);
+  Result<void> added = target.add_part(device, device.depth_format(shape.depth), 1);
   for (std::size_t i = 0; added && i < shape.slots; ++i) {
     added = target.add_part(device, kSlotFormat, kSlotSize);
   }
@@ -147,7 +152,9 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = part.image.image.get();
-  barrier.subresourceRange = {aspect(part.is_depth), 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
+  // Both aspects of an image must have the same layout.
+  const VkImageAspectFlags stencil = part.has_stencil ? VK_IMAGE_ASPECT_STENCIL_BIT : 0U;
+  barrier.subresourceRange = {aspect(part.is_depth) | stencil, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
   if (is_before) {
     barrier.dstAccessMask = drawing;
     barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
@@ -232,7 +239,27 @@ std::span<const float> Target::read(const Part& part, std::size_t layer) const {
 std::span<const float> Target::numbers(std::size_t layer) const {
   return read(parts_.back(), layer);
 }
-std::span<const float> Target::depths(std::size_t layer) const { return read(parts_[0], layer); }
+
+std::vector<float> Target::depths(std::size_t layer) const {
+  const int bits = cases::unorm_bits(shape_.depth);
+  if (bits == 0 || shape_.samples > 1) {
+    const std::span<const float> all = read(parts_[0], layer);
+    return {all.begin(), all.end()};
+  }
+  // Copies of 16 bits are packed; of 24 bits, each takes the low bits of a 32-bit word.
+  const std::size_t count = shape_.layer_samples();
+  const std::byte* const begin = buffer_.bytes.data() + parts_[0].begin;
+  std::vector<float> depths(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = layer * count + i;
+    const std::uint32_t k = bits == 16
+                                ? reinterpret_cast<const std::uint16_t*>(begin)[at]
+                                : reinterpret_cast<const std::uint32_t*>(begin)[at] & 0xFFFFFFU;
+    depths[i] = unorm_depth(k, bits);
+  }
+  return depths;
+}
+
 std::span<const float> Target::slot(std::size_t slot, std::size_t layer) const {
   return read(parts_[1 + slot], layer);
 }

@@ -17,6 +17,7 @@ struct TargetShape {
   int samples = 1;
   std::size_t slots = 0;
   std::size_t layers = 1;
+  cases::DepthFormat depth = cases::DepthFormat::float32;  ///< one that the device has
   bool has_numbers = true;  ///< if false, there is no image of triangle numbers
   bool operator==(const TargetShape&) const = default;
 
@@ -49,7 +50,8 @@ class Target {
 
   /// The content that was read back from a layer: [y][x][sample].
   std::span<const float> numbers(std::size_t layer) const;
-  std::span<const float> depths(std::size_t layer) const;
+  /// Depths are as stored or, of a unorm format with several samples, as a shader fetches them.
+  std::vector<float> depths(std::size_t layer) const;
   /// [y][x][sample][kSlotSize].
   std::span<const float> slot(std::size_t slot, std::size_t layer) const;
 
@@ -59,6 +61,7 @@ class Target {
     std::vector<ImageView> views;  ///< one for each layer
     ImageView whole;               ///< all layers, for reading samples
     bool is_depth = false;
+    bool has_stencil = false;
     std::size_t components = 1;
     std::size_t begin = 0;  ///< offset in the buffer, in bytes
   };
