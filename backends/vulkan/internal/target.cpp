@@ -153,8 +153,9 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = part.image.image.get();
   // Both aspects of an image must have the same layout.
-  const VkImageAspectFlags stencil = part.has_stencil ? VK_IMAGE_ASPECT_STENCIL_BIT : 0U;
-  barrier.subresourceRange = {aspect(part.is_depth) | stencil, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
+  VkImageAspectFlags aspects = aspect(part.is_depth);
+  if (part.has_stencil) aspects |= VK_IMAGE_ASPECT_STENCIL_BIT;
+  barrier.subresourceRange = {aspects, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
   if (is_before) {
     barrier.dstAccessMask = drawing;
     barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
