@@ -396,7 +396,8 @@ Offset OneTriangle::offset(const WindowTriangle* window, const Evaluation& evalu
   }
   const double constant = std::fabs(double{bias.constant});
   const int bits = cases::unorm_bits(case_->depth_format);
-  const double unit = bits > 0 ? std::ldexp(1.0, 1 - bits) : unit_of_float(range + of_depth);
+  const double unit =
+      bits > 0 ? std::ldexp(1.0, 1 - bits) : unit_of_float(depth_scale() * range + of_depth);
   all.most += constant * unit;
   all.error += 2 * operation * all.most;
   if (bits > 0) return all;
@@ -405,10 +406,15 @@ Offset OneTriangle::offset(const WindowTriangle* window, const Evaluation& evalu
     unit_error = std::max(unit_error, unit_of_float(depth + of_depth) -
                                           unit_of_float(std::max(depth - of_depth, 0.0)));
   };
-  for (const Vertex& v : vertices_) {
-    if (v.w > 0) add_unit_error(std::clamp(window_depth(v), 0.0, range));
-  }
-  for (const Vertex& v : drawn_) add_unit_error(std::clamp(window_depth(v), 0.0, range));
+  // Whether the depth that r belongs to is clamped is open.
+  const auto add_vertex = [&](const Vertex& v) {
+    if (!(v.w > 0)) return;
+    const double depth = std::fabs(window_depth(v));
+    add_unit_error(depth);
+    add_unit_error(std::min(depth, range));
+  };
+  std::for_each(vertices_.begin(), vertices_.end(), add_vertex);
+  std::for_each(drawn_.begin(), drawn_.end(), add_vertex);
   all.error += constant * unit_error;
   return all;
 }

@@ -30,6 +30,13 @@ bool tells(std::uint32_t k, int bits) {
          fetched_depth(k, bits, UnormFetch::multiplied);
 }
 
+/// True if clearing to unorm_depth(k) stores k, whether the driver truncates or rounds to the
+/// nearest: the float is no less than k/(2^n − 1), and is less than half a step more. Rounding the
+/// product with 2^n − 1 to float32 keeps it from k to there. The product in double is exact.
+bool is_stored_alike(std::uint32_t k, int bits) {
+  return double{unorm_depth(k, bits)} * steps_of(bits) >= double{k};
+}
+
 }  // namespace
 
 // Injective: neighbouring k/(2^n − 1) are farther apart than 2^-n, which for n <= 24 is at least
@@ -47,17 +54,15 @@ float fetched_depth(std::uint32_t k, int bits, UnormFetch how) {
 }
 
 std::vector<std::uint32_t> telling_depths(int bits) {
+  constexpr std::uint32_t kPairs = kTellingDepths / 2;
   const std::uint32_t greatest = (std::uint32_t{1} << static_cast<unsigned>(bits)) - 1;
-  // In the upper half of the range, unorm_depth(k) (2^n − 1) lies in [k, k + 1/2), also as float32,
-  // for 24 bits; the floats of shorter formats are much closer to k than half a step.
-  const std::uint32_t least = bits == 24 ? (greatest + 1) / 2 : 0;
   std::vector<std::uint32_t> all;
-  constexpr std::size_t kTelling = kTellingDepths / 2;
-  const std::uint32_t step = (greatest - least) / kTelling;
-  for (std::uint32_t i = 0; i < kTelling; ++i) {
-    std::uint32_t k = least + i * step;
+  for (std::uint32_t i = 0; i < kPairs; ++i) {
+    std::uint32_t k = i * (greatest / kPairs);
+    while (!is_stored_alike(k, bits)) ++k;
     all.push_back(k);
-    while (k < greatest && !tells(k, bits)) ++k;
+    // 0 and the greatest k are stored alike.
+    while (k < greatest && !(tells(k, bits) && is_stored_alike(k, bits))) ++k;
     all.push_back(k);
   }
   return all;
@@ -74,19 +79,31 @@ std::optional<UnormFetch> fetch_of(std::span<const float> fetched, int bits) {
   return std::nullopt;
 }
 
-Result<float> DepthReading::stored(float read) const {
+bool DepthReading::is_open(float read) const {
+  return bits != 0 && fetch && integers_read_as(read, bits, *fetch).size() > 1;
+}
+
+Result<float> DepthReading::stored(float read, bool is_one) const {
   if (bits == 0 || !fetch) return read;
   const std::vector<std::uint32_t> found = integers_read_as(read, bits, *fetch);
-  if (found.size() == 1) return unorm_depth(found[0], bits);
-  if (found.empty()) {
-    return tl::unexpected(
-        Error{"", "", fmt::format("a depth of {} bits was fetched as {}", bits, read)});
-  }
+  if (!found.empty()) return unorm_depth(is_one ? found.back() : found.front(), bits);
   return tl::unexpected(
-      Error{"", "",
-            fmt::format("its shaders fetch a depth of {} bits as {}, whether it is {} or {} steps",
-                        bits, read, found[0], found[1]),
-            Failure::unsupported});
+      Error{"", "", fmt::format("a depth of {} bits was fetched as {}", bits, read)});
+}
+
+cases::Case covering_at_one(const cases::Case& c) {
+  cases::Case all;
+  all.rules = c.rules;
+  all.framebuffer = c.framebuffer;
+  all.viewport = {
+      0, 0, static_cast<float>(c.framebuffer.width), static_cast<float>(c.framebuffer.height),
+      0, 1};
+  all.depth_format = c.depth_format;
+  all.attributes = c.attributes;
+  all.positions = {{-1, -1, 1, 1}, {3, -1, 1, 1}, {-1, 3, 1, 1}};
+  all.attribute_values.assign(3 * c.attributes.size(), 0.0F);
+  all.triangles = {{0, 1, 2}};
+  return all;
 }
 
 }  // namespace rastercheck::backends

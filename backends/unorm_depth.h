@@ -4,11 +4,13 @@
 // a shader fetches. A fetched float need not be the nearest one to k/(2^n − 1), so each driver's
 // conversion is found out before it is relied on.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "cases/case.h"
 #include "cases/error.h"
 
 namespace rastercheck::backends {
@@ -19,7 +21,7 @@ float unorm_depth(std::uint32_t k, int bits);
 
 /// How shaders convert k to float32: `divided` rounds k/(2^n − 1) to the nearest; `multiplied` is
 /// the float32 product of k and the float32 nearest to 1/(2^n − 1). With 24 bits, the product is 1
-/// for both of the greatest k.
+/// for both of the greatest k, and different k have different products otherwise.
 enum class UnormFetch { divided, multiplied };
 float fetched_depth(std::uint32_t k, int bits, UnormFetch how);
 
@@ -38,9 +40,15 @@ struct DepthReading {
   int bits = 0;                     ///< of a unorm format; 0 for float32
   std::optional<UnormFetch> fetch;  ///< set if a shader fetched the depths of a unorm format
 
-  /// Turns a depth that was read back into the one that was stored. Fails with
-  /// Failure::unsupported if several stored depths would read alike.
-  Result<float> stored(float read) const;
+  /// True if a depth that was read back as `read` may have been stored as 1 or as a step less.
+  bool is_open(float read) const;
+  /// Turns a depth that was read back into the one that was stored. If it is open, `is_one` tells
+  /// which it is. Fails if nothing is read back as this.
+  Result<float> stored(float read, bool is_one) const;
 };
+
+/// A triangle over all samples of a case's framebuffer, with depth 1. Its attributes are the
+/// case's, all 0. Where drawing it with the depth test `equal` leaves a fragment, 1 is stored.
+cases::Case covering_at_one(const cases::Case& c);
 
 }  // namespace rastercheck::backends

@@ -110,6 +110,8 @@ struct CaseDrawer::Impl {
   Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
                                       const std::function<void()>& go_on);
   bool appends(const cases::Case& c) const;
+  Result<void> recover_depths(const Batches& plan, const Pass& pass, std::size_t layer,
+                              Layers& layers);
   Result<void> find_fragments(const Batches& plan, std::size_t first, LayerFragments& found) const;
   Result<void> take_values(const Batches& plan, const Pass& pass, LayerFragments& found) const;
 
@@ -296,6 +298,42 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
   return check("drawing");
 }
 
+/// Replaces the depths of fragments in `content`, which holds a layer, by those that were stored.
+Result<void> CaseDrawer::Impl::recover_depths(const Batches& plan, const Pass& pass,
+                                              std::size_t layer, Layers& layers) {
+  if (!plan.depth.fetch || content.is_empty) return {};
+  bool is_open = false;
+  for (std::size_t i = 0; i < content.numbers.size() && !is_open; ++i) {
+    is_open = content.numbers[i] != 0 && plan.depth.is_open(content.depth[i]);
+  }
+  LayerContent ones;
+  if (is_open) {
+    const cases::Case all = covering_at_one(*plan.c);
+    const Result<GLuint> program = programs.get(pass, all.framebuffer.samples > 1);
+    if (!program) return tl::unexpected(program.error());
+    hand_over_vertices(has, all, all.triangles, pass, vertex_array.name(), vertices.name());
+    glUseProgram(*program);
+    set_case_state(has, all);
+    glDepthFunc(GL_EQUAL);
+    constexpr std::array<GLfloat, 4> kNoNumber{};
+    glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(layer));
+    glDisable(GL_SCISSOR_TEST);
+    glClearBufferfv(GL_COLOR, 0, kNoNumber.data());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    reset_case_state(has);
+    const std::vector<bool> none(pass.size());
+    if (auto read = layers.read(layer, none, ones); !read) return read;
+  }
+  for (std::size_t i = 0; i < content.numbers.size(); ++i) {
+    if (content.numbers[i] == 0) continue;
+    const Result<float> depth =
+        plan.depth.stored(content.depth[i], is_open && ones.numbers[i] != 0);
+    if (!depth) return tl::unexpected(depth.error());
+    content.depth[i] = *depth;
+  }
+  return {};
+}
+
 /// Finds the fragments in `content`, which holds triangles from `first` on.
 Result<void> CaseDrawer::Impl::find_fragments(const Batches& plan, std::size_t first,
                                               LayerFragments& found) const {
@@ -312,9 +350,7 @@ Result<void> CaseDrawer::Impl::find_fragments(const Batches& plan, std::size_t f
     found.triangle.push_back(triangle);
     found.at.push_back(at);
     found.place.push_back(i);
-    const Result<float> depth = plan.depth.stored(content.depth[at]);
-    if (!depth) return tl::unexpected(depth.error());
-    found.depth.push_back(*depth);
+    found.depth.push_back(content.depth[at]);
   }
   found.attributes.resize(found.at.size() * plan.c->attributes.size());
   return {};
@@ -349,6 +385,9 @@ Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first
     if (auto done = draw_pass(plan, pass, first, layer_count, **layers); !done) return done;
     for (std::size_t layer = 0; layer < found.size(); ++layer) {
       if (auto read = (*layers)->read(layer, wanted, content); !read) return read;
+      if (&pass == &plan.passes.front()) {
+        if (auto done = recover_depths(plan, pass, layer, **layers); !done) return done;
+      }
       LayerFragments again;
       if (auto looked = find_fragments(plan, first, again); !looked) return looked;
       if (&pass == &plan.passes.front()) {

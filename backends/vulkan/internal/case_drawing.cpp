@@ -76,6 +76,10 @@ class CaseFragments {
   Result<void> add(const Target& target, std::size_t layer, const Layer& triangles, Pass pass,
                    const DepthReading* first_reading);
   void begin_pass() { next_ = 0; }
+  /// True if layers since the last call of settle() have depths that are 1 or a step less. Then
+  /// settle() makes them 1 where the target's layers, drawn again, have a number.
+  bool has_open_depths() const { return !open_.empty(); }
+  void settle(const Target& ones);
   /// True if the pass has as many fragments as the first pass.
   bool is_complete() const { return next_ == drawn_.size(); }
   cases::Fragments take();
@@ -84,10 +88,24 @@ class CaseFragments {
   Result<void> place(std::size_t index, float number, const Layer& triangles);
   bool is_next(std::size_t triangle, std::size_t index) const;
 
+  struct OpenDepth {
+    std::size_t fragment = 0;
+    std::size_t layer = 0;
+    std::size_t sample = 0;  ///< index in the layer
+  };
+
   const cases::Case* case_;
   cases::Fragments drawn_;
+  std::vector<OpenDepth> open_;
   std::size_t next_ = 0;
 };
+
+void CaseFragments::settle(const Target& ones) {
+  for (const OpenDepth& at : open_) {
+    if (ones.numbers(at.layer)[at.sample] != 0) drawn_.depth[at.fragment] = 1;
+  }
+  open_.clear();
+}
 
 tl::unexpected<Error> other_coverage() {
   return failed("the case covered other samples when it was drawn again with its other attributes");
@@ -127,8 +145,9 @@ Result<void> CaseFragments::add(const Target& target, std::size_t layer, const L
     if (numbers[i] == 0) continue;
     if (first_reading != nullptr) {
       if (Result<void> placed = place(i, numbers[i], triangles); !placed) return placed;
-      const Result<float> depth = first_reading->stored(depths[i]);
+      const Result<float> depth = first_reading->stored(depths[i], false);
       if (!depth) return tl::unexpected(depth.error());
+      if (first_reading->is_open(depths[i])) open_.push_back({drawn_.depth.size(), layer, i});
       drawn_.depth.push_back(*depth);
       drawn_.attributes.resize(drawn_.attributes.size() + drawn_.attribute_count);
     } else {
@@ -186,6 +205,8 @@ struct CaseDrawing::Impl {
   Result<void> hand_over(const std::vector<float>& vertices);
   Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
                            const Target& target);
+  Result<void> draw_ones(const cases::Case& c, Pass pass, std::size_t layer_count,
+                         const Target& target);
   Result<cases::Fragments> draw_in_layers(const cases::Case& c, const std::function<void()>& go_on);
   Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
                                       const std::function<void()>& go_on);
@@ -290,6 +311,29 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
       *device, [&](VkCommandBuffer buffer) { record(buffer, c, *pipeline, layers, target_of); });
 }
 
+/// Draws into layers where depth 1 is stored.
+Result<void> CaseDrawing::Impl::draw_ones(const cases::Case& c, Pass pass, std::size_t layer_count,
+                                          const Target& target_of) {
+  const cases::Case all = covering_at_one(c);
+  const PipelineKind kind = kind_of(all, device->limits(), pass);
+  const Result<VkPipeline> pipeline = pipelines.get(*device, kind);
+  if (!pipeline) return tl::unexpected(pipeline.error());
+  std::vector<float> floats;
+  append_triangle(all, pass, vertex_layout(kind), 0, 1, floats);
+  if (Result<void> handed = hand_over(floats); !handed) return handed;
+  return commands.run(*device, [&](VkCommandBuffer buffer) {
+    target_of.begin_over_depths(buffer);
+    bind_case(buffer, all, *pipeline, vertices.buffer.get());
+    vkCmdSetDepthCompareOp(buffer, VK_COMPARE_OP_EQUAL);
+    for (std::size_t i = 0; i < layer_count; ++i) {
+      target_of.begin_layer(buffer, i, std::nullopt);
+      vkCmdDraw(buffer, 3, 1, 0, 0);
+      Target::end_layer(buffer);
+    }
+    target_of.end(buffer, reader, layer_count);
+  });
+}
+
 void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
                                std::span<const Layer> layers, const Target& target_of) const {
   target_of.begin(buffer);
@@ -360,6 +404,11 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
         const Result<void> added =
             fragments.add(**of_shape, i, some[i], pass, is_first ? &*reading : nullptr);
         if (!added) return tl::unexpected(added.error());
+      }
+      if (fragments.has_open_depths()) {
+        const Result<void> drawn = draw_ones(c, pass, some.size(), **of_shape);
+        if (!drawn) return tl::unexpected(drawn.error());
+        fragments.settle(**of_shape);
       }
       go_on();
     }

@@ -134,8 +134,9 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
   return target;
 }
 
-/// Transitions the image for drawing into it, or from drawing to reading.
-void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before) const {
+/// Transitions the image for drawing into it, with or without its content, or from drawing to
+/// reading.
+void Target::barrier(VkCommandBuffer commands, const Part& part, Change change) const {
   const VkImageLayout drawn = part.is_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                             : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   const VkAccessFlags drawing =
@@ -156,10 +157,13 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
   VkImageAspectFlags aspects = aspect(part.is_depth);
   if (part.has_stencil) aspects |= VK_IMAGE_ASPECT_STENCIL_BIT;
   barrier.subresourceRange = {aspects, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
-  if (is_before) {
+  const VkImageLayout readable =
+      has_samples ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  if (change != Change::read) {
     barrier.dstAccessMask = drawing;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    barrier.oldLayout = change == Change::reuse ? readable : VK_IMAGE_LAYOUT_UNDEFINED;
     barrier.newLayout = drawn;
+    // Commands::run() waits for earlier commands.
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, drawing_stage, 0, 0, nullptr,
                          0, nullptr, 1, &barrier);
     return;
@@ -167,8 +171,7 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
   barrier.srcAccessMask = drawing;
   barrier.dstAccessMask = has_samples ? VK_ACCESS_SHADER_READ_BIT : VK_ACCESS_TRANSFER_READ_BIT;
   barrier.oldLayout = drawn;
-  barrier.newLayout =
-      has_samples ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  barrier.newLayout = readable;
   vkCmdPipelineBarrier(
       commands, drawing_stage,
       has_samples ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0,
@@ -176,10 +179,17 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
 }
 
 void Target::begin(VkCommandBuffer commands) const {
-  for (const Part& part : parts_) barrier(commands, part, true);
+  for (const Part& part : parts_) barrier(commands, part, Change::discard);
 }
 
-void Target::begin_layer(VkCommandBuffer commands, std::size_t layer, float clear_depth) const {
+void Target::begin_over_depths(VkCommandBuffer commands) const {
+  for (const Part& part : parts_) {
+    barrier(commands, part, part.is_depth ? Change::reuse : Change::discard);
+  }
+}
+
+void Target::begin_layer(VkCommandBuffer commands, std::size_t layer,
+                         std::optional<float> clear_depth) const {
   const auto color = [&](const Part& part) {
     return attachment(part.views[layer].get(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   };
@@ -188,7 +198,8 @@ void Target::begin_layer(VkCommandBuffer commands, std::size_t layer, float clea
   for (std::size_t i = 0; i < shape_.slots; ++i) colors.push_back(color(parts_[1 + i]));
   VkRenderingAttachmentInfo depth =
       attachment(parts_[0].views[layer].get(), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
-  depth.clearValue.depthStencil = {clear_depth, 0};
+  if (!clear_depth) depth.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+  depth.clearValue.depthStencil = {clear_depth.value_or(1), 0};
   VkRenderingInfo info{};
   info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
   info.renderArea.extent = {static_cast<std::uint32_t>(shape_.width),
@@ -207,7 +218,7 @@ void Target::end(VkCommandBuffer commands, const SampleReader& reader, std::size
   const auto height = static_cast<std::uint32_t>(shape_.height);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
-    barrier(commands, part, false);
+    barrier(commands, part, Change::read);
     if (shape_.samples > 1) {
       reader.record(commands, bindings_.sets[i],
                     {width, height, static_cast<std::uint32_t>(shape_.samples),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,9 +42,12 @@ class Target {
 
   /// Call while recording, before drawing: discards the old content of the images.
   void begin(VkCommandBuffer commands) const;
+  /// Likewise, but keeps the depths. Call after end().
+  void begin_over_depths(VkCommandBuffer commands) const;
   /// Call both while recording, around the drawing into one layer. begin_layer() clears the layer,
-  /// and its depths to `clear_depth`.
-  void begin_layer(VkCommandBuffer commands, std::size_t layer, float clear_depth) const;
+  /// and its depths to `clear_depth`; if that is empty, it keeps the depths.
+  void begin_layer(VkCommandBuffer commands, std::size_t layer,
+                   std::optional<float> clear_depth) const;
   static void end_layer(VkCommandBuffer commands);
   /// Call while recording, after drawing: reads `layers` layers back.
   void end(VkCommandBuffer commands, const SampleReader& reader, std::size_t layers) const;
@@ -68,7 +72,8 @@ class Target {
 
   Target() = default;
   Result<void> add_part(const Device& device, VkFormat format, std::size_t components);
-  void barrier(VkCommandBuffer commands, const Part& part, bool is_before) const;
+  enum class Change { discard, reuse, read };
+  void barrier(VkCommandBuffer commands, const Part& part, Change change) const;
   std::span<const float> read(const Part& part, std::size_t layer) const;
 
   TargetShape shape_;
