@@ -34,7 +34,7 @@ bool tells(std::uint32_t k, int bits) {
 /// nearest: the float is no less than k/(2^n − 1), and is less than half a step more. Rounding the
 /// product with 2^n − 1 to float32 keeps it from k to there. The product in double is exact.
 bool is_stored_alike(std::uint32_t k, int bits) {
-  return double{unorm_depth(k, bits)} * steps_of(bits) >= double{k};
+  return double{unorm_depth(k, bits)} * steps_of(bits) >= static_cast<double>(k);
 }
 
 }  // namespace

@@ -92,8 +92,9 @@ inline void expect_stored_depths(Backend& backend) {
   const StoredDepths expected = stored_depths_of(backend);
   for (const cases::DepthFormat format : unorm_formats(expected)) {
     for (const int samples : backend.about().capabilities.sample_counts) {
-      // 0.5 is 32767.5 or 8388607.5 steps, and 0.25 is 3/4 above an integer.
-      for (const float z : {0.0F, 0.25F, 0.5F, 0x1p-12F, 1.0F}) {
+      // 0.5 is 32767.5 or 8388607.5 steps, and 0.25 is 3/4 above an integer. The float before 1 is
+      // stored as 1 or as a step less.
+      for (const float z : {0.0F, 0.25F, 0.5F, 0x1p-12F, 0x1.fffffep-1F, 1.0F}) {
         SCOPED_TRACE(testing::Message() << name_of(format) << " " << samples << " " << z);
         cases::Case c = depth_case(format, samples);
         add_plane(c, double{z});

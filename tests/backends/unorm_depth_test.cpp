@@ -21,8 +21,9 @@ TEST(UnormDepth, IsTheNearestFloat) {
   EXPECT_EQ(unorm_depth(13107, 16), 0.2F);  // 65535 / 5
 }
 
-TEST(UnormDepth, TellsAllNumbersApart) {
-  for (std::uint32_t k = 1; k <= kGreatest; ++k) {
+TEST(UnormDepth, TellsNumbersApart) {
+  constexpr std::uint32_t kStride = 61;
+  for (std::uint32_t k = kGreatest; k >= kStride; k -= kStride) {
     ASSERT_LT(unorm_depth(k - 1, 24), unorm_depth(k, 24)) << k;
     // Only the greatest numbers are fetched alike.
     ASSERT_EQ(fetched_depth(k - 1, 24, UnormFetch::multiplied) ==
