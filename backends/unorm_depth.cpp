@@ -13,12 +13,14 @@ double steps_of(int bits) { return std::ldexp(1.0, bits) - 1; }
 
 /// The integers that a driver's shaders fetch as `read`, in ascending order.
 std::vector<std::uint32_t> integers_read_as(float read, int bits, UnormFetch how) {
-  // Each conversion is off by at most two roundings to float32, which is less than two steps.
-  constexpr double kReach = 2;
-  const double about = std::round(double{read} * steps_of(bits));
   std::vector<std::uint32_t> found;
-  for (double k = about - kReach; k <= about + kReach; ++k) {
-    if (!(k >= 0 && k <= steps_of(bits))) continue;
+  // Each conversion is off by at most two roundings to float32, which is less than two steps.
+  constexpr int kReach = 2;
+  const double about = std::round(double{read} * steps_of(bits));
+  if (!(about >= 0 && about <= steps_of(bits))) return found;
+  for (int i = -kReach; i <= kReach; ++i) {
+    const double k = about + i;
+    if (k < 0 || k > steps_of(bits)) continue;
     const auto integer = static_cast<std::uint32_t>(k);
     if (fetched_depth(integer, bits, how) == read) found.push_back(integer);
   }

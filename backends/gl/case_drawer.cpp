@@ -218,6 +218,7 @@ Result<DepthReading> CaseDrawer::Impl::depth_reading(const cases::Case& c) {
       return tl::unexpected(layers.error());
     }
     std::vector<float> fetched;
+    fetched.reserve(depths.size());
     for (std::size_t i = 0; i < depths.size(); ++i) {
       const GLfloat cleared = unorm_depth(depths[i], bits);
       glBindFramebuffer(GL_FRAMEBUFFER, (*layers)->framebuffer(i));

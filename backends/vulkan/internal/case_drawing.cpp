@@ -270,6 +270,7 @@ Result<DepthReading> CaseDrawing::Impl::depth_reading(const cases::Case& c) {
     });
     if (!done) return tl::unexpected(done.error());
     std::vector<float> fetched;
+    fetched.reserve(stored.size());
     for (std::size_t i = 0; i < stored.size(); ++i) fetched.push_back((*of_shape)->depths(i)[0]);
     fetches[{bits, samples}] = fetch_of(fetched, bits);
   }
