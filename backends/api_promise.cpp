@@ -74,6 +74,22 @@
 // 6. `ieee`. δ is 2^-24, half a unit of a float32 rounded to nearest. Planes may be evaluated about
 //    a point as far away as the window's origin, as in Mesa's drivers. For triangles with some
 //    w <= 0, `spec` applies: drivers differ too much in how they cut and set these up.
+//
+// 7. Depth bias. The offset is o = m · slope + r · constant (cases::DepthBias), where m is off by
+//    internal/plane_error.cpp's slope_error(). The depths at the vertices, from which m comes, are
+//    off by e = (2 + 3) δ Z for the quotient and the depth range, where Z is the largest of them.
+//    Both products and their sum take one operation each, so
+//
+//      |Δo| <= |slope| |Δm| + 2δ (|slope| m + |constant| r) + |constant| Δr.
+//
+//    In a unorm format Δr = 0, as the contract says what r may be. In float32, r is the power of
+//    two below a depth; where an error of e changes that power, Δr is half of the greater r.
+//    Clamping adds no error. An implementation may add o to the vertices, so that depths up to
+//    Z + |o| are interpolated: Z + |o| takes the place of Z in the bound of depth, and the sum and
+//    its rounding take 2δ of that. Both APIs let r be less than any given number, so the unit is
+//    open; Mesa's drivers and others have 2^-b or 2^(1−b), which is what `ieee` asks for. A
+//    triangle that a plane cuts may be set up in pieces as thin as a rounding to the grid, whose m
+//    may be anything: with a slope, nothing is promised about its depths, nor if some w <= 0.
 
 #include "backends/api_promise.h"
 
@@ -85,7 +101,9 @@
 #include <utility>
 #include <vector>
 
+#include "backends/internal/affine_condition.h"
 #include "backends/internal/plane_error.h"
+#include "backends/internal/view_clipping.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -131,79 +149,6 @@ const Arithmetic& arithmetic_of(cases::DriverPromise promise) {
   return promise == cases::DriverPromise::ieee ? kFloat32 : kSpecified;
 }
 
-/// A vertex in clip space with its clip distances.
-struct Vertex {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-  double w = 0;
-  std::array<double, cases::kMaxClipDistances> distances{};
-};
-
-/// A function of a vertex that is 0 or positive on the side of a clip plane that is kept.
-using Plane = double (*)(const Vertex& v, std::size_t index);
-
-Vertex mean(const Vertex& a, const Vertex& b, double t) {
-  const auto between = [t](double from, double to) { return from + t * (to - from); };
-  Vertex c{between(a.x, b.x), between(a.y, b.y), between(a.z, b.z), between(a.w, b.w), {}};
-  for (std::size_t i = 0; i < c.distances.size(); ++i) {
-    c.distances[i] = between(a.distances[i], b.distances[i]);
-  }
-  return c;
-}
-
-/// The part of a triangle in the view volume, and how many planes have cut it. If a second or later
-/// plane leaves no part, the polygon is the part before that plane.
-struct Clipped {
-  std::vector<Vertex> polygon;
-  int planes = 0;
-  bool is_cut_at_the_sides = false;
-  bool is_empty = false;
-};
-
-void clip_by(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
-  if (clipped.is_empty) return;
-  std::vector<Vertex> left;
-  bool cuts = false;
-  const std::vector<Vertex>& all = clipped.polygon;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Vertex& a = all[i];
-    const Vertex& b = all[(i + 1) % all.size()];
-    const double at_a = plane(a, index);
-    const double at_b = plane(b, index);
-    if (at_a >= 0) left.push_back(a);
-    if ((at_a < 0) != (at_b < 0)) left.push_back(mean(a, b, at_a / (at_a - at_b)));
-    cuts = cuts || at_a < 0;
-  }
-  clipped.planes += cuts ? 1 : 0;
-  clipped.is_cut_at_the_sides = clipped.is_cut_at_the_sides || (cuts && is_side);
-  clipped.is_empty = left.empty();
-  // A driver may still draw something after a second plane, because new vertices are slightly off.
-  if (!clipped.is_empty || clipped.planes == 1) clipped.polygon = std::move(left);
-}
-
-Clipped clipped_to_view(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
-  Clipped clipped{{triangle.begin(), triangle.end()}};
-  constexpr std::array<Plane, 4> kSides{[](const Vertex& v, std::size_t) { return v.w + v.x; },
-                                        [](const Vertex& v, std::size_t) { return v.w - v.x; },
-                                        [](const Vertex& v, std::size_t) { return v.w + v.y; },
-                                        [](const Vertex& v, std::size_t) { return v.w - v.y; }};
-  if (!c.depth_clamp) {
-    const bool from_minus_one = c.rules == cases::Rules::opengl;
-    const Plane near = [](const Vertex& v, std::size_t) { return v.z; };
-    const Plane near_of_opengl = [](const Vertex& v, std::size_t) { return v.w + v.z; };
-    clip_by(clipped, from_minus_one ? near_of_opengl : near, 0, false);
-    clip_by(
-        clipped, [](const Vertex& v, std::size_t) { return v.w - v.z; }, 0, false);
-  }
-  for (std::size_t i = 0; i < c.clip_distance_count; ++i) {
-    clip_by(
-        clipped, [](const Vertex& v, std::size_t index) { return v.distances[index]; }, i, false);
-  }
-  for (const Plane side : kSides) clip_by(clipped, side, 0, true);
-  return clipped;
-}
-
 /// The greatest magnitude of one quantity over a triangle's vertices.
 template <typename Of>
 double greatest(const std::array<Vertex, 3>& triangle, const Of& of) {
@@ -211,41 +156,11 @@ double greatest(const std::array<Vertex, 3>& triangle, const Of& of) {
       {std::fabs(of(triangle[0])), std::fabs(of(triangle[1])), std::fabs(of(triangle[2]))});
 }
 
-/// K of the affine weights (cases::ValueBound) at the corner of the viewport that is farthest from
-/// the window's origin, where K is greatest.
-double condition_of(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle) {
-  const auto farthest = [](float from, float extent) {
-    return std::max(std::fabs(double{from}), std::fabs(double{from} + double{extent}));
-  };
-  const double u = farthest(viewport.x, viewport.width);
-  const double v = farthest(viewport.y, viewport.height);
-  std::array<std::array<double, 3>, 3> size{};
-  std::array<std::array<double, 3>, 3> column{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vertex& p = triangle[i];
-    const double half_w = double{viewport.width} / 2;
-    const double half_h = double{viewport.height} / 2;
-    column[i] = {p.x * half_w + p.w * (double{viewport.x} + half_w),
-                 p.y * half_h + p.w * (double{viewport.y} + half_h), p.w};
-    size[i] = {std::fabs(p.x * half_w) +
-                   std::fabs(p.w) * (std::fabs(double{viewport.x}) + std::fabs(half_w)),
-               std::fabs(p.y * half_h) +
-                   std::fabs(p.w) * (std::fabs(double{viewport.y}) + std::fabs(half_h)),
-               std::fabs(p.w)};
-  }
-  double determinant = 0;
-  double sizes = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& a = column[(i + 1) % 3];
-    const auto& b = column[(i + 2) % 3];
-    determinant += column[i][2] * (a[0] * b[1] - a[1] * b[0]);
-    const auto& [x_j, y_j, w_j] = size[(i + 1) % 3];
-    const auto& [x_k, y_k, w_k] = size[(i + 2) % 3];
-    sizes += size[i][2] *
-             ((y_j * w_k + y_k * w_j) * u + (x_j * w_k + x_k * w_j) * v + x_j * y_k + x_k * y_j);
-  }
-  return sizes / std::fabs(determinant);
-}
+/// What is added to a triangle's depths, in units of depth.
+struct Offset {
+  double most = 0;  ///< upper bound on the magnitude
+  double error = 0;
+};
 
 /// Derives the promise for one triangle of a case.
 class OneTriangle {
@@ -274,7 +189,10 @@ class OneTriangle {
   bool has_values_of_spec() const;
   void add_positions(std::span<const Vertex> vertices);
   void add_new_vertices(const Clipped& clipped, double least_w);
+  double window_depth(const Vertex& v) const;
   double depth_scale() const;
+  Offset offset(const WindowTriangle* window, const Evaluation& evaluation) const;
+  double biased(double share, const Offset& offset) const;
   double larger_condition() const;
   void set_values(double of_weights);
   void set_values_by_planes(bool is_cut);
@@ -292,6 +210,7 @@ class OneTriangle {
   double new_position_ = 0;    ///< error of new vertices, in pixels
   double cut_at_sides_ = 0;    ///< error of new vertices that the viewport's sides make, in pixels
   double new_weight_ = 0;      ///< ω, relative
+  std::vector<Vertex> drawn_;  ///< the vertices of the part in the view volume
   cases::TrianglePromise promise_;
 };
 
@@ -368,6 +287,7 @@ cases::TrianglePromise OneTriangle::promise() {
       return promise_;
     }
     if (clipped.planes > 0) add_new_vertices(clipped, least_w);
+    drawn_ = clipped.polygon;
   }
   const double units = std::ldexp(kRest, limits_.subpixel_bits);
   // Rounding a new vertex to the grid moves the edges that end there by up to a unit. If such an
@@ -433,20 +353,80 @@ void OneTriangle::add_new_vertices(const Clipped& clipped, double least_w) {
   new_weight_ = share * std::max(greatest_w, z);
 }
 
+/// The depth z/w in the depth range, if w is not 0.
+double OneTriangle::window_depth(const Vertex& v) const {
+  const double n = double{case_->viewport.min_depth};
+  const double f = double{case_->viewport.max_depth};
+  const double z = v.z / v.w;
+  const double share = case_->rules == cases::Rules::opengl ? (z + 1) / 2 : z;
+  return n + (f - n) * share;
+}
+
 /// How many times the depths at the vertices exceed the larger end of the depth range, the scale of
 /// depth errors; at least 1.
 double OneTriangle::depth_scale() const {
-  const double n = double{case_->viewport.min_depth};
-  const double f = double{case_->viewport.max_depth};
-  const double range = std::max(n, f);
+  const double range = double{std::max(case_->viewport.min_depth, case_->viewport.max_depth)};
   double most = range;
   for (const Vertex& v : vertices_) {
-    if (v.w == 0) continue;
-    const double z = v.z / v.w;
-    const double share = case_->rules == cases::Rules::opengl ? (z + 1) / 2 : z;
-    most = std::max(most, std::fabs(n + (f - n) * share));
+    if (v.w != 0) most = std::max(most, std::fabs(window_depth(v)));
   }
   return range > 0 ? most / range : 1;
+}
+
+/// The unit of a float32 depth, 2^(e−23) where 2^e is the power of two below it.
+double unit_of_float(double depth) {
+  return depth > 0 ? std::ldexp(1.0, std::max(std::ilogb(depth), -126) - 23) : 0;
+}
+
+/// `window` is nullptr if the triangle's slope is not known.
+Offset OneTriangle::offset(const WindowTriangle* window, const Evaluation& evaluation) const {
+  const cases::DepthBias& bias = case_->depth_bias;
+  if (bias.is_none()) return {};
+  const double operation = arithmetic_.operation;
+  const double range = double{std::max(case_->viewport.min_depth, case_->viewport.max_depth)};
+  const double of_depth = (kQuotient + kDepthRange) * operation * depth_scale() * range;  // e
+  Offset all;
+  if (bias.slope != 0) {
+    if (window == nullptr) return {kInfinity, kInfinity};
+    const std::array<double, 3> depths{window_depth(vertices_[0]), window_depth(vertices_[1]),
+                                       window_depth(vertices_[2])};
+    const SlopeError slope = slope_error(*window, depths, of_depth, evaluation);
+    all.most = std::fabs(double{bias.slope}) * (slope.most + slope.error);
+    all.error = std::fabs(double{bias.slope}) * slope.error;
+  }
+  const double constant = std::fabs(double{bias.constant});
+  const int bits = cases::unorm_bits(case_->depth_format);
+  const double unit =
+      bits > 0 ? std::ldexp(1.0, 1 - bits) : unit_of_float(depth_scale() * range + of_depth);
+  all.most += constant * unit;
+  all.error += 2 * operation * all.most;
+  if (bits > 0) return all;
+  double unit_error = 0;  // Δr
+  const auto add_unit_error = [&](double depth) {
+    unit_error = std::max(unit_error, unit_of_float(depth + of_depth) -
+                                          unit_of_float(std::max(depth - of_depth, 0.0)));
+  };
+  // Whether the depth that r belongs to is clamped is open.
+  const auto add_vertex = [&](const Vertex& v) {
+    if (!(v.w > 0)) return;
+    const double depth = std::fabs(window_depth(v));
+    add_unit_error(depth);
+    add_unit_error(std::min(depth, range));
+  };
+  std::for_each(vertices_.begin(), vertices_.end(), add_vertex);
+  std::for_each(drawn_.begin(), drawn_.end(), add_vertex);
+  all.error += constant * unit_error;
+  return all;
+}
+
+/// The error of depth, as a share of the depth range's larger end, if `share` is the error as a
+/// share of the largest depth without the offset.
+double OneTriangle::biased(double share, const Offset& offset) const {
+  if (case_->depth_bias.is_none()) return depth_scale() * share;
+  const double range = double{std::max(case_->viewport.min_depth, case_->viewport.max_depth)};
+  if (!(range > 0)) return kInfinity;
+  return (depth_scale() + offset.most / range) * (share + 2 * arithmetic_.operation) +
+         offset.error / range;
 }
 
 /// The factor by which K may grow because the driver's viewport differs slightly.
@@ -465,10 +445,9 @@ void OneTriangle::set_values(double of_weights) {
                                           : kAllDigits;
   value.per_condition = in_ulps(kPerCondition * arithmetic_.operation * larger_condition(), 0);
   promise_.bounds = {value, value, {}};
-  promise_.bounds.depth.constant =
-      in_ulps(depth_scale() *
-              ((kPerCondition * of_weights + kQuotient + kDepthRange) * arithmetic_.operation +
-               new_weights));
+  const double of_depth =
+      (kPerCondition * of_weights + kQuotient + kDepthRange) * arithmetic_.operation + new_weights;
+  promise_.bounds.depth.constant = in_ulps(biased(of_depth, offset(nullptr, {})));
 }
 
 /// True if an attribute with this interpolation may be evaluated outside the triangle.
@@ -531,9 +510,10 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
   const PlaneError depth = error_of(false);
   promise_.bounds.smooth = {in_ulps(smooth.constant + open), in_ulps(smooth.per_horizon, 0)};
   promise_.bounds.noperspective = {in_ulps(noperspective.affine + open_affine)};
+  const double of_depth =
+      depth.affine + (kQuotient + kDepthRange) * arithmetic_.operation + open_affine;
   promise_.bounds.depth = {
-      in_ulps(depth_scale() *
-              (depth.affine + (kQuotient + kDepthRange) * arithmetic_.operation + open_affine))};
+      in_ulps(biased(of_depth, offset(is_cut ? nullptr : &window, evaluation)))};
   if (promised_ != cases::DriverPromise::conformance) return;
   const double around = (case_->framebuffer.samples > 1 ? 1 : unit) * grown_;
   promise_.bounds.smooth = {
@@ -559,6 +539,11 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits,
   contract.basis = cases::Basis::unspecified;
   contract.tie_rule = cases::TieRule::unspecified;
   contract.is_on_grid = false;
+  contract.depth_store = cases::DepthStore::either;
+  contract.depth_bias = {cases::BiasSlope::between,
+                         promised == cases::DriverPromise::ieee ? cases::BiasUnit::either_power
+                                                                : cases::BiasUnit::open,
+                         cases::BiasExponent::open};
   contract.keeps_sign_of_zero = false;
   contract.is_invariant = false;
   contract.viewport_error = viewport_error(c.viewport, limits.viewport_subpixel_bits);

@@ -355,6 +355,8 @@ std::string lacks_of_appending(const cases::Case& c) {
   if (c.depth_test != cases::DepthTest::none) return "appending does not support a depth test";
   if (c.depth_clamp)
     return "appending does not support depth clamp, which changes depths only when they are stored";
+  if (!c.depth_bias.is_none() || cases::unorm_bits(c.depth_format) != 0)
+    return "appending supports neither a depth bias nor unorm depth, which only a depth buffer has";
   return "";
 }
 

@@ -60,8 +60,8 @@ struct AppendingDriver {
 };
 
 /// Says why the fragments of a case cannot be appended; empty if they can. Appending ignores a
-/// depth test and depth clamping, which affect only what is stored, and several samples would need
-/// more data per record.
+/// depth test, depth clamping, a depth bias and unorm formats, which affect only what is stored,
+/// and several samples would need more data per record.
 std::string lacks_of_appending(const cases::Case& c);
 
 /// Draws a case for which lacks_of_appending() returns nothing. The triangles are drawn once with

@@ -23,6 +23,7 @@
 #include "backends/gl/internal/layers.h"
 #include "backends/gl/internal/objects.h"
 #include "backends/gl/internal/varyings.h"
+#include "backends/unorm_depth.h"
 #include "backends/upright_viewport.h"
 #include "cases/json.h"
 
@@ -53,6 +54,7 @@ struct Batches {
   int layers = 1;                  ///< per batch
   std::size_t triangles = 1;       ///< per layer
   std::vector<std::size_t> order;  ///< the driver's index of each standard sample
+  DepthReading depth;
 };
 
 std::uint32_t triangle_of(float number, std::size_t first, std::size_t count, bool& is_one) {
@@ -100,6 +102,7 @@ struct CaseDrawer::Impl {
   Result<void> prepare();
   Result<Batches> plan(const cases::Case& c);
   Result<Layers*> layers_for(const LayerShape& shape);
+  Result<DepthReading> depth_reading(const cases::Case& c);
   Result<void> draw_pass(const Batches& plan, const Pass& pass, std::size_t first, int layer_count,
                          Layers& layers);
   Result<void> draw_batch(const Batches& plan, std::size_t first, cases::Fragments& drawn);
@@ -107,6 +110,8 @@ struct CaseDrawer::Impl {
   Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
                                       const std::function<void()>& go_on);
   bool appends(const cases::Case& c) const;
+  Result<void> recover_depths(const Batches& plan, const Pass& pass, std::size_t layer,
+                              Layers& layers);
   Result<void> find_fragments(const Batches& plan, std::size_t first, LayerFragments& found) const;
   Result<void> take_values(const Batches& plan, const Pass& pass, LayerFragments& found) const;
 
@@ -119,6 +124,8 @@ struct CaseDrawer::Impl {
   Object vertices;
   std::vector<Layers> recent;  ///< most recently used last
   std::map<int, std::vector<std::size_t>> sample_orders;
+  /// How shaders convert unorm depths, by bits and samples.
+  std::map<std::pair<int, int>, std::optional<UnormFetch>> fetches;
   LayerContent content;
   std::optional<FragmentBuffer> buffer;
 };
@@ -195,6 +202,40 @@ Result<Layers*> CaseDrawer::Impl::layers_for(const LayerShape& shape) {
   return &recent.back();
 }
 
+/// Finds out how the depths of a case are to be read, on the first such case by clearing layers of
+/// one pixel to known depths.
+Result<DepthReading> CaseDrawer::Impl::depth_reading(const cases::Case& c) {
+  const int bits = cases::unorm_bits(c.depth_format);
+  const int samples = c.framebuffer.samples;
+  if (bits == 0 || (samples == 1 && !has.is_es)) return DepthReading{bits, std::nullopt};
+  const auto [known, is_new] = fetches.try_emplace({bits, samples});
+  if (is_new) {
+    const std::vector<std::uint32_t> depths = telling_depths(bits);
+    const Result<Layers*> layers =
+        layers_for({{1, 1, samples}, static_cast<int>(depths.size()), 0, c.depth_format});
+    if (!layers) {
+      fetches.erase(known);
+      return tl::unexpected(layers.error());
+    }
+    std::vector<float> fetched;
+    fetched.reserve(depths.size());
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      const GLfloat cleared = unorm_depth(depths[i], bits);
+      glBindFramebuffer(GL_FRAMEBUFFER, (*layers)->framebuffer(i));
+      glDisable(GL_SCISSOR_TEST);
+      glDepthMask(GL_TRUE);
+      glClearBufferfv(GL_DEPTH, 0, &cleared);
+      if (auto read = (*layers)->read(i, {}, content); !read) return tl::unexpected(read.error());
+      fetched.push_back(content.depth[0]);
+    }
+    known->second = fetch_of(fetched, bits);
+  }
+  if (known->second) return DepthReading{bits, known->second};
+  return tl::unexpected(
+      Error{"gl", "", fmt::format("its shaders do not fetch depths of {} bits exactly", bits),
+            Failure::unsupported});
+}
+
 Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
   if (const std::string what = lacks(has, c); !what.empty()) {
     return tl::unexpected(Error{"gl", "", what, Failure::unsupported});
@@ -204,7 +245,7 @@ Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
   plan.passes = pack(c.attributes, c.framebuffer.samples, has.has_noperspective);
   const bool is_together = c.depth_test == cases::DepthTest::less;
   plan.triangles = is_together ? c.triangles.size() : 1;
-  const LayerShape one{c.framebuffer, 1, plan.passes.front().size()};
+  const LayerShape one{c.framebuffer, 1, plan.passes.front().size(), c.depth_format};
   const std::size_t bytes = one.bytes_of_layer();
   if (bytes > kMostBytesOfLayer) {
     return tl::unexpected(Error{"gl", "",
@@ -216,6 +257,9 @@ Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
       std::min({static_cast<std::size_t>(std::min(kMostLayers, has.max_layers)),
                 std::max(kBytesOfBatch / bytes, std::size_t{1}), c.triangles.size()});
   plan.layers = is_together ? 1 : static_cast<int>(most);
+  const Result<DepthReading> depth = depth_reading(c);
+  if (!depth) return tl::unexpected(depth.error());
+  plan.depth = *depth;
   if (const auto known = sample_orders.find(c.framebuffer.samples); known != sample_orders.end()) {
     plan.order = known->second;
     return plan;
@@ -241,7 +285,8 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
   set_case_state(has, c);
   const auto corners = static_cast<GLsizei>(3 * plan.triangles);
   constexpr std::array<GLfloat, 4> kNoNumber{};
-  const float farthest = c.depth_clear.value_or(has.clears_beyond_one ? kFarthest : 1.0F);
+  const bool is_beyond_one = has.clears_beyond_one && c.depth_format == cases::DepthFormat::float32;
+  const float farthest = c.depth_clear.value_or(is_beyond_one ? kFarthest : 1.0F);
   for (GLint layer = 0; layer < layer_count; ++layer) {
     glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(static_cast<std::size_t>(layer)));
     glDisable(GL_SCISSOR_TEST);
@@ -252,6 +297,42 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
   }
   reset_case_state(has);
   return check("drawing");
+}
+
+/// Replaces the depths of fragments in `content`, which holds a layer, by those that were stored.
+Result<void> CaseDrawer::Impl::recover_depths(const Batches& plan, const Pass& pass,
+                                              std::size_t layer, Layers& layers) {
+  if (!plan.depth.fetch || content.is_empty) return {};
+  bool is_open = false;
+  for (std::size_t i = 0; i < content.numbers.size() && !is_open; ++i) {
+    is_open = content.numbers[i] != 0 && plan.depth.is_open(content.depth[i]);
+  }
+  LayerContent ones;
+  if (is_open) {
+    const cases::Case all = covering_at_one(*plan.c);
+    const Result<GLuint> program = programs.get(pass, all.framebuffer.samples > 1);
+    if (!program) return tl::unexpected(program.error());
+    hand_over_vertices(has, all, all.triangles, pass, vertex_array.name(), vertices.name());
+    glUseProgram(*program);
+    set_case_state(has, all);
+    glDepthFunc(GL_EQUAL);
+    constexpr std::array<GLfloat, 4> kNoNumber{};
+    glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(layer));
+    glDisable(GL_SCISSOR_TEST);
+    glClearBufferfv(GL_COLOR, 0, kNoNumber.data());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    reset_case_state(has);
+    const std::vector<bool> none(pass.size());
+    if (auto read = layers.read(layer, none, ones); !read) return read;
+  }
+  for (std::size_t i = 0; i < content.numbers.size(); ++i) {
+    if (content.numbers[i] == 0) continue;
+    const Result<float> depth =
+        plan.depth.stored(content.depth[i], is_open && ones.numbers[i] != 0);
+    if (!depth) return tl::unexpected(depth.error());
+    content.depth[i] = *depth;
+  }
+  return {};
 }
 
 /// Finds the fragments in `content`, which holds triangles from `first` on.
@@ -297,7 +378,7 @@ Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first
   const int layer_count = static_cast<int>(std::min(left, static_cast<std::size_t>(plan.layers)));
   std::vector<LayerFragments> found(static_cast<std::size_t>(layer_count));
   for (const Pass& pass : plan.passes) {
-    const LayerShape shape{plan.c->framebuffer, plan.layers, pass.size()};
+    const LayerShape shape{plan.c->framebuffer, plan.layers, pass.size(), plan.c->depth_format};
     std::vector<bool> wanted;
     for (const Varying& varying : pass) wanted.push_back(varying.count > 0);
     const Result<Layers*> layers = layers_for(shape);
@@ -305,6 +386,9 @@ Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first
     if (auto done = draw_pass(plan, pass, first, layer_count, **layers); !done) return done;
     for (std::size_t layer = 0; layer < found.size(); ++layer) {
       if (auto read = (*layers)->read(layer, wanted, content); !read) return read;
+      if (&pass == &plan.passes.front()) {
+        if (auto done = recover_depths(plan, pass, layer, **layers); !done) return done;
+      }
       LayerFragments again;
       if (auto looked = find_fragments(plan, first, again); !looked) return looked;
       if (&pass == &plan.passes.front()) {

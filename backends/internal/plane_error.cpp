@@ -54,6 +54,19 @@
 // ν_i; N is at most λ q max|r|, so μ = λ g; and 1/w may be below the least 1/w_i by h |∇(1/w)|,
 // which bounds g.
 //
+// Slopes. r_x = N/D with N = (r_1 − r_0) (y_2 − y_0) − (r_2 − r_0) (y_1 − y_0), or another vertex
+// in place of vertex 0. Let each r_i be off by e, let ρ be the range of the r_i and h the height of
+// the bounding box. Differences of values are off by 2e + δρ. Differences of positions are at most
+// h and off by 3δh: 2 relative positions and the difference. Each product adds δρh, and the
+// difference of both 2δρh, so
+//
+//   |ΔN| <= h (2 (2e + δρ) + 2 · 3 δρ + 2 δρ + 2 δρ) = h (4e + 12 δρ),
+//   |Δr_x| <= (|ΔN|/D + (5 δ k + 2 δ) |r_x|) / (1 − 5 δ k),  |r_x| <= Σ (r_i − min r) |a_i| / D,
+//
+// and r_y likewise with the box's width. The larger of |r_x| and |r_y| is no farther off than the
+// root of both squared errors. The root of their squares takes 3 operations more: a square, a sum
+// and the root itself.
+//
 // D, S and the gradients are those of the moved triangle, whose relative positions differ from the
 // exact ones by at most twice the reach.
 
@@ -74,6 +87,9 @@ constexpr double kAffine = 2 * 13 + kArea;
 constexpr double kNumerator = 2 * 15;  // plus kArea for N itself
 constexpr double kDenominator = 2 * 14 + kArea;
 constexpr double kDivision = 2;
+constexpr double kSlopeValue = 4;
+constexpr double kSlopeRange = 12;
+constexpr double kRoot = 3;
 
 double extent(const std::array<double, 3>& at) {
   const auto [least, greatest] = std::minmax({at[0], at[1], at[2]});
@@ -186,6 +202,35 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
         m.least_inverse_w / (m.least_inverse_w - evaluation.reach * m.inverse_w_change);
   }
   return error;
+}
+
+SlopeError slope_error(const WindowTriangle& triangle, const std::array<double, 3>& values,
+                       double value_error, const Evaluation& evaluation) {
+  constexpr SlopeError kNothing{kWithoutEnd, kWithoutEnd};
+  const Moved m = moved(triangle, evaluation.reach, 0);
+  if (!(m.area > 0)) return kNothing;
+  const double operation = evaluation.operation;
+  const double lost = operation * m.sizes / m.area;  // δ k
+  if (!(kArea * lost < 1)) return kNothing;
+  const double least = std::min({values[0], values[1], values[2]});
+  const auto along = [&](const std::array<double, 3>& weights) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += (values[i] - least) * weights[i];
+    return sum / m.area;
+  };
+  const double product = kSlopeValue * value_error + kSlopeRange * operation * extent(values);
+  const auto error = [&](const std::array<double, 3>& other_axis, double derivative) {
+    const double size = extent(other_axis) + 2 * evaluation.reach;
+    return (product * size / m.area + (kArea * lost + kDivision * operation) * derivative) /
+           (1 - kArea * lost);
+  };
+  const double by_x = along(m.a);
+  const double by_y = along(m.b);
+  SlopeError slope;
+  slope.most = std::hypot(by_x, by_y);
+  slope.error = std::hypot(error(triangle.y, by_x), error(triangle.x, by_y));
+  slope.error += kRoot * operation * (slope.most + slope.error);
+  return slope;
 }
 
 double weight_change(const WindowTriangle& triangle, double reach, double distance) {

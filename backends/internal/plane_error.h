@@ -38,6 +38,18 @@ struct PlaneError {
 
 PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluation);
 
+/// How steep a plane of values is in the window, max(|r_x|, |r_y|) or sqrt(r_x² + r_y²) of its
+/// derivatives by window x and y. Infinite if no bound is known.
+struct SlopeError {
+  double most = 0;   ///< upper bound on the root, for the triangle as it may have been moved
+  double error = 0;  ///< of either, as computed from the moved triangle
+};
+
+/// `values` are those of the vertices, each of which an implementation has with an error of up to
+/// `value_error`.
+SlopeError slope_error(const WindowTriangle& triangle, const std::array<double, 3>& values,
+                       double value_error, const Evaluation& evaluation);
+
 /// Bounds how much the clip-space weights of a triangle's vertices differ between two places that
 /// are `distance` pixels apart along each axis, summed over the vertices: Σ max |ω_i(p) − ω_i(q)|
 /// for the weights ω_i. Infinite if no bound is known.

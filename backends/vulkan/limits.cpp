@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/names.h"
+
 namespace rastercheck::backends::vulkan {
 namespace {
 
@@ -41,11 +43,23 @@ std::string lacks_viewport(const Limits& limits, const cases::Viewport& viewport
 }
 
 std::string lacks_state(const Limits& limits, const cases::Case& c) {
-  if (c.depth_clamp && !limits.depth_clamp) return "depth clamp (depthClamp)";
   if (c.clip_distance_count > static_cast<std::size_t>(limits.clip_distances)) {
     return fmt::format("{} clip distances", c.clip_distance_count);
   }
   return "";
+}
+
+std::string lacks_depth(const Limits& limits, const cases::Case& c) {
+  if (c.depth_clamp && !limits.depth_clamp) return "depth clamp (depthClamp)";
+  const bool has_clamp = !c.depth_bias.is_none() && c.depth_bias.clamp != 0;
+  if (has_clamp && !limits.depth_bias_clamp) return "a clamp of the depth bias (depthBiasClamp)";
+  const int bits = cases::unorm_bits(c.depth_format);
+  if (bits == 0) return "";
+  const unsigned counts = bits == 16 ? limits.unorm16_samples : limits.unorm24_samples;
+  if ((counts & static_cast<unsigned>(c.framebuffer.samples)) != 0) return "";
+  const std::string format(cases::name_of(c.depth_format));
+  return counts == 0 ? fmt::format("the depth format {}", format)
+                     : fmt::format("{} samples per pixel of {}", c.framebuffer.samples, format);
 }
 
 std::string lacks_rules(const Limits& limits, const cases::Case& c) {
@@ -91,7 +105,9 @@ cases::Capabilities drawable(const Limits& limits) {
            (!has_samples || (limits.sample_counts & static_cast<unsigned>(count)) == 0);
   });
   if (!limits.depth_clamp) all.lacks.push_back(Feature::depth_clamp);
-  all.lacks.insert(all.lacks.end(), {Feature::depth_bias, Feature::unorm_depth});
+  if ((limits.unorm16_samples | limits.unorm24_samples) == 0) {
+    all.lacks.push_back(Feature::unorm_depth);
+  }
   all.max_size = std::min({limits.max_width, limits.max_height, cases::kMaxSize});
   all.max_viewport = static_cast<int>(std::min(
       {limits.max_viewport[0], limits.max_viewport[1], static_cast<float>(cases::kMaxSize)}));
@@ -102,7 +118,7 @@ cases::Capabilities drawable(const Limits& limits) {
 std::string lacks(const Limits& limits, const cases::Case& c) {
   for (const std::string& reason :
        {lacks_rules(limits, c), lacks_size(limits, c), lacks_viewport(limits, c.viewport),
-        lacks_state(limits, c), lacks_attributes(limits, c)}) {
+        lacks_state(limits, c), lacks_depth(limits, c), lacks_attributes(limits, c)}) {
     if (!reason.empty()) return reason;
   }
   return "";

@@ -23,6 +23,10 @@ struct Limits {
   int clip_distances = 0;
   bool sample_rate_shading = false;
   bool depth_clamp = false;
+  bool depth_bias_clamp = false;
+  /// Bit masks like `sample_counts`, of depth images of 16 and 24 bits; 0: there are none.
+  unsigned unorm16_samples = 0;
+  unsigned unorm24_samples = 0;
   bool depth_clip_control = false;  ///< clip depth from −w to w
   bool provoking_vertex_last = false;
   bool fragment_stores = false;  ///< fragment shaders can write to storage buffers

@@ -274,6 +274,14 @@ TEST(AppendedDrawing, IsNotForAllCases) {
   c = fan(1);
   c.depth_clamp = true;
   EXPECT_NE(lacks_of_appending(c), "");
+  c = fan(1);
+  c.depth_bias.clamp = 1;  // limits nothing
+  EXPECT_EQ(lacks_of_appending(c), "");
+  c.depth_bias.slope = 1;
+  EXPECT_NE(lacks_of_appending(c), "");
+  c = fan(1);
+  c.depth_format = cases::DepthFormat::unorm16;
+  EXPECT_NE(lacks_of_appending(c), "");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/backends/drivers.h"
+#include "tests/backends/stored_depth.h"
 #include "tests/backends/ways.h"
 
 // LeakSanitizer's tracer sometimes crashes, because Mesa's threads end while it inspects them.
@@ -373,6 +374,13 @@ TEST_P(GlBackend, DrawsTheSameInEachWay) {
   }
   expect_ways_alike(backend(), cases::Rules::opengl);
 }
+
+TEST_P(GlBackend, StoresDepths) { expect_stored_depths(backend()); }
+TEST_P(GlBackend, BiasesDepths) { expect_biased_depths(backend()); }
+TEST_P(GlBackend, BiasesBySlope) { expect_slopes(backend()); }
+TEST_P(GlBackend, ClampsTheBias) { expect_clamped_bias(backend()); }
+TEST_P(GlBackend, LimitsBiasedDepths) { expect_limited_depths(backend()); }
+TEST_P(GlBackend, ComparesStoredDepths) { expect_tests_of_stored_depths(backend()); }
 
 TEST_P(GlBackend, RefusesWhatItDoesNotDraw) {
   cases::Case c = empty_case(cases::Rules::d3d);

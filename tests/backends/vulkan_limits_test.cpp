@@ -22,6 +22,8 @@ Limits all() {
   limits.clip_distances = 8;
   limits.sample_rate_shading = true;
   limits.depth_clamp = true;
+  limits.depth_bias_clamp = true;
+  limits.unorm16_samples = limits.unorm24_samples = 1U | 4U;
   limits.depth_clip_control = true;
   limits.provoking_vertex_last = true;
   limits.slots = 7;
@@ -43,6 +45,30 @@ TEST(VulkanLimits, LeaveOrdinaryCasesAlone) {
   cases::Case c = ordinary();
   c.rules = cases::Rules::opengl;
   EXPECT_EQ(lacks(all(), c), "");
+}
+
+TEST(VulkanLimits, AreOfDepths) {
+  cases::Case c = ordinary();
+  c.depth_format = cases::DepthFormat::unorm24;
+  c.depth_bias = {1, 2, 3};
+  EXPECT_EQ(lacks(all(), c), "");
+  EXPECT_TRUE(drawable(all()).has(cases::Feature::unorm_depth));
+  Limits limits = all();
+  limits.unorm24_samples = 1;
+  EXPECT_EQ(lacks(limits, c), "4 samples per pixel of unorm24");
+  limits.unorm24_samples = 0;
+  EXPECT_EQ(lacks(limits, c), "the depth format unorm24");
+  c.depth_format = cases::DepthFormat::unorm16;
+  EXPECT_EQ(lacks(limits, c), "");
+  EXPECT_TRUE(drawable(limits).has(cases::Feature::unorm_depth));
+  limits.unorm16_samples = 0;
+  EXPECT_FALSE(drawable(limits).has(cases::Feature::unorm_depth));
+  EXPECT_TRUE(drawable(limits).has(cases::Feature::depth_bias));
+  limits.unorm16_samples = 4;
+  limits.depth_bias_clamp = false;
+  EXPECT_EQ(lacks(limits, c), "a clamp of the depth bias (depthBiasClamp)");
+  c.depth_bias = {0, 0, 3};
+  EXPECT_EQ(lacks(limits, c), "");
 }
 
 TEST(VulkanLimits, AreOfSizesAndSamples) {

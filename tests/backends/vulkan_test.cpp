@@ -18,6 +18,7 @@
 
 #include "cases/sample_pattern.h"
 #include "tests/backends/drivers.h"
+#include "tests/backends/stored_depth.h"
 #include "tests/backends/ways.h"
 
 namespace rastercheck::backends::vulkan_test {
@@ -426,6 +427,13 @@ TEST_P(Vulkan, DrawsCasesOfChangingShapes) {
 }
 
 TEST_P(Vulkan, DrawsTheSameInEachWay) { expect_ways_alike(backend(), cases::Rules::vulkan); }
+
+TEST_P(Vulkan, StoresDepths) { expect_stored_depths(backend()); }
+TEST_P(Vulkan, BiasesDepths) { expect_biased_depths(backend()); }
+TEST_P(Vulkan, BiasesBySlope) { expect_slopes(backend()); }
+TEST_P(Vulkan, ClampsTheBias) { expect_clamped_bias(backend()); }
+TEST_P(Vulkan, LimitsBiasedDepths) { expect_limited_depths(backend()); }
+TEST_P(Vulkan, ComparesStoredDepths) { expect_tests_of_stored_depths(backend()); }
 
 TEST_P(Vulkan, DrawsWithinViewportsOfNegativeWidth) {
   cases::Case c = corner();

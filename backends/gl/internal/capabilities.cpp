@@ -103,6 +103,18 @@ std::string lacks_of_target(const Capabilities& has, const cases::FramebufferSiz
   return "";
 }
 
+std::string lacks_of_depth(const Capabilities& has, const cases::Case& c) {
+  if (c.depth_clamp && !has.has_depth_clamp) return has.api + " has no depth clamp";
+  const bool has_clamp = !c.depth_bias.is_none() && c.depth_bias.clamp != 0;
+  if (has_clamp && !has.has_bias_clamp) {
+    return has.api + " has no clamp of the depth bias (GL_ARB_polygon_offset_clamp)";
+  }
+  if (cases::unorm_bits(c.depth_format) != 0 && !has.has_unorm_depth) {
+    return has.api + " does not tell how many bits its depth images have";
+  }
+  return "";
+}
+
 }  // namespace
 
 Capabilities read_capabilities() {
@@ -121,6 +133,10 @@ Capabilities read_capabilities() {
   has.has_clip_control = desktop(45, "GL_ARB_clip_control") || es(kNever, "GL_EXT_clip_control");
   has.has_provoking_vertex = !has.is_es;
   has.has_depth_clamp = !has.is_es || es(kNever, "GL_EXT_depth_clamp");
+  has.has_bias_clamp = desktop(46, "GL_ARB_polygon_offset_clamp") ||
+                       epoxy_has_gl_extension("GL_EXT_polygon_offset_clamp");
+  // Versions below OpenGL ES 3.1 have no glGetTexLevelParameteriv().
+  has.has_unorm_depth = !has.is_es || has.version >= 31;
   has.has_noperspective = !has.is_es || es(kNever, "GL_NV_shader_noperspective_interpolation");
   has.has_sample_qualifier = desktop(40, "GL_ARB_gpu_shader5") || es(32, "");
   has.has_sample_targets = !has.is_es || has.version >= 32;
@@ -166,8 +182,7 @@ cases::Capabilities drawable(const Capabilities& has) {
     if (!has_it) all.lacks.push_back(feature);
   };
   add(has.has_depth_clamp, Feature::depth_clamp);
-  add(false, Feature::depth_bias);
-  add(false, Feature::unorm_depth);
+  add(has.has_unorm_depth, Feature::unorm_depth);
   add(has.has_viewport_fractions, Feature::viewport_fractions);
   add(has.has_noperspective, Feature::noperspective);
   all.max_size = std::min(has.max_size, cases::kMaxSize);
@@ -179,10 +194,9 @@ cases::Capabilities drawable(const Capabilities& has) {
 std::string lacks(const Capabilities& has, const cases::Case& c) {
   for (const std::string& what :
        {lacks_of_rules(has, c), lacks_of_viewport(has, c.viewport), lacks_of_attributes(has, c),
-        lacks_of_target(has, c.framebuffer)}) {
+        lacks_of_target(has, c.framebuffer), lacks_of_depth(has, c)}) {
     if (!what.empty()) return what;
   }
-  if (c.depth_clamp && !has.has_depth_clamp) return has.api + " has no depth clamp";
   if (c.clip_distance_count > static_cast<std::size_t>(has.max_clip_distances)) {
     return fmt::format("{} has {} clip distances; the case needs {}", has.api,
                        has.max_clip_distances, c.clip_distance_count);

@@ -19,6 +19,9 @@ struct Capabilities {
   bool has_clip_control = false;
   bool has_provoking_vertex = false;
   bool has_depth_clamp = false;
+  bool has_bias_clamp = false;
+  /// Depth images of 16 and 24 bits, whose number of bits the context tells.
+  bool has_unorm_depth = false;
   bool has_noperspective = false;
   bool has_sample_qualifier = false;  ///< the `sample` qualifier and interpolateAtOffset()
   bool has_sample_targets = false;    ///< arrays of multisampled images

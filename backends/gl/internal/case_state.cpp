@@ -59,6 +59,17 @@ void set_conventions(const Capabilities& has, const cases::Case& c) {
   }
 }
 
+/// OpenGL's factor is the slope, its units are the constant.
+void set_depth_bias(const Capabilities& has, const cases::DepthBias& bias) {
+  set(GL_POLYGON_OFFSET_FILL, !bias.is_none());
+  if (bias.is_none()) return;
+  if (has.has_bias_clamp) {
+    glPolygonOffsetClamp(bias.slope, bias.constant, bias.clamp);
+  } else {
+    glPolygonOffset(bias.slope, bias.constant);
+  }
+}
+
 }  // namespace
 
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
@@ -123,6 +134,7 @@ void set_case_state(const Capabilities& has, const cases::Case& c) {
   glDisable(GL_BLEND);
   glDisable(GL_DITHER);
   if (has.has_depth_clamp) set(GL_DEPTH_CLAMP, c.depth_clamp);
+  set_depth_bias(has, c.depth_bias);
   for (GLenum i = 0; i < static_cast<GLenum>(has.max_clip_distances); ++i) {
     set(GL_CLIP_DISTANCE0 + i, c.clip_distance_count > 0);
   }
@@ -139,6 +151,7 @@ void reset_case_state(const Capabilities& has) {
     glDisable(GL_CLIP_DISTANCE0 + i);
   }
   if (has.has_depth_clamp) glDisable(GL_DEPTH_CLAMP);
+  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 }  // namespace rastercheck::backends::gl

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "backends/gl/internal/layer_copy.h"
+#include "backends/unorm_depth.h"
+#include "cases/names.h"
 #include "cases/sample_pattern.h"
 
 namespace rastercheck::backends::gl {
@@ -17,12 +19,15 @@ tl::unexpected<Error> unsupported(std::string reason) {
 }
 
 std::string to_string(const LayerShape& shape) {
-  return fmt::format("{} targets of {} x {}, {} samples, {} varyings", shape.layers,
-                     shape.size.width, shape.size.height, shape.size.samples, shape.varyings);
+  const std::string depth =
+      cases::unorm_bits(shape.depth) == 0 ? "" : fmt::format(", {}", cases::name_of(shape.depth));
+  return fmt::format("{} targets of {} x {}, {} samples, {} varyings{}", shape.layers,
+                     shape.size.width, shape.size.height, shape.size.samples, shape.varyings,
+                     depth);
 }
 
-void read_pixels(const LayerShape& shape, GLenum channels, void* to) {
-  glReadPixels(0, 0, shape.size.width, shape.size.height, channels, GL_FLOAT, to);
+void read_pixels(const LayerShape& shape, GLenum channels, void* to, GLenum type = GL_FLOAT) {
+  glReadPixels(0, 0, shape.size.width, shape.size.height, channels, type, to);
 }
 
 bool has_no_number(const std::vector<float>& numbers) {
@@ -59,13 +64,13 @@ GLenum Layers::target() const {
 }
 
 /// Makes an image and leaves it bound to its target.
-Object Layers::make_image(GLenum format, GLenum channels) const {
+Object Layers::make_image(GLenum format, GLenum channels, GLenum type) const {
   Object image = generate_texture();
   glBindTexture(target(), image.name());
   const cases::FramebufferSize& size = shape_.size;
   if (!is_multisampled()) {
     glTexImage3D(target(), 0, static_cast<GLint>(format), size.width, size.height, shape_.layers, 0,
-                 channels, GL_FLOAT, nullptr);
+                 channels, type, nullptr);
     glTexParameteri(target(), GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -79,13 +84,33 @@ Object Layers::make_image(GLenum format, GLenum channels) const {
   return image;
 }
 
+/// Makes the depth image and leaves it bound to its target.
+Result<void> Layers::make_depth() {
+  const int bits = cases::unorm_bits(shape_.depth);
+  if (bits == 0) {
+    depth_ = make_image(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+  } else if (bits == 16) {
+    depth_ = make_image(GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT);
+  } else {
+    depth_ = make_image(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+  }
+  if (Result<void> made = check(to_string(shape_)); !made || bits == 0) return made;
+  // A driver may give more bits than requested.
+  GLint given = 0;
+  GLint type = 0;
+  glGetTexLevelParameteriv(target(), 0, GL_TEXTURE_DEPTH_SIZE, &given);
+  glGetTexLevelParameteriv(target(), 0, GL_TEXTURE_DEPTH_TYPE, &type);
+  if (given == bits && type == GL_UNSIGNED_NORMALIZED) return {};
+  return failure(fmt::format("asked for depths of {} bits, but the driver uses {}{}", bits, given,
+                             type == GL_UNSIGNED_NORMALIZED ? "" : " of another kind"));
+}
+
 Result<void> Layers::make_images() {
   numbers_ = make_image(GL_R32F, GL_RED);
   for (std::size_t i = 0; i < shape_.varyings; ++i) {
     values_.push_back(make_image(GL_RGBA32F, GL_RGBA));
   }
-  depth_ = make_image(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
-  if (Result<void> made = check(to_string(shape_)); !made) return made;
+  if (Result<void> made = make_depth(); !made) return made;
   if (!is_multisampled()) return {};
   // A driver may give more samples than requested.
   GLint samples = 0;
@@ -141,6 +166,28 @@ Result<std::vector<std::size_t>> Layers::sample_order() const {
                   pattern.size(), places));
 }
 
+/// Reads the depths of the framebuffer that is bound for reading, bit for bit.
+void Layers::read_depth(std::vector<float>& depth) const {
+  const int bits = cases::unorm_bits(shape_.depth);
+  depth.resize(shape_.samples());
+  if (bits == 0) {
+    read_pixels(shape_, GL_DEPTH_COMPONENT, depth.data());
+    return;
+  }
+  if (bits == 16) {
+    std::vector<std::uint16_t> steps(depth.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 2);
+    read_pixels(shape_, GL_DEPTH_COMPONENT, steps.data(), GL_UNSIGNED_SHORT);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = unorm_depth(steps[i], bits);
+    return;
+  }
+  // GL hands over k (2^32 − 1)/(2^24 − 1), which lies in [256 k, 256 k + 255].
+  std::vector<std::uint32_t> steps(depth.size());
+  read_pixels(shape_, GL_DEPTH_COMPONENT, steps.data(), GL_UNSIGNED_INT);
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = unorm_depth(steps[i] >> 8U, bits);
+}
+
 Result<void> Layers::read(std::size_t layer, const std::vector<bool>& varyings,
                           LayerContent& content) {
   content.values.resize(values_.size());
@@ -155,8 +202,7 @@ Result<void> Layers::read(std::size_t layer, const std::vector<bool>& varyings,
   read_pixels(shape_, GL_RED, content.numbers.data());
   content.is_empty = has_no_number(content.numbers);
   if (content.is_empty) return check("reading a layer");
-  content.depth.resize(shape_.samples());
-  read_pixels(shape_, GL_DEPTH_COMPONENT, content.depth.data());
+  read_depth(content.depth);
   for (GLenum i = 0; i < values_.size(); ++i) {
     if (!varyings[i]) continue;
     content.values[i].resize(shape_.samples());

@@ -24,6 +24,7 @@ struct LayerShape {
   cases::FramebufferSize size;
   int layers = 1;
   std::size_t varyings = 0;  ///< colour targets of four floats, besides the target for numbers
+  cases::DepthFormat depth = cases::DepthFormat::float32;  ///< one that a case may ask for
   bool operator==(const LayerShape&) const = default;
 
   /// The number of samples in one layer.
@@ -38,7 +39,7 @@ struct LayerShape {
 /// The content of a layer, [y][x][sample], with samples in the driver's order.
 struct LayerContent {
   std::vector<float> numbers;  ///< of triangles in the draw, from 1; 0 where nothing was drawn
-  std::vector<float> depth;
+  std::vector<float> depth;    ///< as stored, or as a shader fetches it (Layers::fetches_depth())
   std::vector<std::vector<std::array<float, 4>>> values;  ///< [varying]
   bool is_empty = true;  ///< the numbers are all 0, and nothing else was read
 };
@@ -63,11 +64,12 @@ class CopyPrograms {
 
 class LayerCopy;
 
-/// Layers that hold a number, a depth and varyings for each sample, all in float32.
+/// Layers that hold a number, a depth and varyings for each sample. All are float32, except that
+/// depth may have a unorm format.
 class Layers {
  public:
   /// `has` and `programs` must outlive the layers. Fails with Failure::unsupported if the driver
-  /// has no such targets, or does not give exactly this number of samples.
+  /// has no such targets, or does not give exactly this number of samples or bits of depth.
   static Result<Layers> create(const Capabilities& has, CopyPrograms& programs,
                                const LayerShape& shape);
 
@@ -83,6 +85,9 @@ class Layers {
   /// the driver places its samples elsewhere.
   Result<std::vector<std::size_t>> sample_order() const;
 
+  /// True if a shader fetches the depths that read() returns.
+  bool fetches_depth() const { return copy_ != nullptr; }
+
   /// Reads a layer, with the values of the chosen varyings. Changes GL state.
   Result<void> read(std::size_t layer, const std::vector<bool>& varyings, LayerContent& content);
 
@@ -93,7 +98,9 @@ class Layers {
   Result<void> make_framebuffers();
   bool is_multisampled() const { return shape_.size.samples > 1; }
   GLenum target() const;
-  Object make_image(GLenum format, GLenum channels) const;
+  Object make_image(GLenum format, GLenum channels, GLenum type = GL_FLOAT) const;
+  Result<void> make_depth();
+  void read_depth(std::vector<float>& depth) const;
 
   LayerShape shape_;
   const Capabilities* has_;

@@ -74,6 +74,7 @@ PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
   kind.negative_one_to_one = c.rules == cases::Rules::opengl;
   // If this feature is missing, cases have no flat attributes.
   kind.provoking_last = kind.negative_one_to_one && limits.provoking_vertex_last;
+  kind.depth = c.depth_format;
   kind.clip_distances = shader_clip_distances(c.clip_distance_count);
   for (const Slot& slot : pass) kind.slots.push_back(slot.qualifier);
   return kind;
@@ -98,6 +99,9 @@ void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline
   vkCmdSetCullMode(buffer, cull_of(c.cull));
   vkCmdSetFrontFace(buffer, front_face_of(c));
   vkCmdSetDepthCompareOp(buffer, compare_op_of(c));
+  const cases::DepthBias bias = c.depth_bias.is_none() ? cases::DepthBias() : c.depth_bias;
+  vkCmdSetDepthBiasEnable(buffer, bias.is_none() ? VK_FALSE : VK_TRUE);
+  vkCmdSetDepthBias(buffer, bias.constant, bias.clamp, bias.slope);
 }
 
 }  // namespace rastercheck::backends::vulkan

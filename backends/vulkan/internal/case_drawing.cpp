@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "backends/appended_drawing.h"
+#include "backends/unorm_depth.h"
 #include "backends/vulkan/internal/case_commands.h"
 #include "backends/vulkan/internal/commands.h"
 #include "backends/vulkan/internal/fragment_buffer.h"
@@ -69,10 +71,15 @@ class CaseFragments {
     drawn_.attribute_count = c.attributes.size();
   }
 
-  /// Adds the next layer of a pass. Every pass must have all layers in the same order.
+  /// Adds the next layer of a pass. Every pass must have all layers in the same order. For the
+  /// first pass only, `first_reading` tells how its depths were stored.
   Result<void> add(const Target& target, std::size_t layer, const Layer& triangles, Pass pass,
-                   bool is_first_pass);
+                   const DepthReading* first_reading);
   void begin_pass() { next_ = 0; }
+  /// True if layers since the last call of settle() have depths that are 1 or a step less. Then
+  /// settle() makes them 1 where the target's layers, drawn again, have a number.
+  bool has_open_depths() const { return !open_.empty(); }
+  void settle(const Target& ones);
   /// True if the pass has as many fragments as the first pass.
   bool is_complete() const { return next_ == drawn_.size(); }
   cases::Fragments take();
@@ -81,10 +88,24 @@ class CaseFragments {
   Result<void> place(std::size_t index, float number, const Layer& triangles);
   bool is_next(std::size_t triangle, std::size_t index) const;
 
+  struct OpenDepth {
+    std::size_t fragment = 0;
+    std::size_t layer = 0;
+    std::size_t sample = 0;  ///< index in the layer
+  };
+
   const cases::Case* case_;
   cases::Fragments drawn_;
+  std::vector<OpenDepth> open_;
   std::size_t next_ = 0;
 };
+
+void CaseFragments::settle(const Target& ones) {
+  for (const OpenDepth& at : open_) {
+    if (ones.numbers(at.layer)[at.sample] != 0) drawn_.depth[at.fragment] = 1;
+  }
+  open_.clear();
+}
 
 tl::unexpected<Error> other_coverage() {
   return failed("the case covered other samples when it was drawn again with its other attributes");
@@ -116,14 +137,18 @@ bool CaseFragments::is_next(std::size_t triangle, std::size_t index) const {
 }
 
 Result<void> CaseFragments::add(const Target& target, std::size_t layer, const Layer& triangles,
-                                Pass pass, bool is_first_pass) {
+                                Pass pass, const DepthReading* first_reading) {
   const std::span<const float> numbers = target.numbers(layer);
-  const std::span<const float> depths = target.depths(layer);
+  const std::vector<float> depths =
+      first_reading != nullptr ? target.depths(layer) : std::vector<float>();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] == 0) continue;
-    if (is_first_pass) {
+    if (first_reading != nullptr) {
       if (Result<void> placed = place(i, numbers[i], triangles); !placed) return placed;
-      drawn_.depth.push_back(depths[i]);
+      const Result<float> depth = first_reading->stored(depths[i], false);
+      if (!depth) return tl::unexpected(depth.error());
+      if (first_reading->is_open(depths[i])) open_.push_back({drawn_.depth.size(), layer, i});
+      drawn_.depth.push_back(*depth);
       drawn_.attributes.resize(drawn_.attributes.size() + drawn_.attribute_count);
     } else {
       const bool is_number = numbers[i] >= 1 && numbers[i] <= 0x1p24F;
@@ -176,9 +201,12 @@ struct CaseDrawing::Impl {
         records(std::move(the_records)) {}
 
   Result<const Target*> target_for(TargetShape shape);
+  Result<DepthReading> depth_reading(const cases::Case& c);
   Result<void> hand_over(const std::vector<float>& vertices);
   Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
                            const Target& target);
+  Result<void> draw_ones(const cases::Case& c, Pass pass, std::size_t layer_count,
+                         const Target& target);
   Result<cases::Fragments> draw_in_layers(const cases::Case& c, const std::function<void()>& go_on);
   Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
                                       const std::function<void()>& go_on);
@@ -195,6 +223,8 @@ struct CaseDrawing::Impl {
   FragmentBuffer records;
   HostBuffer vertices;
   std::optional<Target> target;
+  /// How shaders convert unorm depths, by bits and samples.
+  std::map<std::pair<int, int>, std::optional<UnormFetch>> fetches;
 };
 
 CaseDrawing::CaseDrawing(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -217,6 +247,37 @@ Result<const Target*> CaseDrawing::Impl::target_for(TargetShape shape) {
   if (!made) return tl::unexpected(made.error());
   target = *std::move(made);
   return &*target;
+}
+
+/// Finds out how the depths of a case are to be read, on the first such case by clearing layers of
+/// one pixel to known depths.
+Result<DepthReading> CaseDrawing::Impl::depth_reading(const cases::Case& c) {
+  const int bits = cases::unorm_bits(c.depth_format);
+  const int samples = c.framebuffer.samples;
+  if (bits == 0 || samples == 1) return DepthReading{bits, std::nullopt};
+  if (const auto known = fetches.find({bits, samples}); known == fetches.end()) {
+    const std::vector<std::uint32_t> stored = telling_depths(bits);
+    const Result<const Target*> of_shape =
+        target_for({1, 1, samples, 0, stored.size(), c.depth_format});
+    if (!of_shape) return tl::unexpected(of_shape.error());
+    const Result<void> done = commands.run(*device, [&](VkCommandBuffer buffer) {
+      (*of_shape)->begin(buffer);
+      for (std::size_t i = 0; i < stored.size(); ++i) {
+        (*of_shape)->begin_layer(buffer, i, unorm_depth(stored[i], bits));
+        Target::end_layer(buffer);
+      }
+      (*of_shape)->end(buffer, reader, stored.size());
+    });
+    if (!done) return tl::unexpected(done.error());
+    std::vector<float> fetched;
+    fetched.reserve(stored.size());
+    for (std::size_t i = 0; i < stored.size(); ++i) fetched.push_back((*of_shape)->depths(i)[0]);
+    fetches[{bits, samples}] = fetch_of(fetched, bits);
+  }
+  const std::optional<UnormFetch> fetch = fetches[{bits, samples}];
+  if (fetch) return DepthReading{bits, fetch};
+  return failed(fmt::format("its shaders do not fetch depths of {} bits exactly", bits),
+                Failure::unsupported);
 }
 
 Result<void> CaseDrawing::Impl::hand_over(const std::vector<float>& floats) {
@@ -249,6 +310,29 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
 
   return commands.run(
       *device, [&](VkCommandBuffer buffer) { record(buffer, c, *pipeline, layers, target_of); });
+}
+
+/// Draws into layers where depth 1 is stored.
+Result<void> CaseDrawing::Impl::draw_ones(const cases::Case& c, Pass pass, std::size_t layer_count,
+                                          const Target& target_of) {
+  const cases::Case all = covering_at_one(c);
+  const PipelineKind kind = kind_of(all, device->limits(), pass);
+  const Result<VkPipeline> pipeline = pipelines.get(*device, kind);
+  if (!pipeline) return tl::unexpected(pipeline.error());
+  std::vector<float> floats;
+  append_triangle(all, pass, vertex_layout(kind), 0, 1, floats);
+  if (Result<void> handed = hand_over(floats); !handed) return handed;
+  return commands.run(*device, [&](VkCommandBuffer buffer) {
+    target_of.begin_over_depths(buffer);
+    bind_case(buffer, all, *pipeline, vertices.buffer.get());
+    vkCmdSetDepthCompareOp(buffer, VK_COMPARE_OP_EQUAL);
+    for (std::size_t i = 0; i < layer_count; ++i) {
+      target_of.begin_layer(buffer, i, std::nullopt);
+      vkCmdDraw(buffer, 3, 1, 0, 0);
+      Target::end_layer(buffer);
+    }
+    target_of.end(buffer, reader, layer_count);
+  });
 }
 
 void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
@@ -292,9 +376,12 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
   const std::vector<Layer> layers = layers_of(c);
   const std::vector<Pass> passes =
       passes_of(slots, static_cast<std::size_t>(device->limits().slots));
+  const Result<DepthReading> reading = depth_reading(c);
+  if (!reading) return tl::unexpected(reading.error());
   for (const Pass pass : passes) {
-    TargetShape shape{c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples, pass.size(),
-                      1};
+    TargetShape shape{
+        c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples, pass.size(), 1,
+        c.depth_format};
     if (shape.bytes() > kMost) {
       return failed(
           fmt::format("{} x {} pixels of {} samples and {} attributes do not fit into the "
@@ -315,8 +402,14 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
       }
       for (std::size_t i = 0; i < some.size(); ++i) {
         const bool is_first = pass.data() == passes.front().data();
-        const Result<void> added = fragments.add(**of_shape, i, some[i], pass, is_first);
+        const Result<void> added =
+            fragments.add(**of_shape, i, some[i], pass, is_first ? &*reading : nullptr);
         if (!added) return tl::unexpected(added.error());
+      }
+      if (fragments.has_open_depths()) {
+        const Result<void> drawn = draw_ones(c, pass, some.size(), **of_shape);
+        if (!drawn) return tl::unexpected(drawn.error());
+        fragments.settle(**of_shape);
       }
       go_on();
     }

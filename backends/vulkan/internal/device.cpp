@@ -146,6 +146,7 @@ struct Features {
     const VkPhysicalDeviceFeatures has = core.features;
     core.features = {};
     core.features.depthClamp = has.depthClamp;
+    core.features.depthBiasClamp = has.depthBiasClamp;
     core.features.shaderClipDistance = has.shaderClipDistance;
     core.features.sampleRateShading = has.sampleRateShading;
     core.features.fragmentStoresAndAtomics = has.fragmentStoresAndAtomics;
@@ -172,20 +173,47 @@ std::optional<std::uint32_t> drawing_family(VkPhysicalDevice physical) {
   return std::nullopt;
 }
 
-/// The sample counts that all images of a target support.
+/// The sample counts of images that are attachments and that shaders read; 0 if there are no such
+/// images.
+unsigned sample_counts_of(VkPhysicalDevice physical, VkFormat format,
+                          VkImageUsageFlagBits attachment) {
+  VkImageFormatProperties properties{};
+  const VkResult known = vkGetPhysicalDeviceImageFormatProperties(
+      physical, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
+      static_cast<VkImageUsageFlags>(attachment) | VK_IMAGE_USAGE_SAMPLED_BIT, 0, &properties);
+  return known == VK_SUCCESS ? properties.sampleCounts : 0U;
+}
+
+/// The sample counts that all images of a target support, whose depths are float32.
 unsigned sample_counts_of(VkPhysicalDevice physical) {
   unsigned counts = ~0U;
   for (const auto& [format, attachment] :
        {std::pair(kNumberFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT),
         std::pair(kSlotFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT),
-        std::pair(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)}) {
-    VkImageFormatProperties properties{};
-    const VkResult known = vkGetPhysicalDeviceImageFormatProperties(
-        physical, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
-        static_cast<VkImageUsageFlags>(attachment) | VK_IMAGE_USAGE_SAMPLED_BIT, 0, &properties);
-    counts &= known == VK_SUCCESS ? properties.sampleCounts : 1U;
+        std::pair(kFloatDepth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)}) {
+    counts &= sample_counts_of(physical, format, attachment) | 1U;
   }
-  return counts | 1U;
+  return counts;
+}
+
+/// The sample counts of images with this format of depth that can also be copied from; 0 if the
+/// device cannot draw into such images and read them.
+unsigned depth_sample_counts_of(VkPhysicalDevice physical, VkFormat format) {
+  VkFormatProperties properties{};
+  vkGetPhysicalDeviceFormatProperties(physical, format, &properties);
+  constexpr VkFormatFeatureFlags kNeeded = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                           VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT |
+                                           VK_FORMAT_FEATURE_TRANSFER_SRC_BIT;
+  if ((properties.optimalTilingFeatures & kNeeded) != kNeeded) return 0;
+  return sample_counts_of(physical, format, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+}
+
+/// The format with 24 bits of depth that supports most sample counts; undefined if there is none.
+VkFormat unorm24_of(VkPhysicalDevice physical) {
+  const unsigned of_depth = depth_sample_counts_of(physical, VK_FORMAT_X8_D24_UNORM_PACK32);
+  const unsigned of_both = depth_sample_counts_of(physical, VK_FORMAT_D24_UNORM_S8_UINT);
+  if (of_depth == 0 && of_both == 0) return VK_FORMAT_UNDEFINED;
+  return of_depth >= of_both ? VK_FORMAT_X8_D24_UNORM_PACK32 : VK_FORMAT_D24_UNORM_S8_UINT;
 }
 
 Limits limits_of(VkPhysicalDevice physical, const Features& features) {
@@ -209,6 +237,11 @@ Limits limits_of(VkPhysicalDevice physical, const Features& features) {
   limits.fragment_stores = core.fragmentStoresAndAtomics == VK_TRUE;
   limits.max_storage = device.maxStorageBufferRange;
   limits.depth_clamp = core.depthClamp == VK_TRUE;
+  limits.depth_bias_clamp = core.depthBiasClamp == VK_TRUE;
+  limits.unorm16_samples = depth_sample_counts_of(physical, VK_FORMAT_D16_UNORM);
+  if (const VkFormat format = unorm24_of(physical); format != VK_FORMAT_UNDEFINED) {
+    limits.unorm24_samples = depth_sample_counts_of(physical, format);
+  }
   limits.depth_clip_control = features.depth_clip_control.depthClipControl == VK_TRUE;
   limits.provoking_vertex_last = features.provoking_vertex.provokingVertexLast == VK_TRUE;
   // One attachment is needed for the triangle's number.
@@ -237,6 +270,7 @@ struct Device::Impl {
   VkQueue queue = VK_NULL_HANDLE;
   std::uint32_t family = 0;
   Limits limits;
+  VkFormat unorm24 = VK_FORMAT_UNDEFINED;
   Properties properties;
 };
 
@@ -250,6 +284,18 @@ VkPhysicalDevice Device::physical() const { return impl_->physical; }
 VkQueue Device::queue() const { return impl_->queue; }
 std::uint32_t Device::queue_family() const { return impl_->family; }
 const Limits& Device::limits() const { return impl_->limits; }
+VkFormat Device::depth_format(cases::DepthFormat format) const {
+  switch (cases::unorm_bits(format)) {
+    case 0:
+      return kFloatDepth;
+    case 16:
+      return impl_->limits.unorm16_samples == 0 ? VK_FORMAT_UNDEFINED : VK_FORMAT_D16_UNORM;
+    case 24:
+      return impl_->unorm24;
+    default:
+      return VK_FORMAT_UNDEFINED;
+  }
+}
 Driver Device::driver() const { return driver_of(impl_->properties); }
 std::string Device::take_messages() { return impl_->instance.take_messages(); }
 
@@ -283,6 +329,7 @@ Result<Device> Device::create(Instance instance, const DeviceChoice& choice) {
   vkGetPhysicalDeviceFeatures2(*physical, &features.core);
   features.keep_used();
   impl->limits = limits_of(*physical, features);
+  impl->unorm24 = unorm24_of(*physical);
   constexpr float kPriority = 1;
   VkDeviceQueueCreateInfo queue{};
   queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;

@@ -25,7 +25,7 @@ struct DeviceChoice {
 /// The formats of images.
 inline constexpr VkFormat kNumberFormat = VK_FORMAT_R32_SFLOAT;
 inline constexpr VkFormat kSlotFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+inline constexpr VkFormat kFloatDepth = VK_FORMAT_D32_SFLOAT;
 
 /// A device with one queue that draws, and the objects that belong to them.
 class Device {
@@ -42,6 +42,8 @@ class Device {
   VkQueue queue() const;
   std::uint32_t queue_family() const;
   const Limits& limits() const;
+  /// The format of images for a case's depths; undefined if the device has none.
+  VkFormat depth_format(cases::DepthFormat format) const;
   /// Names the device, the driver and the API version, in one line.
   std::string description() const;
   Driver driver() const;

@@ -45,9 +45,11 @@ Description::Description(const PipelineSource& source) {
   describe_vertices(source);
   describe_rasterization(source);
   describe_output(source);
-  static constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                       VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE,
-                                       VK_DYNAMIC_STATE_DEPTH_COMPARE_OP};
+  static constexpr std::array kDynamic{
+      VK_DYNAMIC_STATE_VIEWPORT,         VK_DYNAMIC_STATE_SCISSOR,
+      VK_DYNAMIC_STATE_CULL_MODE,        VK_DYNAMIC_STATE_FRONT_FACE,
+      VK_DYNAMIC_STATE_DEPTH_COMPARE_OP, VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE,
+      VK_DYNAMIC_STATE_DEPTH_BIAS};
   dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
   dynamic.dynamicStateCount = kDynamic.size();
   dynamic.pDynamicStates = kDynamic.data();
@@ -83,7 +85,7 @@ void Description::describe_rasterization(const PipelineSource& source) {
 void Description::describe_output(const PipelineSource& source) {
   multisampling.rasterizationSamples = static_cast<VkSampleCountFlagBits>(source.samples);
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-  depth.depthTestEnable = source.has_depth ? VK_TRUE : VK_FALSE;
+  depth.depthTestEnable = source.depth != VK_FORMAT_UNDEFINED ? VK_TRUE : VK_FALSE;
   depth.depthWriteEnable = depth.depthTestEnable;
   VkPipelineColorBlendAttachmentState attachment{};
   attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
@@ -95,7 +97,7 @@ void Description::describe_output(const PipelineSource& source) {
   rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
   rendering.colorAttachmentCount = static_cast<std::uint32_t>(source.colors.size());
   rendering.pColorAttachmentFormats = source.colors.data();
-  rendering.depthAttachmentFormat = source.has_depth ? kDepthFormat : VK_FORMAT_UNDEFINED;
+  rendering.depthAttachmentFormat = source.depth;
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace rastercheck::backends::vulkan {
 
 /// The parts of a pipeline that draws lists of triangles. Not among them are the viewport, the
-/// scissor, culling, the front face and the function of the depth test, which are set when a draw
-/// is recorded. The depth test writes depth.
+/// scissor, culling, the front face, the depth bias and the function of the depth test, which are
+/// set when a draw is recorded. The depth test writes depth.
 struct PipelineSource {
   std::span<const std::uint32_t> vertex_shader;
   std::span<const std::uint32_t> fragment_shader;
@@ -25,7 +25,7 @@ struct PipelineSource {
   bool negative_one_to_one = false;  ///< clip depth from −w to w
   bool provoking_last = false;
   std::vector<VkFormat> colors;
-  bool has_depth = true;  ///< if false: no depth test and no depth image
+  VkFormat depth = kFloatDepth;  ///< if undefined: no depth test and no depth image
 };
 
 Result<Pipeline> make_pipeline(const Device& device, VkPipelineLayout layout,

@@ -139,7 +139,7 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
   source.depth_clamp = kind.depth_clamp;
   source.negative_one_to_one = kind.negative_one_to_one;
   source.provoking_last = kind.provoking_last;
-  source.has_depth = !kind.appends;
+  source.depth = kind.appends ? VK_FORMAT_UNDEFINED : device.depth_format(kind.depth);
   if (!kind.appends) {
     source.colors.assign(kind.slots.size() + 1, kSlotFormat);
     source.colors[0] = kNumberFormat;

@@ -17,6 +17,7 @@ struct PipelineKind {
   bool negative_one_to_one = false;  ///< clip depth from −w to w
   bool provoking_last = false;
   std::size_t clip_distances = 0;  ///< as declared by the shader (shaders.h)
+  cases::DepthFormat depth = cases::DepthFormat::float32;
   /// True if fragments only append records to the buffer of appending_layout().
   bool appends = false;
   std::vector<Qualifier> slots;
@@ -38,7 +39,7 @@ class Pipelines {
   static Result<Pipelines> create(const Device& device);
 
   /// Returns a pipeline, which lives until get() is called again. Viewport, scissor, culling, front
-  /// face and depth test are dynamic.
+  /// face, depth bias and depth test are dynamic.
   Result<VkPipeline> get(const Device& device, const PipelineKind& kind);
 
   /// The layout of pipelines that append: a storage buffer at set 0, binding 0, and a push constant

@@ -1,8 +1,10 @@
 #include "backends/vulkan/internal/target.h"
 
 #include <array>
+#include <cstdint>
 #include <utility>
 
+#include "backends/unorm_depth.h"
 #include "backends/vulkan/slots.h"
 
 namespace rastercheck::backends::vulkan {
@@ -20,8 +22,10 @@ std::size_t part_bytes(const TargetShape& shape, std::size_t components) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
 
+bool is_depth_format(VkFormat format) { return format != kNumberFormat && format != kSlotFormat; }
+
 VkImageCreateInfo image_info(const TargetShape& shape, VkFormat format) {
-  const bool is_depth = format == kDepthFormat;
+  const bool is_depth = is_depth_format(format);
   const auto drawn = static_cast<VkImageUsageFlags>(
       is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   const auto read = static_cast<VkImageUsageFlags>(
@@ -52,7 +56,7 @@ Result<ImageView> make_view(const Device& device, VkImage image, VkFormat format
   info.image = image;
   info.viewType = type;
   info.format = format;
-  info.subresourceRange = {aspect(format == kDepthFormat), 0, 1, first, count};
+  info.subresourceRange = {aspect(is_depth_format(format)), 0, 1, first, count};
   return make_object<ImageView>("vkCreateImageView", &vkCreateImageView, device.get(), info);
 }
 
@@ -78,7 +82,8 @@ Result<void> Target::add_part(const Device& device, VkFormat format, std::size_t
   if (!image) return tl::unexpected(image.error());
   Part part;
   part.image = *std::move(image);
-  part.is_depth = format == kDepthFormat;
+  part.is_depth = is_depth_format(format);
+  part.has_stencil = format == VK_FORMAT_D24_UNORM_S8_UINT;
   part.components = components;
   const VkImage handle = part.image.image.get();
   for (std::uint32_t i = 0; i < shape_.layers; ++i) {
@@ -100,7 +105,7 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
                               const TargetShape& shape) {
   Target target;
   target.shape_ = shape;
-  Result<void> added = target.add_part(device, kDepthFormat, 1);
+  Result<void> added = target.add_part(device, device.depth_format(shape.depth), 1);
   for (std::size_t i = 0; added && i < shape.slots; ++i) {
     added = target.add_part(device, kSlotFormat, kSlotSize);
   }
@@ -129,8 +134,9 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
   return target;
 }
 
-/// Transitions the image for drawing into it, or from drawing to reading.
-void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before) const {
+/// Transitions the image for drawing into it, with or without its content, or from drawing to
+/// reading.
+void Target::barrier(VkCommandBuffer commands, const Part& part, Change change) const {
   const VkImageLayout drawn = part.is_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                             : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   const VkAccessFlags drawing =
@@ -147,11 +153,17 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = part.image.image.get();
-  barrier.subresourceRange = {aspect(part.is_depth), 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
-  if (is_before) {
+  // Both aspects of an image must have the same layout.
+  VkImageAspectFlags aspects = aspect(part.is_depth);
+  if (part.has_stencil) aspects |= VK_IMAGE_ASPECT_STENCIL_BIT;
+  barrier.subresourceRange = {aspects, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
+  const VkImageLayout readable =
+      has_samples ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  if (change != Change::read) {
     barrier.dstAccessMask = drawing;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    barrier.oldLayout = change == Change::reuse ? readable : VK_IMAGE_LAYOUT_UNDEFINED;
     barrier.newLayout = drawn;
+    // Commands::run() waits for earlier commands.
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, drawing_stage, 0, 0, nullptr,
                          0, nullptr, 1, &barrier);
     return;
@@ -159,8 +171,7 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
   barrier.srcAccessMask = drawing;
   barrier.dstAccessMask = has_samples ? VK_ACCESS_SHADER_READ_BIT : VK_ACCESS_TRANSFER_READ_BIT;
   barrier.oldLayout = drawn;
-  barrier.newLayout =
-      has_samples ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  barrier.newLayout = readable;
   vkCmdPipelineBarrier(
       commands, drawing_stage,
       has_samples ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0,
@@ -168,10 +179,17 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before)
 }
 
 void Target::begin(VkCommandBuffer commands) const {
-  for (const Part& part : parts_) barrier(commands, part, true);
+  for (const Part& part : parts_) barrier(commands, part, Change::discard);
 }
 
-void Target::begin_layer(VkCommandBuffer commands, std::size_t layer, float clear_depth) const {
+void Target::begin_over_depths(VkCommandBuffer commands) const {
+  for (const Part& part : parts_) {
+    barrier(commands, part, part.is_depth ? Change::reuse : Change::discard);
+  }
+}
+
+void Target::begin_layer(VkCommandBuffer commands, std::size_t layer,
+                         std::optional<float> clear_depth) const {
   const auto color = [&](const Part& part) {
     return attachment(part.views[layer].get(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   };
@@ -180,7 +198,8 @@ void Target::begin_layer(VkCommandBuffer commands, std::size_t layer, float clea
   for (std::size_t i = 0; i < shape_.slots; ++i) colors.push_back(color(parts_[1 + i]));
   VkRenderingAttachmentInfo depth =
       attachment(parts_[0].views[layer].get(), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
-  depth.clearValue.depthStencil = {clear_depth, 0};
+  if (!clear_depth) depth.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+  depth.clearValue.depthStencil = {clear_depth.value_or(1), 0};
   VkRenderingInfo info{};
   info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
   info.renderArea.extent = {static_cast<std::uint32_t>(shape_.width),
@@ -199,7 +218,7 @@ void Target::end(VkCommandBuffer commands, const SampleReader& reader, std::size
   const auto height = static_cast<std::uint32_t>(shape_.height);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
-    barrier(commands, part, false);
+    barrier(commands, part, Change::read);
     if (shape_.samples > 1) {
       reader.record(commands, bindings_.sets[i],
                     {width, height, static_cast<std::uint32_t>(shape_.samples),
@@ -232,7 +251,27 @@ std::span<const float> Target::read(const Part& part, std::size_t layer) const {
 std::span<const float> Target::numbers(std::size_t layer) const {
   return read(parts_.back(), layer);
 }
-std::span<const float> Target::depths(std::size_t layer) const { return read(parts_[0], layer); }
+
+std::vector<float> Target::depths(std::size_t layer) const {
+  const int bits = cases::unorm_bits(shape_.depth);
+  if (bits == 0 || shape_.samples > 1) {
+    const std::span<const float> all = read(parts_[0], layer);
+    return {all.begin(), all.end()};
+  }
+  // Copies of 16 bits are packed; of 24 bits, each takes the low bits of a 32-bit word.
+  const std::size_t count = shape_.layer_samples();
+  const std::byte* const begin = buffer_.bytes.data() + parts_[0].begin;
+  std::vector<float> depths(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = layer * count + i;
+    const std::uint32_t k = bits == 16
+                                ? reinterpret_cast<const std::uint16_t*>(begin)[at]
+                                : reinterpret_cast<const std::uint32_t*>(begin)[at] & 0xFFFFFFU;
+    depths[i] = unorm_depth(k, bits);
+  }
+  return depths;
+}
+
 std::span<const float> Target::slot(std::size_t slot, std::size_t layer) const {
   return read(parts_[1 + slot], layer);
 }

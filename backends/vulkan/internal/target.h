@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct TargetShape {
   int samples = 1;
   std::size_t slots = 0;
   std::size_t layers = 1;
+  cases::DepthFormat depth = cases::DepthFormat::float32;  ///< one that the device has
   bool has_numbers = true;  ///< if false, there is no image of triangle numbers
   bool operator==(const TargetShape&) const = default;
 
@@ -40,16 +42,20 @@ class Target {
 
   /// Call while recording, before drawing: discards the old content of the images.
   void begin(VkCommandBuffer commands) const;
+  /// Likewise, but keeps the depths. Call after end().
+  void begin_over_depths(VkCommandBuffer commands) const;
   /// Call both while recording, around the drawing into one layer. begin_layer() clears the layer,
-  /// and its depths to `clear_depth`.
-  void begin_layer(VkCommandBuffer commands, std::size_t layer, float clear_depth) const;
+  /// and its depths to `clear_depth`; if that is empty, it keeps the depths.
+  void begin_layer(VkCommandBuffer commands, std::size_t layer,
+                   std::optional<float> clear_depth) const;
   static void end_layer(VkCommandBuffer commands);
   /// Call while recording, after drawing: reads `layers` layers back.
   void end(VkCommandBuffer commands, const SampleReader& reader, std::size_t layers) const;
 
   /// The content that was read back from a layer: [y][x][sample].
   std::span<const float> numbers(std::size_t layer) const;
-  std::span<const float> depths(std::size_t layer) const;
+  /// Depths are as stored or, of a unorm format with several samples, as a shader fetches them.
+  std::vector<float> depths(std::size_t layer) const;
   /// [y][x][sample][kSlotSize].
   std::span<const float> slot(std::size_t slot, std::size_t layer) const;
 
@@ -59,13 +65,15 @@ class Target {
     std::vector<ImageView> views;  ///< one for each layer
     ImageView whole;               ///< all layers, for reading samples
     bool is_depth = false;
+    bool has_stencil = false;
     std::size_t components = 1;
     std::size_t begin = 0;  ///< offset in the buffer, in bytes
   };
 
   Target() = default;
   Result<void> add_part(const Device& device, VkFormat format, std::size_t components);
-  void barrier(VkCommandBuffer commands, const Part& part, bool is_before) const;
+  enum class Change { discard, reuse, read };
+  void barrier(VkCommandBuffer commands, const Part& part, Change change) const;
   std::span<const float> read(const Part& part, std::size_t layer) const;
 
   TargetShape shape_;

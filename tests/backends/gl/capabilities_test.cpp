@@ -31,6 +31,7 @@ Capabilities all_there() {
   Capabilities has;
   has.api = "OpenGL 4.6";
   has.has_clip_control = has.has_provoking_vertex = has.has_depth_clamp = true;
+  has.has_bias_clamp = has.has_unorm_depth = true;
   has.has_noperspective = has.has_sample_qualifier = has.has_sample_targets = true;
   has.has_viewport_fractions = has.clears_beyond_one = true;
   has.viewport_subpixel_bits = 8;
@@ -95,6 +96,12 @@ TEST(Capabilities, NameWhatThisContextLacks) {
   c = small_case();
   c.depth_clamp = true;
   expect(&Capabilities::has_depth_clamp, c, "no depth clamp");
+  c = small_case();
+  c.depth_bias = {1, 0, 0.5F};
+  expect(&Capabilities::has_bias_clamp, c, "no clamp of the depth bias");
+  c = small_case();
+  c.depth_format = cases::DepthFormat::unorm16;
+  expect(&Capabilities::has_unorm_depth, c, "how many bits its depth images have");
   c = small_case();
   c.viewport.x = 0.5F;
   expect(&Capabilities::has_viewport_fractions, c, "does not support fractional viewports");
