@@ -44,9 +44,9 @@ bool is_stored_alike(std::uint32_t k, int bits) {
 // Injective: neighbouring k/(2^n − 1) are farther apart than 2^-n, which for n <= 24 is at least
 // the distance of neighbouring floats below 1.
 float unorm_depth(std::uint32_t k, int bits) {
-  // The quotient in double is off by 2^-53, and k/(2^n − 1) with n <= 24 is never that close to the
-  // middle between two floats: a middle has at most 25 digits, and differs from the quotient by a
-  // multiple of 2^-50/(2^n − 1) times 2^n at least.
+  // Rounding twice gives the nearest float: a middle between two floats near 2^-a is m/2^(a + 25),
+  // and k/(2^n − 1) is either exact or differs from it by 2^-(a + 25)/(2^n − 1) or more, which for
+  // n <= 24 exceeds the error of the quotient in double, 2^-(a + 53).
   return static_cast<float>(k / steps_of(bits));
 }
 
