@@ -64,12 +64,6 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return tally.finish();
 }
 
-bool is_promised(backends::Backend& backend) {
-  cases::Case biased;
-  biased.depth_bias.slope = 1;
-  return has_one_depth(biased, backend.contract(biased));
-}
-
 const LawRegistration kRegistration(
     {.id = "a-bias-is-limited-by-its-clamp",
      .sentence = "a bias is limited by its clamp, on one side",
@@ -77,8 +71,8 @@ const LawRegistration kRegistration(
      .exceptions = "depths at the ends of their range; contracts that allow several offsets",
      .generate = &biased_case,
      .check = &check,
-     .is_promised = &is_promised,
-     .unpromised = "the backend leaves open which offset it adds",
+     .is_promised = &draws_one_bias,
+     .unpromised = "the backend leaves open which offset it adds, or lacks bias or unorm depths",
      .covers = {cover(8, "cut by the clamp"), cover(10, "within the clamp"), cover(20, "unorm")}});
 
 }  // namespace

@@ -28,6 +28,9 @@ constexpr std::array kWays{Way{"whole-pixels-move-the-picture", "moved"},
                            Way{"a-quarter-turn-turns-the-picture", "turned"}};
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
+  if (c.depth_bias.is_none() && cases::unorm_bits(c.depth_format) == 0) {
+    return not_applicable("the case has neither bias nor unorm depths");
+  }
   const Way& way = Choices(choices_of(c)).pick(kWays);
   Result<Check> check = find_law(way.law)->check(c, backend, index);
   if (!check || !check->is_applicable) return check;
@@ -55,8 +58,10 @@ const LawRegistration kRegistration(
                    "moved viewport is no float32",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(10, "moved"), cover(8, "mirrored"), cover(8, "turned"), cover(20, "sloped"),
-                cover(25, "unorm")}});
+     .is_promised = &draws_bias_and_unorm,
+     .unpromised = kLacksBiasOrUnorm,
+     .covers = {cover(17, "moved"), cover(16, "mirrored"), cover(16, "turned"), cover(37, "sloped"),
+                cover(30, "unorm")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::bias_moves_with_the_picture_law

@@ -79,12 +79,6 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return tally.finish();
 }
 
-bool is_promised(backends::Backend& backend) {
-  cases::Case biased;
-  biased.depth_bias.slope = 1;
-  return has_one_depth(biased, backend.contract(biased));
-}
-
 /// Gives vertices depths of several exponents, and some beyond the depth range.
 Generated generate(Draw& draw) {
   Generated made = biased_case(draw);
@@ -107,8 +101,9 @@ const LawRegistration kRegistration(
      .exceptions = "contracts that allow several offsets, or take values from snapped positions",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised,
-     .unpromised = "the backend leaves open which offset it adds",
+     .is_promised = &draws_one_bias,
+     .unpromised = "the backend leaves open which offset it adds, or lacks bias or unorm depths",
+     .excludes_outer = true,
      .covers = {cover(20, "cut"), cover(3, "clamped"), cover(35, "biased"), cover(20, "unorm")}});
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include <string>
 #include <utility>
 
+#include "cases/capabilities.h"
 #include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/biased_depths.h"
@@ -125,13 +126,14 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   constexpr std::array kSizes{2.0F, 3.0F, 4.0F, 8.0F, 16.0F, 64.0F, 1024.0F, 65536.0F};
   const float k = Choices(choices_of(c)).pick(kSizes);
   const std::string size = value_text(k);
-  if (is_certain(plane, contract, double{k}, true)) {
+  const bool has_bias = capabilities_of(backend).has(cases::Feature::depth_bias);
+  if (has_bias && is_certain(plane, contract, double{k}, true)) {
     const Result<cases::Fragments> nearer = draw_over(plane, -k, backend);
     if (!nearer) return tl::unexpected(nearer.error());
     report_hidden(tally, plane, *nearer, "drawn over its own depth, with the bias −" + size);
     tally.label("nearer");
   }
-  if (is_certain(plane, contract, double{k}, false)) {
+  if (has_bias && is_certain(plane, contract, double{k}, false)) {
     const Result<cases::Fragments> farther = draw_over(plane, k, backend);
     if (!farther) return tl::unexpected(farther.error());
     report_left(tally, *farther, "drawn over its own depth, with the bias " + size);
@@ -143,7 +145,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
 
 bool is_promised(backends::Backend& backend) {
   const cases::Contract contract = backend.contract({});
-  return contract.keeps_equal_depth && contract.is_invariant;
+  return draws_bias_and_unorm(backend) && contract.keeps_equal_depth && contract.is_invariant;
 }
 
 /// Puts all triangles into one plane.
@@ -169,7 +171,8 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the backend does not promise equal depths for equal inputs",
+     .unpromised = "the backend does not promise equal depths for equal inputs, or lacks bias or "
+                   "unorm depths",
      .covers = {cover(25, "nearer"), cover(25, "farther"), cover(20, "unorm")}});
 
 }  // namespace

@@ -66,7 +66,7 @@ class StoredCheck {
     if (is_of_case(*case_, place)) tally_.pass_required(place.triangle);
     // Without a clear depth, the buffer may begin with 1 or anything farther.
     const bool may_be_missing = clear_ ? !(depth < *clear_) : !(depth < 1);
-    const bool may_be_left = clear_ ? depth < *clear_ : depth <= 1;
+    const bool may_be_left = !clear_ || depth < *clear_;
     if (clear_) tally_.label(depth < *clear_ ? "nearer than cleared" : "not nearer than cleared");
     if (clear_ && depth == *clear_) tally_.label("equal to cleared");
     if (left == none) {
@@ -80,9 +80,8 @@ class StoredCheck {
     const float actual = left_->depth[left->second];
     if (!may_be_left) {
       tally_.report(violation_at(drawn, FragmentClass::extra,
-                                 "forbidden: the buffer was cleared to " +
-                                     value_text(clear_.value_or(1)) + ", and the nearest is " +
-                                     value_text(depth),
+                                 "forbidden: the buffer was cleared to " + value_text(*clear_) +
+                                     ", and the nearest is " + value_text(depth),
                                  "left at depth " + value_text(actual)));
     } else if (drawn.triangle != place.triangle) {
       tally_.report(violation_at(drawn, FragmentClass::wrong_triangle,
@@ -118,6 +117,10 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check;
 }
 
+bool is_promised(backends::Backend& backend) {
+  return draws_bias_and_unorm(backend) && draws_invariantly(backend);
+}
+
 /// Draws some triangles again, less than a step nearer or farther, and clears to what one has.
 Generated generate(Draw& draw) {
   Generated made = biased_case(draw);
@@ -134,7 +137,7 @@ Generated generate(Draw& draw) {
     }
     if (draw.one_in(2)) c.triangles.push_back(again);
   }
-  if (c.depth_clear && draw.one_in(2)) {
+  if (draw.one_in(3)) {
     const cases::ClipVertex& p = c.positions.front();
     const double share = p.w > 0 ? double{p.z} / double{p.w} : 0.5;
     const bool is_opengl = c.rules == cases::Rules::opengl;
@@ -155,9 +158,10 @@ const LawRegistration kRegistration(
                    "promise no invariance",
      .generate = &generate,
      .check = &check,
-     .is_promised = &draws_invariantly,
-     .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged",
-     .covers = {cover(15, "equal as stored"), cover(20, "distinct"), cover(4, "equal to cleared"),
+     .is_promised = &is_promised,
+     .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged, "
+                   "or lacks bias or unorm depths",
+     .covers = {cover(15, "equal as stored"), cover(20, "distinct"), cover(1, "equal to cleared"),
                 cover(30, "biased"), cover(25, "unorm")}});
 
 }  // namespace

@@ -13,6 +13,9 @@ namespace rastercheck::properties::depths_are_biased_and_stored_law {
 namespace {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
+  if (c.depth_bias.is_none() && cases::unorm_bits(c.depth_format) == 0) {
+    return not_applicable("the case has neither bias nor unorm depths");
+  }
   Result<Check> check = check_judged(c, backend, {}, index);
   if (!check) return check;
   if (!c.depth_bias.is_none()) add_label(*check, "biased");
@@ -27,9 +30,11 @@ const LawRegistration kRegistration(
      .sentence = "depths are biased and stored as promised",
      .reason = "m, r and the biased depth are exact numbers, or intervals where the contract "
                "leaves them open (RULES §8).",
-     .exceptions = "values that the contract leaves free",
+     .exceptions = "cases with neither; values that the contract leaves free",
      .generate = &biased_case,
      .check = &check,
+     .is_promised = &draws_bias_and_unorm,
+     .unpromised = kLacksBiasOrUnorm,
      .covers = {cover(35, "biased"), cover(20, "sloped"), cover(10, "clamped bias"),
                 cover(25, "unorm"), cover(14, "depth test"), cover(10, "several samples"),
                 cover(8, "clipped")}});

@@ -94,7 +94,9 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check;
 }
 
-bool is_promised(backends::Backend& backend) { return backend.contract({}).keeps_equal_depth; }
+bool is_promised(backends::Backend& backend) {
+  return draws_bias_and_unorm(backend) && backend.contract({}).keeps_equal_depth;
+}
 
 /// Puts most triangles into one plane, at a depth that one of them has.
 Generated generate(Draw& draw) {
@@ -121,7 +123,8 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the backend does not promise equal depths for equal inputs",
+     .unpromised = "the backend does not promise equal depths for equal inputs, or lacks bias or "
+                   "unorm depths",
      .covers = {cover(35, "biased"), cover(20, "sloped"), cover(25, "unorm"),
                 cover(20, "several triangles"), cover(10, "several samples")}});
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 
+#include "cases/capabilities.h"
 #include "properties/float_numbers.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/biased_depths.h"
@@ -69,6 +70,10 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return tally.finish();
 }
 
+bool is_promised(backends::Backend& backend) {
+  return capabilities_of(backend).has(cases::Feature::unorm_depth);
+}
+
 Generated generate(Draw& draw) {
   Generated made = biased_case(draw);
   if (cases::unorm_bits(made.source.depth_format) == 0) {
@@ -86,6 +91,8 @@ const LawRegistration kRegistration(
      .exceptions = "where a contract leaves positions open, planes that are not of equal depth",
      .generate = &generate,
      .check = &check,
+     .is_promised = &is_promised,
+     .unpromised = "the backend lacks depths in unorm formats",
      .covers = {cover(15, "about midway"), cover(10, "at an end"), cover(10, "reversed"),
                 cover(20, "16 bits"), cover(15, "24 bits")}});
 

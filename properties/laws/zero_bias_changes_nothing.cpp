@@ -49,6 +49,8 @@ const LawRegistration kRegistration({.id = "a-bias-of-zero-changes-nothing",
                                      .exceptions = "values that the contract leaves free",
                                      .generate = &biased_case,
                                      .check = &check,
+                                     .is_promised = &draws_bias_and_unorm,
+                                     .unpromised = kLacksBiasOrUnorm,
                                      .covers = {cover(30, "clamped bias"), cover(25, "unorm"),
                                                 cover(14, "depth test")}});
 

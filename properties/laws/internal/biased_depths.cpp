@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/capabilities.h"
 #include "properties/float_numbers.h"
 #include "properties/generator.h"
 #include "properties/judged_law.h"
@@ -30,6 +31,17 @@ double step_of(const cases::Case& c) {
 Generated biased_case(Draw& draw) {
   const Generator* borders = find_generator("depth-borders");
   return {borders->make(draw), std::string(borders->name)};
+}
+
+bool draws_bias_and_unorm(backends::Backend& backend) {
+  const cases::Capabilities has = capabilities_of(backend);
+  return has.has(cases::Feature::depth_bias) && has.has(cases::Feature::unorm_depth);
+}
+
+bool draws_one_bias(backends::Backend& backend) {
+  cases::Case biased;
+  biased.depth_bias.slope = 1;
+  return draws_bias_and_unorm(backend) && has_one_depth(biased, backend.contract(biased));
 }
 
 cases::Case for_depths(const cases::Case& c, const cases::DepthBias& bias) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/case.h"
@@ -19,6 +20,14 @@ namespace rastercheck::properties {
 
 /// A case of the generator depth-borders.
 Generated biased_case(Draw& draw);
+
+/// True if a backend draws both depth bias and unorm depths, as the labels of these laws need.
+bool draws_bias_and_unorm(backends::Backend& backend);
+inline constexpr std::string_view kLacksBiasOrUnorm =
+    "the backend lacks depth bias, or depths in unorm formats";
+
+/// The same, if the backend's contract also allows one offset only (has_one_depth()).
+bool draws_one_bias(backends::Backend& backend);
 
 /// The case as drawn to see depths: no depth test, no attributes, and this bias.
 cases::Case for_depths(const cases::Case& c, const cases::DepthBias& bias);
