@@ -34,11 +34,12 @@ bool any_vertex(const Case& c, const std::function<bool(const ClipVertex&)>& que
 TEST(Generators, AreKnownByTheirNames) {
   std::vector<std::string_view> names;
   for (const Generator& generator : generators()) names.push_back(generator.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{
-                       "any-floats", "cameras",     "clipping",    "constants", "degenerate",
-                       "grazing",    "grids",       "guard-band",  "hairline",  "huge",
-                       "meshes",     "near-misses", "on-grid",     "ordinary",  "sizes",
-                       "slivers",    "snap-ties",   "through-eye", "tiny",      "wide"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string_view>{
+                "any-floats",  "cameras", "clipping",   "constants", "degenerate", "depth-borders",
+                "grazing",     "grids",   "guard-band", "hairline",  "huge",       "meshes",
+                "near-misses", "on-grid", "ordinary",   "sizes",     "slivers",    "snap-ties",
+                "through-eye", "tiny",    "wide"}));
   EXPECT_EQ(find_generator("tiny")->name, "tiny");
   EXPECT_EQ(find_generator("tin"), nullptr);
 }
