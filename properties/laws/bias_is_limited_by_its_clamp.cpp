@@ -73,7 +73,8 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_one_bias,
      .unpromised = "the backend leaves open which offset it adds, or lacks bias or unorm depths",
-     .covers = {cover(8, "cut by the clamp"), cover(10, "within the clamp"), cover(20, "unorm")}});
+     .covers = {cover(10, "cut by the clamp"), cover(20, "beyond the clamp's other side"),
+                cover(29, "within the clamp"), cover(29, "unorm")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::bias_is_limited_by_its_clamp_law

@@ -60,7 +60,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_bias_and_unorm,
      .unpromised = kLacksBiasOrUnorm,
-     .covers = {cover(17, "moved"), cover(16, "mirrored"), cover(16, "turned"), cover(37, "sloped"),
+     .covers = {cover(16, "moved"), cover(16, "mirrored"), cover(16, "turned"), cover(38, "sloped"),
                 cover(30, "unorm")}});
 
 }  // namespace

@@ -104,7 +104,7 @@ const LawRegistration kRegistration(
      .is_promised = &draws_one_bias,
      .unpromised = "the backend leaves open which offset it adds, or lacks bias or unorm depths",
      .excludes_outer = true,
-     .covers = {cover(20, "cut"), cover(3, "clamped"), cover(35, "biased"), cover(20, "unorm")}});
+     .covers = {cover(19, "cut"), cover(5, "clamped"), cover(45, "biased"), cover(22, "unorm")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::cutting_keeps_the_bias_law

@@ -173,7 +173,7 @@ const LawRegistration kRegistration(
      .is_promised = &is_promised,
      .unpromised = "the backend does not promise equal depths for equal inputs, or lacks bias or "
                    "unorm depths",
-     .covers = {cover(25, "nearer"), cover(25, "farther"), cover(20, "unorm")}});
+     .covers = {cover(39, "nearer"), cover(34, "farther"), cover(29, "unorm")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::decals_obey_their_bias_law

@@ -161,8 +161,8 @@ const LawRegistration kRegistration(
      .is_promised = &is_promised,
      .unpromised = "the backend does not promise that irrelevant changes leave all bits unchanged, "
                    "or lacks bias or unorm depths",
-     .covers = {cover(15, "equal as stored"), cover(20, "distinct"), cover(1, "equal to cleared"),
-                cover(30, "biased"), cover(25, "unorm")}});
+     .covers = {cover(21, "equal as stored"), cover(23, "distinct"), cover(5, "equal to cleared"),
+                cover(26, "biased"), cover(29, "unorm")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::depth_tests_compare_stored_depths_law

@@ -35,9 +35,9 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_bias_and_unorm,
      .unpromised = kLacksBiasOrUnorm,
-     .covers = {cover(35, "biased"), cover(20, "sloped"), cover(10, "clamped bias"),
-                cover(25, "unorm"), cover(14, "depth test"), cover(10, "several samples"),
-                cover(8, "clipped")}});
+     .covers = {cover(44, "biased"), cover(27, "sloped"), cover(14, "clamped bias"),
+                cover(31, "unorm"), cover(13, "depth test"), cover(15, "several samples"),
+                cover(10, "clipped")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::depths_are_biased_and_stored_law

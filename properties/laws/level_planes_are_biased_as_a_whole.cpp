@@ -125,8 +125,8 @@ const LawRegistration kRegistration(
      .is_promised = &is_promised,
      .unpromised = "the backend does not promise equal depths for equal inputs, or lacks bias or "
                    "unorm depths",
-     .covers = {cover(35, "biased"), cover(20, "sloped"), cover(25, "unorm"),
-                cover(20, "several triangles"), cover(10, "several samples")}});
+     .covers = {cover(41, "biased"), cover(24, "sloped"), cover(29, "unorm"),
+                cover(27, "several triangles"), cover(17, "several samples")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::level_planes_law

@@ -74,7 +74,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &draws_one_bias,
      .unpromised = "the backend leaves open which offset it adds, or lacks bias or unorm depths",
-     .covers = {cover(20, "moved"), cover(15, "both"), cover(25, "doubled"), cover(20, "unorm")}});
+     .covers = {cover(23, "moved"), cover(15, "both"), cover(31, "doubled"), cover(29, "unorm")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::parts_of_a_bias_add_up_law

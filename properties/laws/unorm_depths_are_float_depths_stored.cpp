@@ -93,8 +93,8 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &is_promised,
      .unpromised = "the backend lacks depths in unorm formats",
-     .covers = {cover(15, "about midway"), cover(10, "at an end"), cover(10, "reversed"),
-                cover(20, "16 bits"), cover(15, "24 bits")}});
+     .covers = {cover(24, "about midway"), cover(7, "at an end"), cover(10, "reversed"),
+                cover(33, "16 bits"), cover(16, "24 bits")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::unorm_depths_law

@@ -51,8 +51,8 @@ const LawRegistration kRegistration({.id = "a-bias-of-zero-changes-nothing",
                                      .check = &check,
                                      .is_promised = &draws_bias_and_unorm,
                                      .unpromised = kLacksBiasOrUnorm,
-                                     .covers = {cover(30, "clamped bias"), cover(25, "unorm"),
-                                                cover(14, "depth test")}});
+                                     .covers = {cover(45, "clamped bias"), cover(29, "unorm"),
+                                                cover(13, "depth test")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::zero_bias_changes_nothing_law
