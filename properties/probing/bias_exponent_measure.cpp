@@ -24,8 +24,9 @@ namespace {
 
 using cases::BiasExponent;
 
-/// Offsets are 2^(e−7): at least 2^-11 here, far above kPlaneError.
-constexpr float kConstant = 0x1p16F;
+/// Offsets are −2^(e−7): at least 2^-11 in size, far above kPlaneError, and at most 2^-4, so that
+/// no sum is below 0. Negative, so that none is limited to 1.
+constexpr float kConstant = -0x1p16F;
 /// Depths of this size and more are drawn; the least exponent is −4.
 constexpr double kLeastDepth = 0.0625;
 
@@ -226,7 +227,7 @@ ExponentReading read_exponents(Subject& subject, const ExponentGroup& group, dou
   if (!without || !with) return reading;
   for (const BiasedFragment& fragment : biased_fragments(subject, *without, *with)) {
     // Depths at the range's ends may have been limited.
-    if (fragment.without <= 0 || fragment.with >= 1) continue;
+    if (fragment.with <= 0 || fragment.without >= 1) continue;
     const double unit = fragment.offset() / (double{kConstant} * float_ratio);
     const double exponent = unit > 0 ? std::log2(unit) + 23 : HUGE_VAL;
     reading.add(group.triangles[fragment.triangle], group.depth_clamp, std::min(exponent, 1000.0));

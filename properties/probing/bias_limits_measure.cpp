@@ -235,12 +235,17 @@ void measure_bias_limits(Subject& subject, const BiasSight& sight) {
   const double ratio = *sight.float_ratio;
   add_limits(subject, {"limits of biased depths", 0, 1, false, 0.96875, {0.25, -0.75}}, ratio);
   if (!has_range) return;
-  add_limits(
-      subject,
-      {"the same, depth range 1/4 to 3/4", kLow, kHigh, false, double{kHigh}, {0.375, -0.375}},
-      ratio);
+  add_limits(subject,
+             {"limits of biased depths, range 1/4 to 3/4",
+              kLow,
+              kHigh,
+              false,
+              double{kHigh},
+              {0.375, -0.375}},
+             ratio);
   if (!capabilities.has(cases::Feature::depth_clamp)) return;
-  add_limits(subject, {"the same, with depth clamp", kLow, kHigh, true, 0.96875, {0.125, -0.375}},
+  add_limits(subject,
+             {"limits of biased depths, depth clamp", kLow, kHigh, true, 0.96875, {0.125, -0.375}},
              ratio);
 }
 

@@ -108,19 +108,6 @@ void read_unit(Subject& subject, cases::Rules rules, DepthFormat format, float c
   }
 }
 
-/// A value of r that an API names, in units of 2^-b.
-struct NamedUnit {
-  BiasUnit unit;
-  double ratio;
-};
-
-std::vector<NamedUnit> named_units(int bits) {
-  const double least = double{static_cast<float>(1 / (std::ldexp(1.0, bits) - 1))};
-  return {{BiasUnit::power, 1},
-          {BiasUnit::double_power, 2},
-          {BiasUnit::least_value, std::ldexp(least, bits)}};
-}
-
 std::string words_for(BiasUnit unit, int bits) {
   switch (unit) {
     case BiasUnit::power:
@@ -137,31 +124,46 @@ std::string words_for(BiasUnit unit, int bits) {
   return fmt::format("up to 2^{}", 1 - bits);
 }
 
-/// What all samples together say about r.
-struct FittedUnit {
-  UnitRange range;
-  bool is_any = false;      ///< some r explains all samples
-  bool is_rounded = false;  ///< only if sums are rounded
+/// A value of r with a name.
+struct NamedUnit {
+  BiasUnit unit = BiasUnit::open;
+  double ratio = 0;  ///< in units of 2^-b
+  std::string words;
+  bool is_permitted = true;  ///< by `unit`
 };
 
-FittedUnit fit_unit(const UnitReading& reading) {
-  FittedUnit fitted;
-  for (const bool is_rounded : {false, true}) {
-    UnitRange range;
-    double least = std::numeric_limits<double>::infinity();
-    double greatest = -least;
-    for (const UnitSample& sample : reading.samples) {
-      const UnitRange one = sample.range(is_rounded);
-      range = {std::max(range.lo, one.lo), std::min(range.hi, one.hi)};
-      if (std::isfinite(one.lo)) greatest = std::max(greatest, one.lo);
-      if (std::isfinite(one.hi)) least = std::min(least, one.hi);
-    }
-    const bool is_any = !reading.samples.empty() && range.lo <= range.hi;
-    // If no r explains all, the range says how far apart the samples are.
-    fitted = {is_any ? range : UnitRange{least, greatest}, is_any, is_rounded};
-    if (is_any) break;
+std::vector<NamedUnit> named_units(int bits) {
+  const double least = double{static_cast<float>(1 / (std::ldexp(1.0, bits) - 1))};
+  const double ratio = std::ldexp(least, bits);
+  std::vector<NamedUnit> all{{BiasUnit::power, 1, ""},
+                             {BiasUnit::double_power, 2, ""},
+                             {BiasUnit::least_value, ratio, ""}};
+  for (NamedUnit& one : all) one.words = words_for(one.unit, bits);
+  // Mesa's. A little more than any API permits, nearest to 2^(1−b).
+  all.push_back({BiasUnit::double_power, 2 * ratio, fmt::format("2/(2^{} - 1)", bits), false});
+  return all;
+}
+
+/// What all samples together say about r.
+struct FittedUnit {
+  UnitRange range;          ///< if no r explains all samples: how far apart they are
+  bool is_any = false;      ///< some r explains all samples
+  bool is_rounded = false;  ///< sums may be rounded
+  double middle() const { return (range.lo + range.hi) / 2; }
+};
+
+FittedUnit fit_unit(const UnitReading& reading, bool is_rounded) {
+  UnitRange range;
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const UnitSample& sample : reading.samples) {
+    const UnitRange one = sample.range(is_rounded);
+    range = {std::max(range.lo, one.lo), std::min(range.hi, one.hi)};
+    if (std::isfinite(one.lo)) greatest = std::max(greatest, one.lo);
+    if (std::isfinite(one.hi)) least = std::min(least, one.hi);
   }
-  return fitted;
+  const bool is_any = !reading.samples.empty() && range.lo <= range.hi;
+  return {is_any ? range : UnitRange{least, greatest}, is_any, is_rounded};
 }
 
 records::Sureness sureness_of(const UnitReading& reading, const FittedUnit& fitted, double ratio) {
@@ -176,20 +178,15 @@ std::string number_words(const FittedUnit& fitted, const std::string& unit) {
   if (!fitted.is_any) {
     return fmt::format("{:.4g} to {:.4g} · {}", fitted.range.lo, fitted.range.hi, unit);
   }
-  return fmt::format("{:.6g} · {}", (fitted.range.lo + fitted.range.hi) / 2, unit);
+  return fmt::format("{:.6g} · {}", fitted.middle(), unit);
 }
 
-/// A unit seen in a unorm format: one of BiasUnit; empty if none of them permits it.
+/// The unit that permits what the samples show of r where it has no name; empty if none does.
 std::optional<BiasUnit> permitting(const FittedUnit& fitted) {
-  if (!fitted.is_any) {
-    // No r for all samples, but each has one.
-    if (fitted.range.lo >= 1 && fitted.range.hi <= 2) return BiasUnit::either_power;
-    if (fitted.range.lo >= 0 && fitted.range.hi <= 2) return BiasUnit::open;
-    return std::nullopt;
-  }
-  const double middle = (fitted.range.lo + fitted.range.hi) / 2;
-  if (middle >= 1 && middle <= 2) return BiasUnit::either_power;
-  return middle >= 0 && middle <= 2 ? std::optional(BiasUnit::open) : std::nullopt;
+  const double least = fitted.is_any ? fitted.middle() : fitted.range.lo;
+  const double greatest = fitted.is_any ? fitted.middle() : fitted.range.hi;
+  if (least < 0 || greatest > 2) return std::nullopt;
+  return least >= 1 ? BiasUnit::either_power : BiasUnit::open;
 }
 
 bool allows(BiasUnit declared, BiasUnit measured) {
@@ -203,74 +200,87 @@ BiasUnit joined(BiasUnit a, BiasUnit b) {
   return a == BiasUnit::open || b == BiasUnit::open ? BiasUnit::open : BiasUnit::either_power;
 }
 
-cases::BiasPromise declared_bias(const Subject& subject, cases::Rules rules) {
-  return subject.declared(rules).depth_bias;
-}
-
-/// Adds the row of a unorm format under some rules and returns what it shows; empty if nothing was
-/// drawn.
-std::optional<BiasUnit> add_unit(Subject& subject, cases::Rules rules, DepthFormat format,
-                                 bool names_rules, const UnitReading& reading) {
-  const int bits = cases::unorm_bits(format);
-  const BiasUnit declared = declared_bias(subject, rules).unit;
-  std::string what = fmt::format("unit of bias in {}", cases::name_of(format));
-  if (names_rules) what += fmt::format(", {}", cases::name_of(rules));
-  if (reading.samples.empty()) {
-    subject.add(what, words_for(declared, bits), "not drawn");
-    return std::nullopt;
-  }
-  const FittedUnit fitted = fit_unit(reading);
-  std::vector<NamedUnit> named;
-  for (const NamedUnit& one : named_units(bits)) {
-    if (fitted.is_any && fitted.range.has(one.ratio)) named.push_back(one);
-  }
-  // Of several that explain all samples, the declared one.
-  const auto chosen = std::find_if(named.begin(), named.end(),
-                                   [&](const NamedUnit& one) { return one.unit == declared; });
-  const NamedUnit* const best = chosen != named.end() ? &*chosen
-                                : named.empty()       ? nullptr
-                                                      : &named.front();
-  const std::optional<BiasUnit> unit = best ? std::optional(best->unit) : permitting(fitted);
+/// What the samples show of r in a unorm format.
+struct SeenUnit {
+  BiasUnit unit = BiasUnit::open;
+  bool is_permitted = true;  ///< by `unit`
+  std::string words;
   std::string detail;
-  for (const NamedUnit& one : named) {
-    if (&one != best) detail += fmt::format("{} explains the same", words_for(one.unit, bits));
-  }
-  const std::string power = fmt::format("2^{}", -bits);
-  const double ratio = best ? best->ratio : (fitted.range.lo + fitted.range.hi) / 2;
-  subject
-      .add(what, words_for(declared, bits),
-           best ? words_for(best->unit, bits) : number_words(fitted, power), detail,
-           sureness_of(reading, fitted, ratio))
-      .contradicts = !unit || !allows(declared, *unit);
-  return unit.value_or(BiasUnit::open);
-}
+  records::Sureness sureness;
+};
 
-/// Measures unorm formats under the given rules and adds to the sight what the contract has to say.
-void measure_unorm_units(Subject& subject, const Sight& seen, cases::Rules rules, bool names_rules,
-                         std::optional<BiasUnit>& unit, BiasSight& sight) {
-  for (const auto& [format, error] : seen.stored) {
-    const int bits = cases::unorm_bits(format);
-    UnitReading reading;
-    // A large constant shows r to many digits; a small one that r is the same for both. Sums stay
-    // below 1 if r is twice 2^-b.
-    const std::array<float, 3> constants{std::ldexp(1.0F, bits - 2), -std::ldexp(1.0F, bits - 4),
-                                         5};
-    // Rules that are not the probe's own differ in r, if at all.
-    const std::size_t count = names_rules ? 1 : constants.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      read_unit(subject, rules, format, constants[i], error, reading);
+SeenUnit seen_unit(const UnitReading& reading, int bits, BiasUnit declared) {
+  // A name that needs rounding is better than a number that needs none.
+  for (const bool is_rounded : {false, true}) {
+    const FittedUnit fitted = fit_unit(reading, is_rounded);
+    if (!fitted.is_any) continue;
+    std::vector<NamedUnit> named;
+    for (const NamedUnit& one : named_units(bits)) {
+      if (fitted.range.has(one.ratio)) named.push_back(one);
     }
-    const std::optional<BiasUnit> one = add_unit(subject, rules, format, names_rules, reading);
-    if (!one) continue;
-    unit = unit ? joined(*unit, *one) : *one;
-    if (*one != declared_bias(subject, rules).unit) sight.differs = true;
+    if (named.empty()) continue;
+    // Of several that explain all samples, the declared one.
+    std::stable_partition(named.begin(), named.end(),
+                          [&](const NamedUnit& one) { return one.unit == declared; });
+    const NamedUnit& best = named.front();
+    SeenUnit seen{best.unit, best.is_permitted, best.words, "",
+                  sureness_of(reading, fitted, best.ratio)};
+    for (std::size_t i = 1; i < named.size(); ++i) {
+      seen.detail += (i == 1 ? "cannot be told from " : ", ") + named[i].words;
+    }
+    return seen;
+  }
+  const FittedUnit exact = fit_unit(reading, false);
+  const FittedUnit fitted = exact.is_any ? exact : fit_unit(reading, true);
+  const std::optional<BiasUnit> unit = permitting(fitted);
+  return {unit.value_or(BiasUnit::open), unit.has_value(),
+          number_words(fitted, fmt::format("2^{}", -bits)), "",
+          sureness_of(reading, fitted, fitted.middle())};
+}
+
+/// Measures one unorm format: under the probe's own rules and, with fewer drawings, under the
+/// others, which have a row if they differ. Adds to `unit` what the contract has to permit.
+void measure_unorm_unit(Subject& subject, DepthFormat format, const StoredError& error,
+                        std::optional<BiasUnit>& unit, BiasSight& sight) {
+  const int bits = cases::unorm_bits(format);
+  const cases::Rules own = subject.base().rules;
+  std::vector<cases::Rules> all = subject.capabilities().rules;
+  std::stable_partition(all.begin(), all.end(), [&](cases::Rules one) { return one == own; });
+  std::string own_words;
+  for (const cases::Rules rules : all) {
+    // A large constant shows r to many digits, and a small one that r is the same for both. Sums
+    // stay below 1 even if r is twice 2^-b.
+    std::vector<float> constants{std::ldexp(1.0F, bits - 2)};
+    if (rules == own) constants.insert(constants.end(), {-std::ldexp(1.0F, bits - 4), 5});
+    UnitReading reading;
+    for (const float constant : constants) {
+      read_unit(subject, rules, format, constant, error, reading);
+    }
+    const BiasUnit declared = subject.declared(rules).depth_bias.unit;
+    std::string what = fmt::format("unit of bias in {}", cases::name_of(format));
+    if (reading.samples.empty()) {
+      if (rules == own) subject.add(what, words_for(declared, bits), "not drawn");
+      continue;
+    }
+    const SeenUnit seen = seen_unit(reading, bits, declared);
+    unit = unit ? joined(*unit, seen.unit) : seen.unit;
+    if (seen.unit != declared) sight.differs = true;
+    const std::string words = words_for(declared, bits) + seen.words;
+    if (rules == own) {
+      own_words = words;
+    } else {
+      if (words == own_words) continue;
+      what += fmt::format(", {}", cases::name_of(rules));
+    }
+    subject.add(what, words_for(declared, bits), seen.words, seen.detail, seen.sureness)
+        .contradicts = !seen.is_permitted || !allows(declared, seen.unit);
   }
 }
 
-void measure_float_unit(Subject& subject, cases::Rules rules, BiasSight& sight) {
+void measure_float_unit(Subject& subject, BiasSight& sight) {
   UnitReading reading;
   for (const float constant : {0x1p16F, -0x1p12F, 5.0F}) {
-    read_unit(subject, rules, DepthFormat::float32, constant, {}, reading);
+    read_unit(subject, subject.base().rules, DepthFormat::float32, constant, {}, reading);
   }
   const std::string unit = "2^(e-23)";
   const std::string what = "unit of bias in float32";
@@ -278,9 +288,10 @@ void measure_float_unit(Subject& subject, cases::Rules rules, BiasSight& sight) 
     subject.add(what, unit, "not drawn");
     return;
   }
-  const FittedUnit fitted = fit_unit(reading);
+  FittedUnit fitted = fit_unit(reading, false);
+  if (!fitted.is_any) fitted = fit_unit(reading, true);
   const bool is_declared = fitted.is_any && fitted.range.has(1);
-  const double ratio = is_declared ? 1 : (fitted.range.lo + fitted.range.hi) / 2;
+  const double ratio = is_declared ? 1 : fitted.middle();
   subject
       .add(what, unit, is_declared ? unit : number_words(fitted, unit), "",
            sureness_of(reading, fitted, ratio))
@@ -291,12 +302,10 @@ void measure_float_unit(Subject& subject, cases::Rules rules, BiasSight& sight) 
 }  // namespace
 
 void measure_bias_unit(Subject& subject, const Sight& seen, BiasSight& sight) {
-  const cases::Rules own = subject.base().rules;
-  measure_float_unit(subject, own, sight);
+  measure_float_unit(subject, sight);
   std::optional<BiasUnit> unit;
-  measure_unorm_units(subject, seen, own, false, unit, sight);
-  for (const cases::Rules rules : subject.capabilities().rules) {
-    if (rules != own) measure_unorm_units(subject, seen, rules, true, unit, sight);
+  for (const auto& [format, error] : seen.stored) {
+    measure_unorm_unit(subject, format, error, unit, sight);
   }
   if (unit) sight.found.unit = *unit;
 }
