@@ -172,7 +172,7 @@ ExponentGroup inside_group() {
 ExponentGroup sides_group() {
   ExponentGroup group{"cut at the viewport's sides", {}, false};
   // Outside at the right with a depth of more than the inner part has.
-  for (const double far : {0.75, 0.5, 0.375}) {
+  for (const double far : {0.75, 0.5, 0.4375}) {
     const double v = 16.0 * static_cast<double>(group.triangles.size()) / 3;
     add_rotations(
         group.triangles,
@@ -181,15 +181,17 @@ ExponentGroup sides_group() {
   return group;
 }
 
-/// Triangles with one vertex at a depth outside the range.
-ExponentGroup far_group(bool depth_clamp) {
+/// Triangles with one vertex at a depth outside the range. Under depth clamp that vertex lies
+/// beyond the viewport's right side, if it may, so that the clipped triangle is another one.
+ExponentGroup far_group(bool depth_clamp, bool side_clipping) {
   ExponentGroup group{depth_clamp ? "under depth clamp" : "cut at the far plane", {}, depth_clamp};
   std::vector<double> depths{4, 8, 3};
   if (depth_clamp) depths.push_back(-3);
+  const double right = depth_clamp && side_clipping ? 96 : 64;
   for (const double far : depths) {
     const double v = 16.0 * static_cast<double>(group.triangles.size()) / 3;
     add_rotations(group.triangles,
-                  {{{{0, v}, {64, v + 8}, {0, v + 16}}}, {0.125, far, 0.125}, {1, 1, 1}});
+                  {{{{0, v}, {right, v + 8}, {0, v + 16}}}, {0.125, far, 0.125}, {1, 1, 1}});
   }
   return group;
 }
@@ -249,7 +251,7 @@ bool add_exponent(Subject& subject, const ExponentGroup& group, const ExponentRe
   subject
       .add(fmt::format("exponent of bias, {}", group.where), says,
            is_explained ? std::string(rule.words) : "of no kind tried",
-           is_explained ? "" : fmt::format("at best {}", rule.words),
+           is_explained || explained == 0 ? "" : fmt::format("at best {}", rule.words),
            sure_of("samples", explained, reading.telling - explained, reading.undecided))
       .contradicts = !is_of_vertices &&
                      (declared == BiasExponent::vertices || !is_explained || !rule.is_permitted);
@@ -261,9 +263,11 @@ bool add_exponent(Subject& subject, const ExponentGroup& group, const ExponentRe
 void measure_bias_exponent(Subject& subject, BiasSight& sight) {
   const cases::Capabilities capabilities = subject.capabilities();
   std::vector<ExponentGroup> groups{inside_group()};
-  if (capabilities.has(cases::Feature::side_clipping)) groups.push_back(sides_group());
-  if (capabilities.has(cases::Feature::depth_clipping)) groups.push_back(far_group(false));
-  if (capabilities.has(cases::Feature::depth_clamp)) groups.push_back(far_group(true));
+  const bool has_sides = capabilities.has(cases::Feature::side_clipping);
+  if (has_sides) groups.push_back(sides_group());
+  if (capabilities.has(cases::Feature::depth_clipping))
+    groups.push_back(far_group(false, has_sides));
+  if (capabilities.has(cases::Feature::depth_clamp)) groups.push_back(far_group(true, has_sides));
   bool is_of_vertices = true;
   bool is_seen = false;
   for (const ExponentGroup& group : groups) {

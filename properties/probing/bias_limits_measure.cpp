@@ -79,12 +79,9 @@ constexpr std::array kLimits{
                  const LimitScene& scene) {
                 return in_scene(depth_of_plane(triangle, at) + offset, scene);
               }},
-    LimitRule{"the depth range, before the bias, then 0 to 1",
+    LimitRule{"nothing",
               [](const DepthTriangle& triangle, const WindowPoint& at, double offset,
-                 const LimitScene& scene) {
-                const double limited = in_scene(depth_of_plane(triangle, at), scene);
-                return std::clamp(limited + offset, 0.0, 1.0);
-              }},
+                 const LimitScene& /*scene*/) { return depth_of_plane(triangle, at) + offset; }},
     LimitRule{"the depth range, before the bias",
               [](const DepthTriangle& triangle, const WindowPoint& at, double offset,
                  const LimitScene& scene) {
@@ -95,15 +92,11 @@ constexpr std::array kLimits{
                  const LimitScene& /*scene*/) {
                 return of_limited_vertices(triangle, at, offset, 0, 1);
               }},
-    LimitRule{"the depth range, at the vertices",
-              [](const DepthTriangle& triangle, const WindowPoint& at, double offset,
-                 const LimitScene& scene) {
-                return of_limited_vertices(triangle, at, offset, double{scene.low},
-                                           double{scene.high});
-              }},
-    LimitRule{"nothing",
-              [](const DepthTriangle& triangle, const WindowPoint& at, double offset,
-                 const LimitScene& /*scene*/) { return depth_of_plane(triangle, at) + offset; }}};
+    LimitRule{
+        "the depth range, at the vertices", [](const DepthTriangle& triangle, const WindowPoint& at,
+                                               double offset, const LimitScene& scene) {
+          return of_limited_vertices(triangle, at, offset, double{scene.low}, double{scene.high});
+        }}};
 constexpr std::size_t kZeroToOne = 0;
 constexpr std::size_t kDepthRange = 1;
 
