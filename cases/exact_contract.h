@@ -10,6 +10,12 @@ inline Contract exact_contract(Contract contract) {
   contract.coverage.reset();
   contract.basis = Basis::ideal;
   contract.claims = Claim::perspective;
+  BiasPromise& bias = contract.depth_bias;
+  bias.slope = BiasSlope::greatest;
+  bias.exponent = BiasExponent::vertices;
+  if (bias.unit == BiasUnit::either_power || bias.unit == BiasUnit::open) {
+    bias.unit = BiasUnit::power;
+  }
   return contract;
 }
 

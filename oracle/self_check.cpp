@@ -33,7 +33,11 @@ std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& f
   const std::optional<RefereeFragment> second =
       referee(scene.source(), triangle, x, y, sample, contract.claims);
   if (!second) return differs("covered or not");
-  if (!fragment.depth || fragment.depth->lo != second->depth) return differs("depth");
+  if (!fragment.depth) return differs("depth");
+  // The referee has one bias for a case, which a contract may leave open or have otherwise.
+  const bool has_own_bias = !scene.source().depth_bias.is_none() &&
+                            contract.depth_bias != cases::contract_of(scene.source()).depth_bias;
+  if (!has_own_bias && fragment.depth->lo != second->depth) return differs("depth");
   for (std::size_t a = 0; a < fragment.attributes.size(); ++a) {
     const std::optional<ValueRange>& value = fragment.attributes[a];
     if (value && value->is_open) continue;  // a centroid: the referee names no point

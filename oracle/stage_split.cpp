@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "oracle/internal/depth_offset.h"
 #include "oracle/internal/floating_point.h"
 #include "oracle/internal/prepared_values.h"
 #include "oracle/internal/rational_number.h"
@@ -92,6 +93,16 @@ class SplitForms {
   std::vector<std::pair<Stage, Form>> forms_;
 };
 
+/// The depth bias of a plane of depths, of which `form` gives the depths.
+std::optional<Field> own_offset(const Form& form, const Point& p, const TriangleSetup& triangle) {
+  const Ring& pixel = triangle.scene->units_per_pixel();
+  const std::optional<Field> here = form(p);
+  const std::optional<Field> along_x = form({p.u + pixel, p.v});
+  const std::optional<Field> along_y = form({p.u, p.v + pixel});
+  if (!here || !along_x || !along_y) return std::nullopt;
+  return offset_of_slopes(triangle, *along_x - *here, *along_y - *here);
+}
+
 /// Returns the value that exact arithmetic makes of the weights, the shares, or the numerator and
 /// denominator traced at the place.
 std::optional<Field> value_of_weights(const TracedValue& value, const Terms& terms) {
@@ -161,10 +172,12 @@ std::optional<ExactSplit> StageSplit::traced(std::optional<std::uint32_t> attrib
                                        static_cast<int>(sample), taken);
   if (!start) return std::nullopt;
 
-  const auto clamped = [&](std::optional<Field> exact) {
-    if (exact) exact = triangles_->clamped(attribute, *std::move(exact));
+  const bool is_unorm = !attribute && triangles_->drawn.scene.scene().unorm_bits() != 0;
+  const auto clamped = [&](std::optional<Field> exact, const Field& offset) {
+    if (exact) exact = triangles_->clamped(attribute, *exact + offset);
     return exact;
   };
+  const Field none(0);
   Steps steps(start->value);
   if (!triangles_->copy_of(attribute)) {
     std::optional<TriangleUnder> other;
@@ -172,14 +185,32 @@ std::optional<ExactSplit> StageSplit::traced(std::optional<std::uint32_t> attrib
       other.emplace(*source, triangles_->drawn.scene.contract());
     }
     const SplitForms forms(trace, *value, other ? *other : triangles_->drawn, attribute);
-    for (const auto& [stage, form] : forms.all()) steps.take(stage, clamped(form(start->place)));
-    steps.take(Stage::coverage, clamped(forms.all().back().second(*taken)));
-    steps.take(Stage::weights, clamped(value_of_weights(*value, forms.terms())));
+    // Traced planes and what they give have the bias in them; corners and lines have not.
+    const bool has_set_up = forms.all().back().first == Stage::set_up;
+    const bool has_planes = has_set_up && !value->is_from_lines;
+    Field offset = Triangles::offset_of(triangles_->drawn, attribute);
+    for (const auto& [stage, form] : forms.all()) {
+      if (stage == Stage::set_up) break;
+      steps.take(stage, clamped(form(start->place), offset));
+    }
+    if (!attribute && triangles_->drawn.scene.scene().has_depth_bias()) {
+      const Form& corners = (forms.all().rbegin() + (has_set_up ? 1 : 0))->second;
+      if (const auto own = own_offset(corners, start->place, triangles_->drawn.setup())) {
+        offset = *own;
+        steps.take(Stage::bias, clamped(corners(start->place), offset));
+      }
+    }
+    const Form& last_form = forms.all().back().second;
+    const Field& after_set_up = has_planes ? none : offset;
+    if (has_set_up) steps.take(Stage::set_up, clamped(last_form(start->place), after_set_up));
+    steps.take(Stage::coverage, clamped(last_form(*taken), after_set_up));
+    steps.take(Stage::weights, clamped(value_of_weights(*value, forms.terms()),
+                                       value->numerator_at ? none : offset));
   }
   const Field last = exact_field(actual);
   const bool is_told = value->evaluated && std::isfinite(*value->evaluated);
   if (is_told) steps.take(Stage::evaluation, Field(*value->evaluated));
-  steps.take(is_told ? Stage::rounding : Stage::evaluation, last);
+  steps.take(is_unorm ? Stage::store : is_told ? Stage::rounding : Stage::evaluation, last);
   return ExactSplit{attribute, to_rational(start->value), triangles_->unit(attribute, start->value),
                     steps.finish(), true};
 }
@@ -198,15 +229,19 @@ std::optional<ExactSplit> StageSplit::untraced(std::optional<std::uint32_t> attr
   Steps steps(start->value);
   std::optional<Field> handed = triangles_->copy_of(attribute);
   if (!handed) handed = triangles_->drawn.value_at(attribute, start->place);
-  if (handed) steps.take(Stage::transform, triangles_->clamped(attribute, *handed));
+  if (handed) {
+    const Field offset = Triangles::offset_of(triangles_->drawn, attribute);
+    steps.take(Stage::transform, triangles_->clamped(attribute, *handed + offset));
+  }
   const Field last = exact_field(actual);
   const TriangleTruth& truth = triangles_->open.truth;
   const std::optional<ValueRange> range =
       attribute ? truth.attribute(*attribute, px, py, ps) : truth.depth(px, py, ps);
   const bool is_free = !range || (attribute && truth.is_value_free(*attribute));
+  const bool is_unorm = !attribute && triangles_->drawn.scene.scene().unorm_bits() != 0;
   steps.take(Stage::left_open,
              is_free ? last : std::clamp(last, to_field(range->lo), to_field(range->hi)));
-  steps.take(Stage::excess, last);
+  steps.take(is_unorm ? Stage::store : Stage::excess, last);
   return ExactSplit{attribute, to_rational(start->value), triangles_->unit(attribute, start->value),
                     steps.finish(), false};
 }

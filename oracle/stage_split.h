@@ -11,13 +11,14 @@
 //   transform   the clip positions that were received
 //   clip_space  the corners            M = columns (x w, y w, w), e = M^-1 (u, v, 1)
 //   snap        the snapped corners    the same
+//   bias        the same corners       their own depth bias instead of the given triangle's
 //   set_up      lines                  the traced E_i are used in place of e_i
 //               planes                 numerator / denominator
 //   coverage    the form of the last stage above, at the place where the value was evaluated
 //   weights     numerator and denominator, or E_i, or the corners' shares in the value, as computed
 //               at that place
 //   evaluation  the traced value before rounding or, if the trace has none, the drawn value
-//   rounding    the drawn value
+//   rounding    the drawn value; `store` if a depth is stored in a unorm format
 //
 // Let corner c be the mix of vertices v with weights share_cv: r_c = Σ share_cv r_v and (r w)_c = Σ
 // share_cv r_v w_v. A smooth value is Σ r_c E_c / Σ E_c, a noperspective one Σ (r w)_c E_c / Σ w_c

@@ -109,7 +109,7 @@ std::string contradiction_in(const rastercheck_contract& contract) {
 
 /// Describes an impossible value in a contract; empty if all values are possible.
 std::string fault_of(const rastercheck_contract& contract) {
-  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_UNORM_DEPTH - 1;
+  constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_DEPTH - 1;
   constexpr double kAllKeeps = 2 * RASTERCHECK_KEEPS_SIGN_OF_ZERO - 1;
   constexpr double kAllSamples = 31;
   constexpr double kAnyNumber = 3.5e38;
@@ -140,6 +140,7 @@ std::string fault_of(const rastercheck_contract& contract) {
       {"conservative_growth", number(contract.conservative_growth), cases::kMaxConservativeReach},
       {"shifts_edges", number(contract.shifts_edges), 1},
       {"covers_degenerates", number(contract.covers_degenerates), 1},
+      {"draws", number(contract.draws), 2 * RASTERCHECK_DRAWS_UNORM_DEPTH - 1},
       {"depth_store", number(contract.depth_store), RASTERCHECK_STORE_EITHER},
       {"bias_slope", number(contract.bias_slope), RASTERCHECK_SLOPE_BETWEEN},
       {"bias_unit", number(contract.bias_unit), RASTERCHECK_UNIT_OPEN},
@@ -222,11 +223,6 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
   constexpr std::size_t kWithDepthClear =
       offsetof(rastercheck_contract, depth_format) + sizeof(rastercheck_contract::depth_format);
   if (all->contract->size < kWithDepthClear) promised.lacks |= RASTERCHECK_LACKS_DEPTH_CLEAR;
-  constexpr std::size_t kWithBias =
-      offsetof(rastercheck_contract, bias_exponent) + sizeof(rastercheck_contract::bias_exponent);
-  if (all->contract->size < kWithBias) {
-    promised.lacks |= RASTERCHECK_LACKS_DEPTH_BIAS | RASTERCHECK_LACKS_UNORM_DEPTH;
-  }
   return Plugin{*name, *version, promised, all->draw, all->query};
 }
 
@@ -421,8 +417,6 @@ constexpr std::array kFeatures{
     LackedFeature{RASTERCHECK_LACKS_DEPTH_RANGE, cases::Feature::depth_range},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_TEST, cases::Feature::depth_test},
     LackedFeature{RASTERCHECK_LACKS_DEPTH_CLEAR, cases::Feature::depth_clear},
-    LackedFeature{RASTERCHECK_LACKS_DEPTH_BIAS, cases::Feature::depth_bias},
-    LackedFeature{RASTERCHECK_LACKS_UNORM_DEPTH, cases::Feature::unorm_depth},
     LackedFeature{RASTERCHECK_LACKS_VIEWPORT, cases::Feature::viewport},
     LackedFeature{RASTERCHECK_LACKS_VIEWPORT_FRACTIONS, cases::Feature::viewport_fractions},
     LackedFeature{RASTERCHECK_LACKS_SCISSOR, cases::Feature::scissor},
@@ -447,6 +441,13 @@ cases::Capabilities capabilities_of(const rastercheck_contract& contract) {
   for (const LackedFeature& one : kFeatures) {
     if ((contract.lacks & one.bit) != 0) has.lacks.push_back(one.feature);
   }
+  if ((contract.draws & RASTERCHECK_DRAWS_DEPTH_BIAS) == 0) {
+    has.lacks.push_back(cases::Feature::depth_bias);
+  }
+  if ((contract.draws & RASTERCHECK_DRAWS_UNORM_DEPTH) == 0) {
+    has.lacks.push_back(cases::Feature::unorm_depth);
+  }
+  std::sort(has.lacks.begin(), has.lacks.end());
   std::erase_if(has.sample_counts, [&](int samples) {
     return contract.sample_counts != 0 &&
            (contract.sample_counts & static_cast<std::uint32_t>(samples)) == 0;

@@ -145,9 +145,14 @@ enum {
   RASTERCHECK_LACKS_SIDE_CLIPPING = 1 << 18,
   RASTERCHECK_LACKS_VIEWPORT_FRACTIONS = 1 << 19, /* viewports whose sides lie between pixels */
   /* Depth: the plugin writes no output.depth. It may still draw cases with a depth test. */
-  RASTERCHECK_LACKS_DEPTH = 1 << 20,
-  RASTERCHECK_LACKS_DEPTH_BIAS = 1 << 21, /* rastercheck_draw.bias_… */
-  RASTERCHECK_LACKS_UNORM_DEPTH = 1 << 22 /* rastercheck_draw.depth_bits */
+  RASTERCHECK_LACKS_DEPTH = 1 << 20
+};
+
+/* rastercheck_contract.draws: what the plugin draws and is asked for only if it says so. Add up the
+ * ones that apply. */
+enum {
+  RASTERCHECK_DRAWS_DEPTH_BIAS = 1 << 0, /* rastercheck_draw.bias_constant and bias_slope */
+  RASTERCHECK_DRAWS_UNORM_DEPTH = 1 << 1 /* rastercheck_draw.depth_bits */
 };
 
 /* rastercheck_contract.clips: the vertices whose triangles may be clipped at the sides. */
@@ -323,6 +328,7 @@ typedef struct rastercheck_contract {
   /* With OUTER: 1 if triangles without area cover the pixels that they touch; 0 if they cover
    * nothing. */
   uint32_t covers_degenerates;
+  uint32_t draws;         /* RASTERCHECK_DRAWS_…, added */
   uint32_t depth_store;   /* RASTERCHECK_STORE_… */
   uint32_t bias_slope;    /* RASTERCHECK_SLOPE_… */
   uint32_t bias_unit;     /* RASTERCHECK_UNIT_… */

@@ -31,6 +31,12 @@ double step_of(const Scene& scene) {
   return scene.unorm_bits() != 0 ? 0 : cases::depth_step(scene.contract().depth_format);
 }
 
+/// The greatest depth that a bias may lead to, beyond the viewport's depth range: ULP are those of
+/// the depth then. 0 without a bias.
+Ring greatest_biased(const Scene& scene) {
+  return scene.has_depth_bias() ? scene.clamp_greatest() : Ring(0);
+}
+
 /// The depths that a unorm format may store for those in a range.
 records::Enclosure stored_depths(const Scene& scene, const Field& lo, const Field& hi) {
   const int bits = scene.unorm_bits();
@@ -59,7 +65,7 @@ records::Enclosure directed(const SceneTruth& scene, const records::Enclosure& d
 
 DepthSlack<Field> depth_slack(const TriangleSetup& triangle, ComparedAs as) {
   const Scene& scene = *triangle.scene;
-  const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
+  const Field largest(std::max(scene.greatest_depth(), greatest_biased(scene)));
   const Rational unit = ulp(to_rational(largest));
   const cases::ValueBound& promised = triangle.promise.bounds.depth;
   const Field bound =
@@ -69,7 +75,8 @@ DepthSlack<Field> depth_slack(const TriangleSetup& triangle, ComparedAs as) {
 
 DepthSlack<double> near_depth_slack(const TriangleSetup& triangle, ComparedAs as) {
   const cases::Viewport& viewport = triangle.scene->source().viewport;
-  const float largest = std::max(viewport.min_depth, viewport.max_depth);
+  const auto biased = static_cast<float>(near_double(greatest_biased(*triangle.scene)));
+  const float largest = std::max({viewport.min_depth, viewport.max_depth, biased});
   const cases::ValueBound& promised = triangle.promise.bounds.depth;
   // Exact, because it is a float32 times a power of 2.
   double bound = std::ldexp(double{promised.constant}, ulp_exponent(largest));

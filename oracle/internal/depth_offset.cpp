@@ -190,6 +190,10 @@ std::optional<Slopes> open_slopes(const TriangleSetup& triangle) {
     return slopes_of(DepthPlane(triangle, *map));
   }
   if (triangle.ideal.orientation() == 0 || triangle.has_nonpositive_w) return std::nullopt;
+  // The parts of a cut triangle may have planes of their own, and a thin part any slope.
+  if (triangle.shape == Shape::cut && (!triangle.is_whole || triangle.has_clipped_vertex)) {
+    return std::nullopt;
+  }
   const Slopes exact = slopes_of(DepthPlane(triangle, triangle.ideal));
   const std::optional<double> turned = placement_turn(triangle);
   if (!turned) {
@@ -249,6 +253,15 @@ std::optional<DepthOffset> depth_offset(const TriangleSetup& triangle) {
   const Fraction lo = limited({Ring(sum.lo)}, bias.clamp);
   const Fraction hi = limited({Ring(sum.hi)}, bias.clamp);
   return DepthOffset{{lo, hi}, {enclose(lo).lo, enclose(hi).hi}, false};
+}
+
+Field offset_of_slopes(const TriangleSetup& triangle, const Field& along_x, const Field& along_y) {
+  const cases::DepthBias& bias = triangle.scene->source().depth_bias;
+  const Field sum = exact_field(bias.slope) * std::max(magnitude(along_x), magnitude(along_y)) +
+                    exact_field(bias.constant) * Field(units_of_bias(triangle).lo);
+  if (bias.clamp > 0) return std::min(sum, exact_field(bias.clamp));
+  if (bias.clamp < 0) return std::max(sum, exact_field(bias.clamp));
+  return sum;
 }
 
 }  // namespace rastercheck::oracle

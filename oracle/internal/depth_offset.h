@@ -15,7 +15,7 @@
 //
 // If ρ is too large for this, a placed triangle's z_x and z_y are found at the corners of the
 // placements: each is a linear fraction of every vertex coordinate, hence monotone. If placements
-// may turn the triangle round, or if it was cut and reaches behind the eye, nothing bounds m.
+// may turn the triangle round, or if clipping made new vertices, nothing bounds m.
 
 #include <optional>
 
@@ -35,5 +35,9 @@ struct DepthOffset {
 
 /// Empty if nothing bounds the offset. The case must have a bias.
 std::optional<DepthOffset> depth_offset(const TriangleSetup& triangle);
+
+/// The offset of a plane with these slopes per pixel, and with the unit of the triangle's format, by
+/// the greatest of both slopes. The contract must not leave the unit open.
+Field offset_of_slopes(const TriangleSetup& triangle, const Field& along_x, const Field& along_y);
 
 }  // namespace rastercheck::oracle

@@ -31,10 +31,12 @@ struct PlaneDepth {
 
 /// Empty unless the triangle lies in a plane of constant depth, and the contract keeps its depth
 /// equal to that of other triangles of the plane. A camera's positions are rounded before they are
-/// drawn, and their depths may then differ.
+/// drawn, and their depths may then differ. With a bias, the unit of float32 may differ, because a
+/// vertex with w <= 0 counts as the far end of the depth range.
 std::optional<PlaneDepth> kept_plane(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   if (!scene.contract().keeps_equal_depth || scene.source().camera) return std::nullopt;
+  if (scene.has_depth_bias() && scene.unorm_bits() == 0) return std::nullopt;
   const RingVector4 first = scene.clip_position(triangle.indices[0]);
   PlaneDepth depth{first[2], first[3]};
   for (const std::uint32_t vertex : triangle.indices) {
@@ -121,8 +123,8 @@ void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
 
 void NearestBand::add(Sample& sample, const Covering& covering) const {
   // NaN fails these comparisons, so a covering without a depth is neither nearer nor behind.
-  sample.is_required =
-      sample.is_required || (is_required(covering.decision) && covering.depth.hi < clear_depths_.lo);
+  sample.is_required = sample.is_required ||
+                       (is_required(covering.decision) && covering.depth.hi < clear_depths_.lo);
   if (covering.depth.lo > sample.horizon) return;
   sample.coverings.push_back(covering);
   if (!is_required(covering.decision)) return;

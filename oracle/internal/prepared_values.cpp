@@ -343,7 +343,10 @@ bool PreparedValues::set_stored(PreparedValue& value) const {
   stored.is_open = has_open_depths(*triangle_);
   if (!stored.is_open) return true;
   if (stored.bits != 0) stored.reach = reach_of(scene_->contract().depth_store) * (1 - 0x1p-52);
-  stored.permits_exact = !is_open_ || scene_->contract().basis == cases::Basis::unspecified;
+  // Of several viewports, none need show at a sample what the requested one shows there.
+  const cases::Contract& contract = scene_->contract();
+  stored.permits_exact =
+      !is_open_ || (contract.basis == cases::Basis::unspecified && !contract.has_open_viewport());
   stored.has_readings = is_open_ && sample_shifts_ && set_readings(value);
   value.is_open = false;
   value.errors = &statistics_->enclosed(value.kind, stratum_);

@@ -49,6 +49,12 @@ Field StageSplit::Triangles::clamped(std::optional<std::uint32_t> attribute, Fie
   return std::clamp(value, Field(scene.clamp_least()), Field(scene.clamp_greatest()));
 }
 
+Field StageSplit::Triangles::offset_of(const TriangleUnder& triangle,
+                                       std::optional<std::uint32_t> attribute) {
+  const std::optional<DepthOffset>& offset = triangle.setup().depth_offset();
+  return attribute || !offset ? Field(0) : offset->exact.lo.value();
+}
+
 Rational StageSplit::Triangles::unit(std::optional<std::uint32_t> attribute,
                                      const Field& exact) const {
   const Scene& scene = given.scene.scene();
@@ -99,8 +105,12 @@ std::optional<StageSplit::Triangles::Start> StageSplit::Triangles::start(
   }
   if (!place) return std::nullopt;
   std::optional<Field> value = given.value_at(attribute, *place);
+  if (value) *value += offset_of(given, attribute);
   // Points covered only by snapping may lie where the exact triangle has no value.
-  if (!value) value = open.value_at(attribute, *place);
+  if (!value) {
+    value = open.value_at(attribute, *place);
+    if (value) *value += offset_of(drawn, attribute);
+  }
   if (!value) return std::nullopt;
   return Start{clamped(attribute, *std::move(value)), *place};
 }

@@ -47,6 +47,8 @@ struct StageSplit::Triangles {
   std::optional<Field> copy_of(std::optional<std::uint32_t> attribute) const;
   /// Clamps a depth as the rules do; returns attributes unchanged.
   Field clamped(std::optional<std::uint32_t> attribute, Field value) const;
+  /// The triangle's depth bias; 0 for attributes, and without a bias.
+  static Field offset_of(const TriangleUnder& triangle, std::optional<std::uint32_t> attribute);
   /// The scale ULP for errors against an exact value.
   Rational unit(std::optional<std::uint32_t> attribute, const Field& exact) const;
 

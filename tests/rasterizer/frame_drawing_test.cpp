@@ -231,8 +231,8 @@ TEST_P(DrawOnTarget, LeavesOfBiasesThatCancelWhatItsFragmentsLeave) {
       const float y = random.real(-3, -1);
       const float reach = random.pick({0.05F, 0.3F});
       for (int corner = 0; corner < 3; ++corner) {
-        const float w = is_level && corner > 0 ? corners[corners.size() - corner].w
-                                               : 1 + std::abs(random.real(-3, -1));
+        const float w =
+            is_level && corner > 0 ? corners.back().w : 1 + std::abs(random.real(-3, -1));
         glm::vec4 p{w * (x + reach * random.real(-3, 0)), w * (y + reach * random.real(-3, 0)), 0,
                     w};
         p.z = is_level ? w * level : w / 2 + p.x / 4;

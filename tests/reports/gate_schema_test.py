@@ -27,7 +27,7 @@ from run_schema_test import validator_of  # noqa: E402
 KINDS = ("coverage", "depth", "smooth", "noperspective", "flat")
 STRATA = ("clipped", "near horizon", "sliver", "multisampled", "ordinary")
 STAGES = (
-    "transform", "clip space", "snap", "set-up", "coverage", "weights", "evaluation", "rounding",
+    "transform", "clip space", "snap", "bias", "set-up", "coverage", "weights", "evaluation", "rounding", "store",
     "left open", "excess",
 )
 CLASSES = (

@@ -141,13 +141,13 @@ static void write_output(FILE* file, uint32_t status, const rastercheck_draw* dr
   }
 }
 
-/* Draws, unless the plugin says that it lacks what only a file of the second kind asks for. */
+/* Draws, unless a file of the second kind asks for what the plugin does not say that it draws. */
 static uint32_t draw_or_refuse(const rastercheck_plugin* plugin, const rastercheck_draw* draw,
                                rastercheck_output* out) {
-  const uint32_t lacks = plugin->contract->lacks;
+  const uint32_t draws = plugin->contract->draws;
   const int has_bias = draw->bias_constant != 0 || draw->bias_slope != 0;
-  if ((has_bias && (lacks & RASTERCHECK_LACKS_DEPTH_BIAS) != 0) ||
-      (draw->depth_bits != 0 && (lacks & RASTERCHECK_LACKS_UNORM_DEPTH) != 0)) {
+  if ((has_bias && (draws & RASTERCHECK_DRAWS_DEPTH_BIAS) == 0) ||
+      (draw->depth_bits != 0 && (draws & RASTERCHECK_DRAWS_UNORM_DEPTH) == 0)) {
     snprintf(out->message, out->message_size, "a depth bias, or depths of %u bits",
              draw->depth_bits);
     return RASTERCHECK_UNSUPPORTED;

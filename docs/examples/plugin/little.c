@@ -36,8 +36,7 @@ static const rastercheck_contract contract = {
     .smooth = {.constant = 0.5F + 0x1p-24F},        /* see weighted_mean() */
     .noperspective = {.constant = 0.5F + 0x1p-24F}, /* the same */
     .depth = {.constant = 0.5F + 0x1p-9F},          /* see depth_at() */
-    .lacks = RASTERCHECK_LACKS_NONPOSITIVE_W | RASTERCHECK_LACKS_CENTER |
-             RASTERCHECK_LACKS_DEPTH_BIAS | RASTERCHECK_LACKS_UNORM_DEPTH,
+    .lacks = RASTERCHECK_LACKS_NONPOSITIVE_W | RASTERCHECK_LACKS_CENTER,
 };
 
 /* A triangle in the window. Edge i lies opposite vertex i: E_i = a u + b v + c is twice the area

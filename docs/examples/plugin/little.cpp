@@ -47,8 +47,7 @@ constexpr rastercheck_contract contract() {
   c.smooth.constant = 0.5F + 0x1p-24F;         // see weighted_mean()
   c.noperspective.constant = 0.5F + 0x1p-24F;  // the same
   c.depth.constant = 0.5F + 0x1p-9F;           // see depth_at()
-  c.lacks = RASTERCHECK_LACKS_NONPOSITIVE_W | RASTERCHECK_LACKS_CENTER |
-            RASTERCHECK_LACKS_DEPTH_BIAS | RASTERCHECK_LACKS_UNORM_DEPTH;
+  c.lacks = RASTERCHECK_LACKS_NONPOSITIVE_W | RASTERCHECK_LACKS_CENTER;
   return c;
 }
 constexpr rastercheck_contract kContract = contract();

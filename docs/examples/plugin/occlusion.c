@@ -28,7 +28,6 @@
 static const rastercheck_contract contract = {
     .size = sizeof(rastercheck_contract),
     .coverage = RASTERCHECK_COVERAGE_EXACT,
-    .lacks = RASTERCHECK_LACKS_DEPTH_BIAS | RASTERCHECK_LACKS_UNORM_DEPTH,
 };
 
 /* All numbers from lo to hi. */

@@ -26,8 +26,7 @@ static const rastercheck_contract contract = {
     .depth = {.constant = 0.5F + 0x1p-5F},
     .lacks = RASTERCHECK_LACKS_D3D | RASTERCHECK_LACKS_CLIP_DISTANCES |
              RASTERCHECK_LACKS_NOPERSPECTIVE | RASTERCHECK_LACKS_CENTER |
-             RASTERCHECK_LACKS_CENTROID | RASTERCHECK_LACKS_DEPTH_BIAS |
-             RASTERCHECK_LACKS_UNORM_DEPTH,
+             RASTERCHECK_LACKS_CENTROID,
     .sample_counts = 1 | 4,
     .max_attributes = MOST_ATTRIBUTES,
 };

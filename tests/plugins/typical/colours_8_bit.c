@@ -26,8 +26,7 @@ static const rastercheck_contract contract = {
     .noperspective = {.constant = 0.5F + 0x1p-20F, .range_share = 0.5F / 255 + 0x1p-30F},
     .depth = {.constant = 0.5F + 0x1p-9F},
     .lacks = RASTERCHECK_LACKS_NONPOSITIVE_W | RASTERCHECK_LACKS_CLIP_DISTANCES |
-             RASTERCHECK_LACKS_CENTER | RASTERCHECK_LACKS_CENTROID | RASTERCHECK_LACKS_DEPTH_BIAS |
-             RASTERCHECK_LACKS_UNORM_DEPTH,
+             RASTERCHECK_LACKS_CENTER | RASTERCHECK_LACKS_CENTROID,
     .sample_counts = 1 | 2 | 4,
 };
 

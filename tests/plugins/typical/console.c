@@ -29,8 +29,7 @@ static const rastercheck_contract contract = {
     .noperspective = {.constant = 0.5F + 0x1p-24F},
     .depth = {.constant = 0.5F + 0x1p-9F}, /* see depth_at() */
     .lacks = RASTERCHECK_LACKS_OPENGL | RASTERCHECK_LACKS_D3D | RASTERCHECK_LACKS_CLIP_DISTANCES |
-             RASTERCHECK_LACKS_DEPTH_CLAMP | RASTERCHECK_LACKS_DEPTH_BIAS |
-             RASTERCHECK_LACKS_UNORM_DEPTH,
+             RASTERCHECK_LACKS_DEPTH_CLAMP,
     .sample_counts = 1,
     .sample_x = 7,
     .sample_y = 7,

@@ -19,8 +19,7 @@ static const rastercheck_contract contract = {
     .smooth = {.constant = 0.5F + 0x1p-24F}, /* see mean_of() */
     .noperspective = {.constant = 0.5F + 0x1p-24F},
     .depth = {.constant = 0.5F + 0x1p-9F}, /* see depth_at() */
-    .lacks = RASTERCHECK_LACKS_NONPOSITIVE_W | RASTERCHECK_LACKS_CLIP_DISTANCES |
-             RASTERCHECK_LACKS_DEPTH_BIAS | RASTERCHECK_LACKS_UNORM_DEPTH,
+    .lacks = RASTERCHECK_LACKS_NONPOSITIVE_W | RASTERCHECK_LACKS_CLIP_DISTANCES,
     .sample_counts = 1,
     .sample_x = 0,
     .sample_y = 0,

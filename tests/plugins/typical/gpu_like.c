@@ -29,8 +29,7 @@ static const rastercheck_contract contract = {
     .depth = {.constant = 0.5F + 0x1p-9F}, /* see depth_at() */
     .lacks = RASTERCHECK_LACKS_OPENGL | RASTERCHECK_LACKS_NONPOSITIVE_W |
              RASTERCHECK_LACKS_CLIP_DISTANCES | RASTERCHECK_LACKS_CENTER |
-             RASTERCHECK_LACKS_CENTROID | RASTERCHECK_LACKS_DEPTH_BIAS |
-             RASTERCHECK_LACKS_UNORM_DEPTH,
+             RASTERCHECK_LACKS_CENTROID,
 };
 
 static uint32_t draw_all(const rastercheck_draw* draw, rastercheck_output* out) {

@@ -26,8 +26,7 @@ static const rastercheck_contract contract = {
              RASTERCHECK_LACKS_DEPTH_CLIPPING | RASTERCHECK_LACKS_SIDE_CLIPPING |
              RASTERCHECK_LACKS_CLIP_DISTANCES | RASTERCHECK_LACKS_DEPTH_CLAMP |
              RASTERCHECK_LACKS_NOPERSPECTIVE | RASTERCHECK_LACKS_CENTER |
-             RASTERCHECK_LACKS_CENTROID | RASTERCHECK_LACKS_DEPTH_BIAS |
-             RASTERCHECK_LACKS_UNORM_DEPTH,
+             RASTERCHECK_LACKS_CENTROID,
 };
 
 /* The weights of each sample of the target; triangles are numbered in the output. */

@@ -23,8 +23,7 @@ static const rastercheck_contract contract = {
     .depth = {.constant = 0.5F + 0x1p-9F}, /* see depth_at() */
     .lacks = RASTERCHECK_LACKS_VULKAN | RASTERCHECK_LACKS_D3D | RASTERCHECK_LACKS_NONPOSITIVE_W |
              RASTERCHECK_LACKS_CLIP_DISTANCES | RASTERCHECK_LACKS_DEPTH_RANGE |
-             RASTERCHECK_LACKS_VIEWPORT | RASTERCHECK_LACKS_DEPTH_BIAS |
-             RASTERCHECK_LACKS_UNORM_DEPTH,
+             RASTERCHECK_LACKS_VIEWPORT,
     .sample_counts = 1,
 };
 
