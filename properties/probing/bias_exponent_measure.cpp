@@ -44,10 +44,10 @@ double greatest_of_clipped(const DepthTriangle& triangle, bool depth_clamp) {
     double u, v, z;
   };
   constexpr double kSide = 64;
-  std::vector<Point> polygon;
-  for (std::size_t i = 0; i < 3; ++i) {
-    polygon.push_back({triangle.at[i].u, triangle.at[i].v, triangle.depth[i]});
-  }
+  const auto corner = [&triangle](std::size_t i) {
+    return Point{triangle.at[i].u, triangle.at[i].v, triangle.depth[i]};
+  };
+  std::vector<Point> polygon{corner(0), corner(1), corner(2)};
   const auto clip = [&polygon](const auto& inside) {
     std::vector<Point> left;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -131,7 +131,7 @@ Exponents of_differences(const DepthTriangle& triangle, bool /*depth_clamp*/) {
 }
 
 /// In order of preference.
-constexpr std::array kRules{
+constexpr std::array kExponentRules{
     ExponentRule{"the greatest of the vertices", &of_vertices, true},
     ExponentRule{"the greatest of the clipped triangle", &of_clipped, true},
     ExponentRule{"the greatest of the unclamped vertices", &of_unclamped, true},
@@ -198,7 +198,7 @@ ExponentGroup far_group(bool depth_clamp, bool side_clipping) {
 
 /// How many samples of a group each rule explains.
 struct ExponentReading {
-  std::array<std::uint64_t, kRules.size()> explained{};
+  std::array<std::uint64_t, kExponentRules.size()> explained{};
   std::uint64_t telling = 0;
   std::uint64_t undecided = 0;  ///< by every rule
 
@@ -207,16 +207,16 @@ struct ExponentReading {
     constexpr double kQuarter = 0.25;
     const int whole = static_cast<int>(std::lround(exponent));
     const bool is_whole = std::fabs(exponent - whole) < kQuarter;
-    std::array<bool, kRules.size()> explains{};
-    for (std::size_t i = 0; i < kRules.size(); ++i) {
-      explains[i] = is_whole && kRules[i].of(triangle, depth_clamp).contains(whole);
+    std::array<bool, kExponentRules.size()> explains{};
+    for (std::size_t i = 0; i < kExponentRules.size(); ++i) {
+      explains[i] = is_whole && kExponentRules[i].of(triangle, depth_clamp).contains(whole);
     }
     if (std::all_of(explains.begin(), explains.end(), [](bool one) { return one; })) {
       ++undecided;
       return;
     }
     ++telling;
-    for (std::size_t i = 0; i < kRules.size(); ++i) explained[i] += explains[i] ? 1U : 0U;
+    for (std::size_t i = 0; i < kExponentRules.size(); ++i) explained[i] += explains[i] ? 1U : 0U;
   }
 };
 
@@ -241,10 +241,10 @@ ExponentReading read_exponents(Subject& subject, const ExponentGroup& group, dou
 bool add_exponent(Subject& subject, const ExponentGroup& group, const ExponentReading& reading) {
   const BiasExponent declared = subject.declared().depth_bias.exponent;
   const char* const says =
-      declared == BiasExponent::vertices ? kRules[kOfVertices].words.data() : "of any part";
+      declared == BiasExponent::vertices ? kExponentRules[kOfVertices].words.data() : "of any part";
   const auto best = std::max_element(reading.explained.begin(), reading.explained.end()) -
                     reading.explained.begin();
-  const ExponentRule& rule = kRules[static_cast<std::size_t>(best)];
+  const ExponentRule& rule = kExponentRules[static_cast<std::size_t>(best)];
   const std::uint64_t explained = reading.explained[static_cast<std::size_t>(best)];
   const bool is_explained = explained == reading.telling;
   const bool is_of_vertices = reading.explained[kOfVertices] == reading.telling;

@@ -40,7 +40,8 @@ std::vector<DepthTriangle> large_planes(double most) {
   std::vector<DepthTriangle> all;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double u = kHalf * (quarter % 2);
-    const double v = kHalf * (quarter / 2);
+    const int row = quarter / 2;
+    const double v = kHalf * row;
     DepthTriangle triangle{
         {{{u, v}, {u + kHalf, v}, {u, v + kHalf}}}, {kLeast, kLeast, kLeast}, {1, 1, 1}};
     triangle.depth[static_cast<std::size_t>(quarter % 3)] = most;
@@ -186,7 +187,7 @@ cases::Case random_biased_case(const Subject& subject, Draw& draw, cases::DepthF
   return case_of_planes(subject, triangles, state);
 }
 
-const records::ErrorStatistics* depths_of(const records::Judgement& judged) {
+const records::ErrorStatistics* depth_errors_of(const records::Judgement& judged) {
   const auto found = judged.errors.find(records::AttributeKind::depth);
   return found == judged.errors.end() ? nullptr : &found->second;
 }
@@ -198,7 +199,7 @@ void judge_biased(Subject& subject, const cases::Case& c, const cases::ContractT
   const auto biased = subject.drawn(c);
   if (!biased) return;
   const records::Judgement judged = subject.judgement(*biased, terms);
-  const records::ErrorStatistics* const errors = depths_of(judged);
+  const records::ErrorStatistics* const errors = depth_errors_of(judged);
   if (errors == nullptr) return;
   const std::uint64_t wrong = errors->classes[records::FragmentClass::beyond_bound] +
                               errors->classes[records::FragmentClass::not_a_number] +
@@ -210,7 +211,7 @@ void judge_biased(Subject& subject, const cases::Case& c, const cases::ContractT
     const auto drawn = subject.drawn(plain);
     if (!drawn) return;
     const records::Judgement before = subject.judgement(*drawn, terms);
-    const records::ErrorStatistics* const own = depths_of(before);
+    const records::ErrorStatistics* const own = depth_errors_of(before);
     if (own != nullptr && own->classes[records::FragmentClass::beyond_bound] > 0) {
       sureness.undecided += right + wrong;
       return;

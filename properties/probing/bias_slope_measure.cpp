@@ -123,7 +123,7 @@ struct SeenSlope {
   bool is_permitted = true;  ///< by some contract
 };
 
-const char* words_for(BiasSlope slope) {
+const char* slope_words(BiasSlope slope) {
   switch (slope) {
     case BiasSlope::greatest:
       return "the greater of |z_x|, |z_y|";
@@ -137,7 +137,7 @@ const char* words_for(BiasSlope slope) {
 
 SeenSlope seen_slope(const SlopeReading& reading) {
   const auto named = [&](BiasSlope slope, std::uint64_t count) {
-    return SeenSlope{slope, words_for(slope), count};
+    return SeenSlope{slope, slope_words(slope), count};
   };
   if (reading.greatest == reading.telling) return named(BiasSlope::greatest, reading.greatest);
   if (reading.root == reading.telling) return named(BiasSlope::root, reading.root);
@@ -162,14 +162,14 @@ void measure_formula(Subject& subject, const SteepDrawings& drawings, BiasSight&
     }
   }
   if (reading.telling == 0) {
-    subject.add(kWhat, words_for(declared), "not drawn");
+    subject.add(kWhat, slope_words(declared), "not drawn");
     return;
   }
   const SeenSlope seen = seen_slope(reading);
   const bool is_allowed =
       seen.is_permitted && (declared == seen.slope || declared == BiasSlope::between);
   subject
-      .add(kWhat, words_for(declared), seen.words, "",
+      .add(kWhat, slope_words(declared), seen.words, "",
            sure_of("samples", seen.in_favour, reading.telling - seen.in_favour, reading.undecided))
       .contradicts = !is_allowed;
   sight.found.slope = seen.slope;

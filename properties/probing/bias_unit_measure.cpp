@@ -108,7 +108,7 @@ void read_unit(Subject& subject, cases::Rules rules, DepthFormat format, float c
   }
 }
 
-std::string words_for(BiasUnit unit, int bits) {
+std::string unit_words(BiasUnit unit, int bits) {
   switch (unit) {
     case BiasUnit::power:
       return fmt::format("2^{}", -bits);
@@ -138,7 +138,7 @@ std::vector<NamedUnit> named_units(int bits) {
   std::vector<NamedUnit> all{{BiasUnit::power, 1, ""},
                              {BiasUnit::double_power, 2, ""},
                              {BiasUnit::least_value, ratio, ""}};
-  for (NamedUnit& one : all) one.words = words_for(one.unit, bits);
+  for (NamedUnit& one : all) one.words = unit_words(one.unit, bits);
   // Mesa's. A little more than any API permits, nearest to 2^(1−b).
   all.push_back({BiasUnit::double_power, 2 * ratio, fmt::format("2/(2^{} - 1)", bits), false});
   return all;
@@ -259,20 +259,20 @@ void measure_unorm_unit(Subject& subject, DepthFormat format, const StoredError&
     const BiasUnit declared = subject.declared(rules).depth_bias.unit;
     std::string what = fmt::format("unit of bias in {}", cases::name_of(format));
     if (reading.samples.empty()) {
-      if (rules == own) subject.add(what, words_for(declared, bits), "not drawn");
+      if (rules == own) subject.add(what, unit_words(declared, bits), "not drawn");
       continue;
     }
     const SeenUnit seen = seen_unit(reading, bits, declared);
     unit = unit ? joined(*unit, seen.unit) : seen.unit;
     if (seen.unit != declared) sight.differs = true;
-    const std::string words = words_for(declared, bits) + seen.words;
+    const std::string words = unit_words(declared, bits) + seen.words;
     if (rules == own) {
       own_words = words;
     } else {
       if (words == own_words) continue;
       what += fmt::format(", {}", cases::name_of(rules));
     }
-    subject.add(what, words_for(declared, bits), seen.words, seen.detail, seen.sureness)
+    subject.add(what, unit_words(declared, bits), seen.words, seen.detail, seen.sureness)
         .contradicts = !seen.is_permitted || !allows(declared, seen.unit);
   }
 }

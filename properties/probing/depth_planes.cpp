@@ -10,7 +10,8 @@ DepthTriangle triangle_in_cell(std::size_t cell, double depth, double along_x, d
   constexpr std::size_t kPerRow = 8;
   constexpr double kSide = 8;  // pixels
   const double u = kSide * static_cast<double>(cell % kPerRow);
-  const double v = kSide * static_cast<double>(cell / kPerRow);
+  const std::size_t row = cell / kPerRow;
+  const double v = kSide * static_cast<double>(row);
   return {{{{u, v}, {u + kSide, v}, {u, v + kSide}}},
           {depth, depth + kSide * along_x, depth + kSide * along_y}};
 }

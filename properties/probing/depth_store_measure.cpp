@@ -109,7 +109,7 @@ SeenRounding rounding_of(const StoredError& seen) {
   return {DepthStore::either, {-1, 1}, "either neighbour"};
 }
 
-const char* words_for(DepthStore store) {
+const char* store_words(DepthStore store) {
   switch (store) {
     case DepthStore::nearest:
       return "the nearest";
@@ -127,7 +127,7 @@ std::optional<SeenRounding> add_rounding(Subject& subject, DepthFormat format) {
   const DepthStore declared = subject.declared().depth_store;
   const StoreReading reading = read_store(subject, format);
   if (reading.samples == 0) {
-    subject.add(what, words_for(declared), "not drawn");
+    subject.add(what, store_words(declared), "not drawn");
     return std::nullopt;
   }
   SeenRounding seen = rounding_of(reading.error);
@@ -140,7 +140,7 @@ std::optional<SeenRounding> add_rounding(Subject& subject, DepthFormat format) {
     seen.store = DepthStore::either;
   }
   subject
-      .add(what, words_for(declared), seen.words, detail,
+      .add(what, store_words(declared), seen.words, detail,
            sure_of("samples", reading.samples - reading.no_numbers, reading.no_numbers))
       .contradicts = !seen.is_any || seen.store > declared;
   return seen;
@@ -150,7 +150,8 @@ std::optional<SeenRounding> add_rounding(Subject& subject, DepthFormat format) {
 
 std::optional<std::uint32_t> number_of_depth(float depth, int bits) {
   const double steps = std::ldexp(1.0, bits) - 1;
-  if (!(depth >= 0 && depth <= 1)) return std::nullopt;
+  const bool is_depth = depth >= 0 && depth <= 1;  // false for NaN
+  if (!is_depth) return std::nullopt;
   const auto k = static_cast<std::uint32_t>(std::llround(double{depth} * steps));
   return backends::unorm_depth(k, bits) == depth ? std::optional(k) : std::nullopt;
 }
