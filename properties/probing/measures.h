@@ -3,12 +3,25 @@
 // The measures of a probe; each builds on the ones before it and adds its results to the subject's
 // rows and terms.
 
+#include <map>
+#include <optional>
 #include <vector>
 
+#include "cases/coverage.h"
 #include "properties/probing/grid.h"
 #include "properties/probing/subject.h"
 
 namespace rastercheck::properties {
+
+/// The range of k − d (2^b − 1) over depths d that are stored as k in a unorm format of b bits.
+struct StoredError {
+  double least = 0;
+  double greatest = 0;
+};
+
+/// Returns the k whose depth k/(2^bits − 1) a backend hands over as the nearest float32; empty if
+/// `depth` is no such float32.
+std::optional<std::uint32_t> number_of_depth(float depth, int bits);
 
 /// Results that later measures need.
 struct Sight {
@@ -19,6 +32,8 @@ struct Sight {
   /// True if the backend rounds to the grid that a case asks for. Grid-dependent measures then use
   /// a grid of kAskedBits.
   bool follows_coverage = false;
+  /// What storing a depth allows, by unorm format, of the formats that were drawn.
+  std::map<cases::DepthFormat, StoredError> stored;
 };
 
 /// Bits of the grid that the probe asks for in its measures, if the backend rounds to the grid that
@@ -39,6 +54,10 @@ void measure_clipping(Subject& subject);
 void measure_reach(Subject& subject);
 /// Measures which of two fragments a depth test keeps.
 void measure_depth_test(Subject& subject);
+/// Measures how depths are rounded to unorm formats.
+void measure_depth_store(Subject& subject, Sight& sight);
+/// Measures what a depth bias adds to depths, and how the sum is limited.
+void measure_depth_bias(Subject& subject, Sight& sight);
 /// Measures the least and greatest usable numbers, including subnormal numbers and overflow.
 void measure_numbers(Subject& subject);
 /// Measures whether the same case gives the same picture, and which values are returned exactly.

@@ -39,6 +39,8 @@ std::vector<Step> steps() {
       {{"clipping", {"clip_tolerance", "culls_instead_of_clipping"}}, of(&measure_clipping)},
       {{"guard band", {"guard_band", "guard_beyond_viewport"}}, of(&measure_reach)},
       {{"depth test", {"depth_function"}}, of(&measure_depth_test)},
+      {{"unorm depth", {"depth_store"}}, &measure_depth_store},
+      {{"depth bias", {"depth_bias"}}, &measure_depth_bias},
       {{"numbers", {"numbers"}}, of(&measure_numbers)},
       {{"promises to the bit",
         {"keeps_constants", "keeps_equal_depth", "keeps_vertex_values", "is_invariant"}},

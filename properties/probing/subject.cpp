@@ -66,13 +66,13 @@ Result<void> Subject::choose_rules() {
   return chosen;
 }
 
-cases::Case Subject::base() const {
+cases::Case Subject::base(std::optional<cases::Rules> rules) const {
   cases::Case c;
   c.framebuffer = {kSubjectSide, kSubjectSide, 1};
   c.viewport = {0, 0, kSubjectSide, kSubjectSide, 0, 1};
-  c.rules = rules_;
-  c.fill_rule = cases::default_fill_rule(rules_);
-  c.basis = cases::default_basis(rules_);
+  c.rules = rules.value_or(rules_);
+  c.fill_rule = cases::default_fill_rule(c.rules);
+  c.basis = cases::default_basis(c.rules);
   ask_of(c);
   return c;
 }
@@ -114,8 +114,8 @@ cases::Contract Subject::contract(const cases::Case& c) const {
   return held(c, *backend_, result.terms);
 }
 
-cases::Contract Subject::declared() const {
-  cases::Case c = base();
+cases::Contract Subject::declared(std::optional<cases::Rules> rules) const {
+  cases::Case c = base(rules);
   add_triangle(c, {-0.5F, -0.5F, 0.5F, 1}, {0.5F, -0.5F, 0.5F, 1}, {0, 0.5F, 0.5F, 1});
   return backend_->promise(c);
 }

@@ -51,14 +51,15 @@ class Subject {
 
   /// The backend, set to accept all numbers, whatever it promises.
   backends::Backend& backend() { return *backend_; }
-  /// The backend's contract for a triangle in the middle of a base() case.
-  cases::Contract declared() const;
+  /// The backend's contract for a triangle in the middle of a base() case, by these rules if given.
+  cases::Contract declared(std::optional<cases::Rules> rules = std::nullopt) const;
   /// The cases that the backend draws.
   cases::Capabilities capabilities() const;
   const ProbeOptions& options() const { return options_; }
 
-  /// A case of 64×64 pixels without vertices, with the settings of asked().
-  cases::Case base() const;
+  /// A case of 64×64 pixels without vertices, with the settings of asked(), by these rules if
+  /// given.
+  cases::Case base(std::optional<cases::Rules> rules = std::nullopt) const;
   /// Where a pixel's only sample lies, from its corner of least window x and y: as the backend
   /// declares, until set_sample() says what was measured.
   const cases::PixelFraction& sample() const { return sample_; }
