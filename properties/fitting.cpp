@@ -109,6 +109,14 @@ float folded(float coordinate, float w) {
   return std::clamp(static_cast<float>((turns - 1) * double{w}), -w, w);
 }
 
+/// A backend that loses subnormal numbers takes such a clamp for none.
+void fit_bias(const Capabilities& has, cases::Case& c) {
+  cases::DepthBias& bias = c.depth_bias;
+  for (float* const number : {&bias.constant, &bias.slope, &bias.clamp}) {
+    *number = within(has.numbers, *number);
+  }
+}
+
 void fit_vertices(const Capabilities& has, cases::Case& c) {
   for (float& value : c.attribute_values) value = within(has.numbers, value);
   for (float& distance : c.clip_distances) distance = within(has.numbers, distance);
@@ -229,6 +237,7 @@ void fit_state(Draw& draw, cases::Case& c) {
   fit_attributes(draw, has, c);
   for (const Feature feature : has.lacks) leave_out(c, feature, has);
   fit_viewport(has, c);
+  fit_bias(has, c);
   drop_clip_distances(has, c);
 }
 

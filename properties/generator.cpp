@@ -11,18 +11,30 @@ std::vector<Generator>& generator_registry() {
   return all;
 }
 
+std::vector<Generator>& general_registry() {
+  static std::vector<Generator> all;
+  return all;
+}
+
+void insert_by_name(std::vector<Generator>& all, const Generator& generator) {
+  const auto after = std::find_if(all.begin(), all.end(), [&generator](const Generator& other) {
+    return other.name > generator.name;
+  });
+  all.insert(after, generator);
+}
+
 }  // namespace
 
 GeneratorRegistration::GeneratorRegistration(const Generator& generator) {
   // Files register in an order that the linker chooses. Sorting by name makes a random number pick
   // the same generator in every build.
-  const auto after =
-      std::find_if(generator_registry().begin(), generator_registry().end(),
-                   [&generator](const Generator& other) { return other.name > generator.name; });
-  generator_registry().insert(after, generator);
+  insert_by_name(generator_registry(), generator);
+  if (generator.is_for_all_laws) insert_by_name(general_registry(), generator);
 }
 
 std::span<const Generator> generators() { return generator_registry(); }
+
+std::span<const Generator> general_generators() { return general_registry(); }
 
 const Generator* find_generator(std::string_view name) {
   const auto found =

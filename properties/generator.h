@@ -21,10 +21,15 @@ struct Generator {
   /// Makes a valid case of at most 4,096 pixels (64×64, or wider and lower) with clip positions (no
   /// camera) and an empty name.
   cases::Case (*make)(Draw& draw);
+  /// False if only laws that name the generator use it (find_generator()), because other laws
+  /// assume what its cases do not keep.
+  bool is_for_all_laws = true;
 };
 
 /// All generators, in the order of their names.
 std::span<const Generator> generators();
+/// Those for all laws, in the same order.
+std::span<const Generator> general_generators();
 /// The generator with that name; nullptr if none.
 const Generator* find_generator(std::string_view name);
 

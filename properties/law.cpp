@@ -163,7 +163,7 @@ records::BackendPromises promises_of(const std::string& name, backends::Backend*
 }
 
 Generated generate_any(Draw& draw) {
-  const std::span<const Generator> all = generators();
+  const std::span<const Generator> all = general_generators();
   assert(!all.empty());
   const int chosen = draw.between(0, static_cast<int>(all.size()) - 1);
   const Generator& generator = all[static_cast<std::size_t>(chosen)];

@@ -165,8 +165,8 @@ struct LawRegistration {
   explicit LawRegistration(const Law& law);
 };
 
-/// Makes a case with a random generator (all are equally likely); the stratum is the generator's
-/// name.
+/// Makes a case with a random generator of those for all laws (equally likely); the stratum is the
+/// generator's name.
 Generated generate_any(Draw& draw);
 
 }  // namespace rastercheck::properties

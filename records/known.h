@@ -35,6 +35,8 @@ enum class KnownFact {
   depth_clamp,           ///< the case asks for depth clamp
   depth_test,            ///< the case has a depth test
   depth_clear,           ///< the case sets the initial depth
+  depth_bias,            ///< the case adds a bias to depths
+  unorm_depth,           ///< the case stores depths in a unorm format
   snapped,               ///< the case asks for positions on a grid
   scissor,               ///< the case has a scissor
   culling,               ///< the case culls front or back faces
@@ -43,10 +45,26 @@ enum class KnownFact {
   fractional_viewport,   ///< some edge of the viewport is between two pixels
 };
 constexpr auto names_of(KnownFact /*type*/) {
-  return std::to_array<std::string_view>(
-      {"nonpositive_w", "clipped", "depth_clipped", "before_near", "beyond_far", "perspective",
-       "tie", "degenerate", "clip_distances", "depth_clamp", "depth_test", "depth_clear", "snapped",
-       "scissor", "culling", "reversed_depth_range", "negative_height", "fractional_viewport"});
+  return std::to_array<std::string_view>({"nonpositive_w",
+                                          "clipped",
+                                          "depth_clipped",
+                                          "before_near",
+                                          "beyond_far",
+                                          "perspective",
+                                          "tie",
+                                          "degenerate",
+                                          "clip_distances",
+                                          "depth_clamp",
+                                          "depth_test",
+                                          "depth_clear",
+                                          "depth_bias",
+                                          "unorm_depth",
+                                          "snapped",
+                                          "scissor",
+                                          "culling",
+                                          "reversed_depth_range",
+                                          "negative_height",
+                                          "fractional_viewport"});
 }
 
 /// A measure, and the side of a number on which it must lie, inclusive. A violation that lacks the

@@ -242,6 +242,10 @@ std::optional<DepthOffset> depth_offset(const TriangleSetup& triangle) {
   if (map != nullptr && map->orientation() != 0 && unit.lo == unit.hi && !is_rooted) {
     return single_offset(triangle, *map, unit.lo);
   }
+  if (bias.slope == 0 && unit.lo == unit.hi) {
+    const Fraction offset = limited({exact_ring(bias.constant) * Ring(unit.lo)}, bias.clamp);
+    return DepthOffset{{offset, offset}, enclose(offset), true};
+  }
   Enclosure sum = times(unit, exact_double(bias.constant));
   if (bias.slope != 0) {
     const std::optional<Slopes> slopes = open_slopes(triangle);

@@ -54,6 +54,8 @@ cases::Case triangle_alone(const cases::Case& c, std::uint32_t triangle) {
   alone.front_face = c.front_face;
   alone.scissor = c.scissor;
   alone.depth_clamp = c.depth_clamp;
+  alone.depth_bias = c.depth_bias;
+  alone.depth_format = c.depth_format;
   alone.attributes = c.attributes;
   alone.camera = c.camera;
   alone.clip_distance_count = c.clip_distance_count;

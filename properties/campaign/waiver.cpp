@@ -59,7 +59,7 @@ struct Conditions {
 
 /// Maps needs to facts. Needs of sizes have no fact, because experiments cannot establish them:
 /// after a change of sizes, a law may hold by chance.
-constexpr std::array<std::pair<std::string_view, KnownFact>, 12> kFacts{
+constexpr std::array<std::pair<std::string_view, KnownFact>, 14> kFacts{
     {{"w <= 0", KnownFact::nonpositive_w},
      {"near plane", KnownFact::before_near},
      {"far plane", KnownFact::beyond_far},
@@ -70,6 +70,8 @@ constexpr std::array<std::pair<std::string_view, KnownFact>, 12> kFacts{
      {"depth clamp", KnownFact::depth_clamp},
      {"depth test", KnownFact::depth_test},
      {"depth clear", KnownFact::depth_clear},
+     {"depth bias", KnownFact::depth_bias},
+     {"unorm depth", KnownFact::unorm_depth},
      {"scissor", KnownFact::scissor},
      {"culling", KnownFact::culling}}};
 

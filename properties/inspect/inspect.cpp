@@ -94,6 +94,18 @@ Enclosure local_error(float computed, const ValueRange& range) {
   return end ? oracle::local_ulp_error(computed, *end) : Enclosure();
 }
 
+/// The distance of a depth in a unorm format from a range, in steps of the format. Both ends of the
+/// enclosure are off by less than 2^-27, as a depth in double is by 2^-53.
+Enclosure steps_error(float computed, const ValueRange& range, int bits) {
+  const double steps = std::ldexp(1.0, bits) - 1;
+  const double stored = std::round(double{computed} * steps);
+  const double below = range.lo.nearest_double() * steps;
+  const double above = range.hi.nearest_double() * steps;
+  const double error = stored - std::clamp(stored, below, above);
+  constexpr double kSlack = 0x1p-27;
+  return error == 0 ? Enclosure() : Enclosure{error - kSlack, error + kSlack};
+}
+
 /// Returns the double nearest to a single value, or the middle of a range's rounded ends.
 double middle_of(const ValueRange& range) {
   if (range.lo == range.hi) return range.lo.nearest_double();
@@ -103,8 +115,13 @@ double middle_of(const ValueRange& range) {
 void add_errors(const InspectedDrawing& subject, const std::optional<ValueRange>& exact,
                 const InspectedSample& at, const Rational& magnitude, InspectedValue& value) {
   if (!value.actual || !std::isfinite(*value.actual)) return;
+  const int bits = value.attribute ? 0 : cases::unorm_bits(subject.c->depth_format);
+  const auto error_in = [&](const ValueRange& range) {
+    return bits != 0 ? steps_error(*value.actual, range, bits)
+                     : scale_error(*value.actual, range, magnitude);
+  };
   if (exact) {
-    value.scale_error = scale_error(*value.actual, *exact, magnitude);
+    value.scale_error = error_in(*exact);
     value.local_error = local_error(*value.actual, *exact);
   }
   const bool is_free = value.attribute && subject.promised->is_value_free(*value.attribute);
@@ -112,7 +129,7 @@ void add_errors(const InspectedDrawing& subject, const std::optional<ValueRange>
   const std::optional<ValueRange> promised =
       value_at(*subject.promised, value.attribute, static_cast<int>(at.place.x),
                static_cast<int>(at.place.y), static_cast<int>(at.place.sample));
-  if (promised) value.excess = scale_error(*value.actual, *promised, magnitude);
+  if (promised) value.excess = error_in(*promised);
 }
 
 InspectedValue inspect_value(const InspectedDrawing& subject,

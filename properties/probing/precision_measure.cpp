@@ -79,7 +79,7 @@ DrawnByGenerator draw_all(Subject& subject) {
   const AskedDrawing asked = subject.asked();
   const cases::Capabilities capabilities = subject.capabilities();
   subject.ask(subject.options().asked);
-  for (const Generator& generator : generators()) {
+  for (const Generator& generator : general_generators()) {
     const std::string name(generator.name);
     for (int i = 0; i < subject.options().cases && !subject.is_time_up(); ++i) {
       MeasureDraw draw(subject, name, static_cast<std::uint64_t>(i), capabilities);

@@ -74,6 +74,10 @@ TEST(RandomCases, UseOnlyNumbersThatTheBackendPromises) {
     for (std::uint64_t index = 0; index < 60; ++index) {
       const cases::Case c = random_case(law, 3, index, has).source;
       for (const float value : c.attribute_values) ASSERT_TRUE(has.numbers.has(value)) << law.id;
+      const cases::DepthBias& bias = c.depth_bias;
+      ASSERT_TRUE(has.numbers.has(bias.constant) && has.numbers.has(bias.slope) &&
+                  has.numbers.has(bias.clamp))
+          << law.id;
       if (c.camera) continue;
       for (const cases::ClipVertex& p : c.positions) {
         ASSERT_TRUE(has.numbers.has(p.x) && has.numbers.has(p.y) && has.numbers.has(p.z) &&

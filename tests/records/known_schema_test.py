@@ -49,8 +49,9 @@ FULL_LIST = {
                     for fact in (
                         "nonpositive_w", "clipped", "depth_clipped", "before_near", "beyond_far",
                         "perspective", "tie", "degenerate", "clip_distances", "depth_clamp",
-                        "depth_test", "depth_clear", "snapped", "scissor", "culling",
-                        "reversed_depth_range", "negative_height", "fractional_viewport",
+                        "depth_test", "depth_clear", "depth_bias", "unorm_depth", "snapped",
+                        "scissor", "culling", "reversed_depth_range", "negative_height",
+                        "fractional_viewport",
                     )
                 },
                 **{

@@ -98,6 +98,10 @@ bool is_so(KnownFact fact, const ConditionQuestion& of) {
       return c.depth_test != cases::DepthTest::none;
     case KnownFact::depth_clear:
       return c.depth_clear.has_value();
+    case KnownFact::depth_bias:
+      return !c.depth_bias.is_none();
+    case KnownFact::unorm_depth:
+      return cases::unorm_bits(c.depth_format) != 0;
     case KnownFact::snapped:
       return c.coverage.has_value();
     case KnownFact::scissor:

@@ -80,6 +80,8 @@ TEST(KnownConditions, AskOfTheCase) {
   });
   is_so(KnownFact::depth_clamp, [](auto& c) { c.depth_clamp = true; });
   is_so(KnownFact::depth_test, [](auto& c) { c.depth_test = cases::DepthTest::less; });
+  is_so(KnownFact::depth_bias, [](auto& c) { c.depth_bias.slope = 1; });
+  is_so(KnownFact::unorm_depth, [](auto& c) { c.depth_format = cases::DepthFormat::unorm16; });
   is_so(KnownFact::scissor, [](auto& c) { c.scissor.emplace(); });
   is_so(KnownFact::culling, [](auto& c) { c.cull = cases::Cull::back; });
   is_so(KnownFact::reversed_depth_range, [](auto& c) {

@@ -1,6 +1,6 @@
 // The generators of special numbers (any-floats, constants), of triangles without area
-// (degenerate), and of triangles of every extent (sizes) reach what their names say. The exact
-// oracle decides what is drawn.
+// (degenerate), of triangles of every extent (sizes), and of depths that formats store
+// (depth-borders) reach what their names say. The exact oracle decides what is drawn.
 
 #include <gtest/gtest.h>
 
@@ -212,6 +212,53 @@ TEST(Sizes, AreDrawnOfEveryExtentAndOnTies) {
   }
   RecordProperty("ties", ties);
   EXPECT_GT(ties, 25);
+}
+
+// --- depth-borders -------------------------------------------------------------------------------
+
+/// The window depth of a vertex, computed in double.
+double depth(const Case& c, const ClipVertex& p) {
+  const double share = double{p.z} / double{p.w};
+  const bool is_opengl = c.rules == cases::Rules::opengl;
+  const double n{c.viewport.min_depth};
+  const double f{c.viewport.max_depth};
+  return n + (f - n) * (is_opengl ? (share + 1) / 2 : share);
+}
+
+/// How far a depth is from the middle between two numbers of the case's format, in its steps.
+double from_middle(const Case& c, const ClipVertex& p) {
+  const double scaled = depth(c, p) * (std::ldexp(1.0, cases::unorm_bits(c.depth_format)) - 1);
+  return std::abs(scaled - std::floor(scaled) - 0.5);
+}
+
+TEST(DepthBorders, HaveEveryFormatAndBias) {
+  const auto count = [](const auto& question) { return count_cases("depth-borders", question); };
+  for (const auto format :
+       {cases::DepthFormat::float32, cases::DepthFormat::unorm16, cases::DepthFormat::unorm24}) {
+    EXPECT_GT(count([&](const Case& c) { return c.depth_format == format; }), 25);
+  }
+  EXPECT_GT(count([](const Case& c) { return c.depth_bias.constant > 0; }), 40);
+  EXPECT_GT(count([](const Case& c) { return c.depth_bias.constant < 0; }), 40);
+  EXPECT_GT(count([](const Case& c) { return std::abs(c.depth_bias.constant) > 0x1p20F; }), 10);
+  EXPECT_GT(count([](const Case& c) { return c.depth_bias.slope > 0; }), 25);
+  EXPECT_GT(count([](const Case& c) { return c.depth_bias.slope < 0; }), 25);
+  EXPECT_GT(count([](const Case& c) { return c.depth_bias.clamp > 0; }), 15);
+  EXPECT_GT(count([](const Case& c) { return c.depth_bias.clamp < 0; }), 15);
+  EXPECT_GT(count([](const Case& c) { return c.depth_bias.is_none(); }), 15);
+  EXPECT_GT(count([](const Case& c) { return c.depth_clear.has_value(); }), 10);
+}
+
+TEST(DepthBorders, LieMidwayBetweenNumbersOfTheirFormat) {
+  const auto is_midway = [](const Case& c) {
+    if (cases::unorm_bits(c.depth_format) != 16) return false;
+    return draws(c, [&c](const Triangle& triangle) {
+      const Corners p = corners_of(c, triangle);
+      return std::any_of(p.begin(), p.end(), [&c](const ClipVertex& vertex) {
+        return vertex.w > 0 && from_middle(c, vertex) < 0x1p-6;
+      });
+    });
+  };
+  EXPECT_GT(count_cases("depth-borders", is_midway), 20);
 }
 
 }  // namespace
