@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "oracle/internal/depth_filter.h"
 #include "oracle/internal/float_ulp.h"
@@ -15,13 +14,11 @@ namespace {
 
 using records::Enclosure;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// How far a greatest depth may be from the exact one, as a share of it, where a backend looks for
 /// the exponent: more than a float32 loses on the way.
 constexpr double kDepthError = 0x1p-20;
 
-bool is_finite(const Enclosure& e) { return std::isfinite(e.lo) && std::isfinite(e.hi); }
+bool has_finite_ends(const Enclosure& e) { return std::isfinite(e.lo) && std::isfinite(e.hi); }
 
 Enclosure magnitudes(const Enclosure& e) {
   const double least = e.lo <= 0 && e.hi >= 0 ? 0 : std::min(std::abs(e.lo), std::abs(e.hi));
@@ -64,7 +61,7 @@ class DepthPlane {
 };
 
 /// A vertex's depth; empty if it lies behind the eye.
-std::optional<Fraction> depth_at(const TriangleSetup& triangle, std::size_t corner) {
+std::optional<Fraction> vertex_depth(const TriangleSetup& triangle, std::size_t corner) {
   const Ring& w = triangle.columns[corner][2];
   if (sign_of(w) <= 0) return std::nullopt;
   return Fraction{triangle.scene->depth_numerator(triangle.indices[corner]), w};
@@ -76,7 +73,7 @@ Fraction greatest_of_vertices(const TriangleSetup& triangle) {
   const Fraction highest{triangle.scene->greatest_depth()};
   Fraction most = lowest;
   for (std::size_t i = 0; i < 3; ++i) {
-    most = greatest(most, least(depth_at(triangle, i).value_or(highest), highest));
+    most = greatest(most, least(vertex_depth(triangle, i).value_or(highest), highest));
   }
   return most;
 }
@@ -117,7 +114,7 @@ Enclosure open_float_units(const TriangleSetup& triangle) {
   Fraction most = greatest_of_vertices(triangle);
   Field farthest = most.value();
   for (std::size_t i = 0; i < 3; ++i) {
-    if (const auto depth = depth_at(triangle, i)) {
+    if (const auto depth = vertex_depth(triangle, i)) {
       farthest = std::max(farthest, magnitude(depth->value()));
     }
   }
@@ -165,7 +162,7 @@ Slopes slopes_of(const DepthPlane& plane) {
   return {enclose(plane.along_x()), enclose(plane.along_y())};
 }
 
-Enclosure hull_of(const Enclosure& a, const Enclosure& b) {
+Enclosure either_of(const Enclosure& a, const Enclosure& b) {
   return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
 }
 
@@ -178,7 +175,7 @@ std::optional<Slopes> slopes_of_corners(const TriangleSetup& triangle) {
     const ProjectiveMap& map = triangle.corner(k);
     if (map.orientation() != orientation) return std::nullopt;
     const Slopes one = slopes_of(DepthPlane(triangle, map));
-    all = all ? Slopes{hull_of(all->x, one.x), hull_of(all->y, one.y)} : one;
+    all = all ? Slopes{either_of(all->x, one.x), either_of(all->y, one.y)} : one;
   }
   return all;
 }
@@ -199,7 +196,7 @@ std::optional<Slopes> open_slopes(const TriangleSetup& triangle) {
   if (!turned) {
     if (triangle.shape != Shape::placed) return std::nullopt;
     std::optional<Slopes> all = slopes_of_corners(triangle);
-    if (all) *all = {hull_of(all->x, exact.x), hull_of(all->y, exact.y)};
+    if (all) *all = {either_of(all->x, exact.x), either_of(all->y, exact.y)};
     return all;
   }
   const double steepness = magnitudes(exact.x).hi + magnitudes(exact.y).hi;
@@ -253,7 +250,7 @@ std::optional<DepthOffset> depth_offset(const TriangleSetup& triangle) {
     const Enclosure part = times(steepness_of(*slopes, promise.slope), exact_double(bias.slope));
     sum = {next_below(sum.lo + part.lo), next_above(sum.hi + part.hi)};
   }
-  if (!is_finite(sum)) return std::nullopt;
+  if (!has_finite_ends(sum)) return std::nullopt;
   const Fraction lo = limited({Ring(sum.lo)}, bias.clamp);
   const Fraction hi = limited({Ring(sum.hi)}, bias.clamp);
   return DepthOffset{{lo, hi}, {enclose(lo).lo, enclose(hi).hi}, false};

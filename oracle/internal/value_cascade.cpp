@@ -144,7 +144,7 @@ namespace {
 
 /// A depth as a number of its units that has no error: the depth itself, or its number of steps;
 /// NaN if it is none of the format.
-double in_units(float depth, const StoredFilter& stored) {
+double units_of_depth(float depth, const StoredFilter& stored) {
   return stored.bits == 0 ? depth : stored_number(depth, stored.bits).value_or(kNaN);
 }
 
@@ -181,7 +181,7 @@ void ValueCascade::filter_stored(const PreparedValue& prepared, int count,
   for (std::size_t k = 0; k < lanes; ++k) {
     const Enclosure exact =
         biased(stored, computed_[k], {lo_[k], hi_[k]}, stored.offset.lo, stored.offset.hi);
-    const double depth = in_units(actual[k], stored);
+    const double depth = units_of_depth(actual[k], stored);
     // An ulp is a power of two; steps are not, so their product is rounded.
     const double lo = is_unorm ? next_below(exact.lo * stored.units) : exact.lo;
     const double hi = is_unorm ? next_above(exact.hi * stored.units) : exact.hi;
@@ -242,7 +242,7 @@ void ValueCascade::take_stored(const PreparedValue& prepared,
   if (is_asked) value_errors(prepared.filter, at_sample_, computed_, count, lo_, hi_);
   const double units = stored.bits == 0 ? 1 : stored.units;
   for (std::size_t k = 0; k < fragments.size(); ++k) {
-    const double depth = in_units(column.actual[k], stored);
+    const double depth = units_of_depth(column.actual[k], stored);
     const bool is_inside = depth >= stored.least * units && depth <= stored.greatest * units;
     const Enclosure error{lo_[k], hi_[k]};
     const double least = biased(stored, computed_[k], error, 0, stored.inner.lo).hi;
