@@ -175,6 +175,61 @@ void set_attributes(Draw& draw, Case& c) {
   }
 }
 
+void set_bias(Draw& draw, Case& c) {
+  cases::DepthBias& bias = c.depth_bias;
+  if (draw.one_in(8)) return;
+  switch (draw.between(0, 7)) {
+    case 0:
+      break;
+    case 1:
+      bias.constant = draw.spread(-6, 0);
+      break;
+    case 2:
+      bias.constant = draw.spread(8, 34);
+      break;
+    case 3:
+      bias.constant = any_float(draw);
+      break;
+    default: {
+      const int whole = draw.between(-16, 16);
+      bias.constant = static_cast<float>(whole);
+    }
+  }
+  switch (draw.between(0, 7)) {
+    case 0:
+      bias.slope = draw.spread(-24, 24);
+      break;
+    case 1:
+      bias.slope = any_float(draw);
+      break;
+    case 2:
+    case 3: {
+      const int halves = draw.between(-6, 6);
+      bias.slope = static_cast<float>(halves) / 2;
+      break;
+    }
+    case 4:
+      bias.slope = draw.uniform(-2, 2);
+      break;
+    default:
+      break;
+  }
+  if (!draw.one_in(3)) return;
+  switch (draw.between(0, 3)) {
+    case 0:
+      bias.clamp = draw.spread(-24, -12);
+      break;
+    case 1:
+      bias.clamp = draw.spread(-10, 0);
+      break;
+    case 2:
+      bias.clamp = any_float(draw);
+      break;
+    default:
+      bias.clamp = draw.pick(std::array{0x1p-16F, -0x1p-16F, 0x1p-15F, -0x1p-24F, 0.25F, -0.25F});
+  }
+}
+
 /// How the values of one attribute are made.
 enum class Values {
   ordinary,
@@ -270,6 +325,14 @@ Case random_state(Draw& draw, const StateRequest& request) {
 void set_snapped_coverage(Draw& draw, Case& c) {
   c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
   c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
+}
+
+void set_depth_storage(Draw& draw, Case& c) {
+  using cases::DepthFormat;
+  c.depth_format =
+      draw.pick(std::array{DepthFormat::float32, DepthFormat::float32, DepthFormat::unorm16,
+                           DepthFormat::unorm16, DepthFormat::unorm24});
+  set_bias(draw, c);
 }
 
 void add_attribute_values(Draw& draw, Case& c) {

@@ -32,6 +32,10 @@ cases::Case random_state(Draw& draw, const StateRequest& request = {});
 /// Makes the case snap vertices to a grid of 2^-4 pixels or finer, with values from either basis.
 void set_snapped_coverage(Draw& draw, cases::Case& c);
 
+/// Sets a depth format and, mostly, a bias: constant and slope of any size and sign, and sometimes
+/// a clamp. random_state() leaves both out.
+void set_depth_storage(Draw& draw, cases::Case& c);
+
 /// Gives every vertex its attribute values. Each attribute has one kind of values: constants,
 /// zeros, small integers, or huge, tiny or mixed numbers.
 void add_attribute_values(Draw& draw, cases::Case& c);

@@ -16,8 +16,6 @@
 namespace rastercheck::properties::depth_borders_generator {
 namespace {
 
-using cases::DepthFormat;
-
 /// 2^b − 1 of the case's format; of 16 or 24 bits if it is float32.
 double format_steps(Draw& draw, const cases::Case& c) {
   const int bits = cases::unorm_bits(c.depth_format);
@@ -86,61 +84,6 @@ float share_of(Draw& draw, const cases::Case& c, double depth) {
   return draw.one_in(3) ? nudged(draw, exact) : exact;
 }
 
-void set_bias(Draw& draw, cases::Case& c) {
-  cases::DepthBias& bias = c.depth_bias;
-  if (draw.one_in(8)) return;
-  switch (draw.between(0, 7)) {
-    case 0:
-      break;
-    case 1:
-      bias.constant = draw.spread(-6, 0);
-      break;
-    case 2:
-      bias.constant = draw.spread(8, 34);
-      break;
-    case 3:
-      bias.constant = any_float(draw);
-      break;
-    default: {
-      const int whole = draw.between(-16, 16);
-      bias.constant = static_cast<float>(whole);
-    }
-  }
-  switch (draw.between(0, 7)) {
-    case 0:
-      bias.slope = draw.spread(-24, 24);
-      break;
-    case 1:
-      bias.slope = any_float(draw);
-      break;
-    case 2:
-    case 3: {
-      const int halves = draw.between(-6, 6);
-      bias.slope = static_cast<float>(halves) / 2;
-      break;
-    }
-    case 4:
-      bias.slope = draw.uniform(-2, 2);
-      break;
-    default:
-      break;
-  }
-  if (!draw.one_in(3)) return;
-  switch (draw.between(0, 3)) {
-    case 0:
-      bias.clamp = draw.spread(-24, -12);
-      break;
-    case 1:
-      bias.clamp = draw.spread(-10, 0);
-      break;
-    case 2:
-      bias.clamp = any_float(draw);
-      break;
-    default:
-      bias.clamp = draw.pick(std::array{0x1p-16F, -0x1p-16F, 0x1p-15F, -0x1p-24F, 0.25F, -0.25F});
-  }
-}
-
 /// How the depths of a triangle's vertices are related.
 enum class Plane {
   level,   ///< all equal
@@ -195,10 +138,7 @@ cases::Case make(Draw& draw) {
   request.is_on_grid = draw.one_in(2);
   cases::Case c = random_state(draw, request);
   set_range(draw, c);
-  c.depth_format =
-      draw.pick(std::array{DepthFormat::float32, DepthFormat::float32, DepthFormat::unorm16,
-                           DepthFormat::unorm16, DepthFormat::unorm24});
-  set_bias(draw, c);
+  set_depth_storage(draw, c);
   c.depth_clamp = draw.one_in(6);
   const double steps = format_steps(draw, c);
   if (draw.one_in(3)) {

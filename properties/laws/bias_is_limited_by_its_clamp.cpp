@@ -30,6 +30,7 @@ constexpr std::array kClamps{0x1p-22F, -0x1p-22F, 0x1p-15F, -0x1p-15F,
                              0x1p-8F,  -0x1p-8F,  0.25F,    -0.25F};
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
+  if (!draws_bias(backend)) return not_applicable("the backend has no depth bias");
   if (c.depth_bias.is_none()) return not_applicable("the case has no bias");
   cases::DepthBias bias = c.depth_bias;
   if (bias.clamp == 0) bias.clamp = Choices(choices_of(c)).pick(kClamps);
@@ -72,7 +73,7 @@ const LawRegistration kRegistration(
      .generate = &biased_case,
      .check = &check,
      .is_promised = &draws_one_bias,
-     .unpromised = "the backend leaves open which offset it adds, or lacks bias or unorm depths",
+     .unpromised = kHasNoSingleBias,
      .covers = {cover(10, "cut by the clamp"), cover(20, "beyond the clamp's other side"),
                 cover(29, "within the clamp"), cover(29, "unorm")}});
 

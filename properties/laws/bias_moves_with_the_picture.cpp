@@ -28,6 +28,7 @@ constexpr std::array kWays{Way{"whole-pixels-move-the-picture", "moved"},
                            Way{"a-quarter-turn-turns-the-picture", "turned"}};
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
+  if (!draws_bias_or_unorm(backend)) return not_applicable(kLacksBiasAndUnorm);
   if (c.depth_bias.is_none() && cases::unorm_bits(c.depth_format) == 0) {
     return not_applicable("the case has neither bias nor unorm depths");
   }
@@ -58,8 +59,8 @@ const LawRegistration kRegistration(
                    "moved viewport is no float32",
      .generate = &generate,
      .check = &check,
-     .is_promised = &draws_bias_and_unorm,
-     .unpromised = kLacksBiasOrUnorm,
+     .is_promised = &draws_bias_or_unorm,
+     .unpromised = kLacksBiasAndUnorm,
      .covers = {cover(16, "moved"), cover(16, "mirrored"), cover(16, "turned"), cover(38, "sloped"),
                 cover(30, "unorm")}});
 

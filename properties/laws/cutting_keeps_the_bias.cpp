@@ -45,6 +45,7 @@ cases::Case with_cut(const cases::Case& c, Choices& choices) {
 double larger(std::span<const double> depths) { return std::max(depths[0], depths[1]); }
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
+  if (!draws_bias(backend)) return not_applicable("the backend has no depth bias");
   const cases::Capabilities has = capabilities_of(backend);
   cases::Case whole = for_depths(c, c.depth_bias);
   Choices choices(choices_of(c));
@@ -102,7 +103,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_one_bias,
-     .unpromised = "the backend leaves open which offset it adds, or lacks bias or unorm depths",
+     .unpromised = kHasNoSingleBias,
      .excludes_outer = true,
      .covers = {cover(19, "cut"), cover(5, "clamped"), cover(45, "biased"), cover(22, "unorm")}});
 

@@ -22,7 +22,6 @@
 #include <string>
 #include <utility>
 
-#include "cases/capabilities.h"
 #include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/biased_depths.h"
@@ -93,6 +92,7 @@ cases::Case triangles_of_one_plane(const cases::Case& c) {
 }
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
+  if (!draws_bias(backend)) return not_applicable("the backend has no depth bias");
   Plane plane{triangles_of_one_plane(c), 0, {}};
   if (plane.base.triangles.empty()) return not_applicable("no triangle has equal depth");
   Result<backends::Drawn> drawn = draw_promised(plane.base, backend);
@@ -126,14 +126,13 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   constexpr std::array kSizes{2.0F, 3.0F, 4.0F, 8.0F, 16.0F, 64.0F, 1024.0F, 65536.0F};
   const float k = Choices(choices_of(c)).pick(kSizes);
   const std::string size = value_text(k);
-  const bool has_bias = capabilities_of(backend).has(cases::Feature::depth_bias);
-  if (has_bias && is_certain(plane, contract, double{k}, true)) {
+  if (is_certain(plane, contract, double{k}, true)) {
     const Result<cases::Fragments> nearer = draw_over(plane, -k, backend);
     if (!nearer) return tl::unexpected(nearer.error());
     report_hidden(tally, plane, *nearer, "drawn over its own depth, with the bias −" + size);
     tally.label("nearer");
   }
-  if (has_bias && is_certain(plane, contract, double{k}, false)) {
+  if (is_certain(plane, contract, double{k}, false)) {
     const Result<cases::Fragments> farther = draw_over(plane, k, backend);
     if (!farther) return tl::unexpected(farther.error());
     report_left(tally, *farther, "drawn over its own depth, with the bias " + size);
@@ -145,7 +144,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
 
 bool is_promised(backends::Backend& backend) {
   const cases::Contract contract = backend.contract({});
-  return draws_bias_and_unorm(backend) && contract.keeps_equal_depth && contract.is_invariant;
+  return draws_bias(backend) && contract.keeps_equal_depth && contract.is_invariant;
 }
 
 /// Puts all triangles into one plane.
@@ -171,8 +170,8 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
-     .unpromised = "the backend does not promise equal depths for equal inputs, or lacks bias or "
-                   "unorm depths",
+     .unpromised =
+         "the backend does not promise equal depths for equal inputs, or has no depth bias",
      .covers = {cover(39, "nearer"), cover(34, "farther"), cover(29, "unorm")}});
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace rastercheck::properties::depths_are_biased_and_stored_law {
 namespace {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
+  if (!draws_bias_or_unorm(backend)) return not_applicable(kLacksBiasAndUnorm);
   if (c.depth_bias.is_none() && cases::unorm_bits(c.depth_format) == 0) {
     return not_applicable("the case has neither bias nor unorm depths");
   }
@@ -33,8 +34,8 @@ const LawRegistration kRegistration(
      .exceptions = "cases with neither; values that the contract leaves free",
      .generate = &biased_case,
      .check = &check,
-     .is_promised = &draws_bias_and_unorm,
-     .unpromised = kLacksBiasOrUnorm,
+     .is_promised = &draws_bias_or_unorm,
+     .unpromised = kLacksBiasAndUnorm,
      .covers = {cover(44, "biased"), cover(27, "sloped"), cover(14, "clamped bias"),
                 cover(31, "unorm"), cover(13, "depth test"), cover(15, "several samples"),
                 cover(10, "clipped")}});

@@ -55,7 +55,9 @@ class DamagedBackend : public backends::Backend,
                           const std::string& specification = "method:rational-linear")
       : inner_(backends::make_backend(specification).value()), damage_(std::move(damage)) {}
 
-  backends::About about() const override { return {.same_as = same_as_these}; }
+  backends::About about() const override {
+    return {.capabilities = inner_->about().capabilities, .same_as = same_as_these};
+  }
   cases::Contract promise(const cases::Case& c) const override {
     if (promised) return *promised;
     cases::Contract contract = inner_->promise(c);

@@ -13,6 +13,7 @@
 #include "properties/judged_law.h"
 #include "properties/laws/internal/close_drawings.h"
 #include "properties/laws/internal/drawn_fragments.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -29,19 +30,28 @@ double step_of(const cases::Case& c) {
 }  // namespace
 
 Generated biased_case(Draw& draw) {
-  const Generator* borders = find_generator("depth-borders");
-  return {borders->make(draw), std::string(borders->name)};
+  if (!draw.one_in(4)) {
+    const Generator* borders = find_generator("depth-borders");
+    return {borders->make(draw), std::string(borders->name)};
+  }
+  Generated made = generate_any(draw);
+  set_depth_storage(draw, made.source);
+  return made;
 }
 
-bool draws_bias_and_unorm(backends::Backend& backend) {
+bool draws_bias(backends::Backend& backend) {
+  return capabilities_of(backend).has(cases::Feature::depth_bias);
+}
+
+bool draws_bias_or_unorm(backends::Backend& backend) {
   const cases::Capabilities has = capabilities_of(backend);
-  return has.has(cases::Feature::depth_bias) && has.has(cases::Feature::unorm_depth);
+  return has.has(cases::Feature::depth_bias) || has.has(cases::Feature::unorm_depth);
 }
 
 bool draws_one_bias(backends::Backend& backend) {
   cases::Case biased;
   biased.depth_bias.slope = 1;
-  return draws_bias_and_unorm(backend) && has_one_depth(biased, backend.contract(biased));
+  return draws_bias(backend) && has_one_depth(biased, backend.contract(biased));
 }
 
 cases::Case for_depths(const cases::Case& c, const cases::DepthBias& bias) {

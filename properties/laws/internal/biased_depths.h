@@ -18,16 +18,20 @@
 
 namespace rastercheck::properties {
 
-/// A case of the generator depth-borders.
+/// A case of the generator depth-borders, or one of any other with a bias and a depth format.
 Generated biased_case(Draw& draw);
 
-/// True if a backend draws both depth bias and unorm depths, as the labels of these laws need.
-bool draws_bias_and_unorm(backends::Backend& backend);
-inline constexpr std::string_view kLacksBiasOrUnorm =
-    "the backend lacks depth bias, or depths in unorm formats";
+/// True if a backend draws depth bias, or depths in unorm formats.
+bool draws_bias_or_unorm(backends::Backend& backend);
+inline constexpr std::string_view kLacksBiasAndUnorm =
+    "the backend has neither depth bias nor unorm depths";
 
+/// True if a backend draws depth bias.
+bool draws_bias(backends::Backend& backend);
 /// The same, if the backend's contract also allows one offset only (has_one_depth()).
 bool draws_one_bias(backends::Backend& backend);
+inline constexpr std::string_view kHasNoSingleBias =
+    "the backend has no depth bias, or leaves open which offset it adds";
 
 /// The case as drawn to see depths: no depth test, no attributes, and this bias.
 cases::Case for_depths(const cases::Case& c, const cases::DepthBias& bias);
