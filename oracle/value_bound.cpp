@@ -164,7 +164,7 @@ Field in_steps(const TriangleSetup& triangle, const Field& ulps) {
   const Scene& scene = *triangle.scene;
   const Field unit =
       to_field(ulp(to_rational(Field(std::max(scene.least_depth(), scene.greatest_depth())))));
-  const Field before = ulps * unit * Field(steps_of(scene.unorm_bits()));
+  Field before = ulps * unit * Field(steps_of(scene.unorm_bits()));
   if (has_open_depths(triangle)) return before;
   return before + exact_reach(scene.contract().depth_store).value();
 }
