@@ -33,9 +33,14 @@ bool is_of_format(double depth, double steps) {
   return k >= 0 && k <= steps && static_cast<double>(static_cast<float>(k / steps)) == depth;
 }
 
+bool is_promised(backends::Backend& backend) {
+  return capabilities_of(backend).has(cases::Feature::unorm_depth);
+}
+
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   const int bits = cases::unorm_bits(c.depth_format);
   if (bits == 0) return not_applicable("the case stores floats");
+  if (!is_promised(backend)) return not_applicable("the backend has no unorm depths");
   std::array changed{for_depths(c, {}), for_depths(c, {})};
   changed[1].depth_format = cases::DepthFormat::float32;
   const cases::Contract contract = backend.contract(changed[0]);
@@ -68,10 +73,6 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   if (c.viewport.min_depth > c.viewport.max_depth) tally.label("reversed");
   tally.label(bits == 16 ? "16 bits" : "24 bits");
   return tally.finish();
-}
-
-bool is_promised(backends::Backend& backend) {
-  return capabilities_of(backend).has(cases::Feature::unorm_depth);
 }
 
 Generated generate(Draw& draw) {
