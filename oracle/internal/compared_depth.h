@@ -40,8 +40,8 @@ records::Enclosure initial_depths(const SceneTruth& scene);
 std::optional<FieldRange> compared_depths(const TriangleTruth& truth, int x, int y, int sample,
                                           ComparedAs as = ComparedAs::drawn);
 
-/// Encloses the depths that may be compared for exact depths `depths`, which are not stored yet; NaN
-/// if `slack` is.
+/// Encloses the depths that may be compared for exact depths `depths`, which are not stored yet;
+/// NaN if `slack` is.
 records::Enclosure widened_depths(const SceneTruth& scene, const records::Enclosure& depths,
                                   const DepthSlack<double>& slack);
 
