@@ -488,8 +488,13 @@ std::string describe(const Plugin& plugin) {
   for (const cases::Rules rules : cases::Capabilities().rules) {
     if (!has_rules(contract, rules)) add(cases::words_for(rules));
   }
-  for (const cases::Feature feature : capabilities_of(contract).lacks) add(to_string(feature));
+  // Most plugins do not draw what they have to say that they draw: those that do are named.
+  rastercheck_contract declared = contract;
+  declared.draws = RASTERCHECK_DRAWS_DEPTH_BIAS | RASTERCHECK_DRAWS_UNORM_DEPTH;
+  for (const cases::Feature feature : capabilities_of(declared).lacks) add(to_string(feature));
   if ((contract.lacks & RASTERCHECK_LACKS_DEPTH) != 0) add("depth values");
+  if ((contract.draws & RASTERCHECK_DRAWS_DEPTH_BIAS) != 0) text += ", depth bias";
+  if ((contract.draws & RASTERCHECK_DRAWS_UNORM_DEPTH) != 0) text += ", unorm depth";
   return missing.empty() ? text : text + "; not supported: " + missing;
 }
 

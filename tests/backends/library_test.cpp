@@ -371,6 +371,10 @@ TEST(Plugin, IsDescribedInALine) {
   EXPECT_EQ(describe(plugin),
             "mine 2.5: coverage snapped to 8 subpixel bits, smooth values within 0.5 and more "
             "scale ULP; not supported: culling, flat attributes");
+  plugin.contract.draws = RASTERCHECK_DRAWS_DEPTH_BIAS;
+  EXPECT_EQ(describe(plugin),
+            "mine 2.5: coverage snapped to 8 subpixel bits, smooth values within 0.5 and more "
+            "scale ULP, depth bias; not supported: culling, flat attributes");
 }
 
 uint32_t draw_nothing(const rastercheck_draw* /*draw*/, rastercheck_output* /*output*/) {
@@ -532,8 +536,8 @@ TEST(Plugin, SaysWhatCanBeSaid) {
             contract + "subpixel_bits is 17, but must be from 0 to 16");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.tie_rule = 12; }),
             contract + "tie_rule is 12, but must be from 0 to 11");
-  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 23U; }),
-            contract + "lacks is 8388608, but must be from 0 to 8388607");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 21U; }),
+            contract + "lacks is 2097152, but must be from 0 to 2097151");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.depth_store = 3; }),
             contract + "depth_store is 3, but must be from 0 to 2");
   EXPECT_EQ(problem_of([](Structs& s) { s.contract.bias_slope = 3; }),
