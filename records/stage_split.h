@@ -21,21 +21,22 @@ enum class Stage {
   transform,   ///< object positions to clip positions, float32
   clip_space,  ///< division by w and viewport, or clipping to new corners
   snap,        ///< window positions to the subpixel grid
-  bias,        ///< what a depth bias adds to depths, computed from the corners
   set_up,      ///< lines or planes of the triangle
   coverage,    ///< which samples are covered, and where their values are evaluated
   weights,     ///< the lines or planes at one place
   evaluation,  ///< the value from the weights
   rounding,    ///< rounding to float32
-  store,       ///< storing a depth in a unorm format, all rounding included
   // In addition to `transform`, used for backends that do not report their stages:
   left_open,  ///< the part that the contract leaves open, e.g. snapping
   excess,     ///< the rest of the error
+  // Of depths only: `bias` comes before set_up, and `store` takes the place of `rounding`.
+  bias,   ///< what a depth bias adds to depths, computed from the corners
+  store,  ///< storing a depth in a unorm format, all rounding included
 };
 constexpr auto names_of(Stage /*type*/) {
-  return std::to_array<std::string_view>({"transform", "clip space", "snap", "bias", "set-up",
-                                          "coverage", "weights", "evaluation", "rounding", "store",
-                                          "left open", "excess"});
+  return std::to_array<std::string_view>({"transform", "clip space", "snap", "set-up", "coverage",
+                                          "weights", "evaluation", "rounding", "left open",
+                                          "excess", "bias", "store"});
 }
 constexpr std::string_view to_string(Stage stage) { return cases::name_of(stage); }
 

@@ -27,8 +27,8 @@ from run_schema_test import validator_of  # noqa: E402
 KINDS = ("coverage", "depth", "smooth", "noperspective", "flat")
 STRATA = ("clipped", "near horizon", "sliver", "multisampled", "ordinary")
 STAGES = (
-    "transform", "clip space", "snap", "bias", "set-up", "coverage", "weights", "evaluation", "rounding", "store",
-    "left open", "excess",
+    "transform", "clip space", "snap", "set-up", "coverage", "weights", "evaluation", "rounding",
+    "left open", "excess", "bias", "store",
 )
 CLASSES = (
     "correct", "beyond bound", "missing", "extra", "wrong triangle", "not a number", "infinite",

@@ -32,7 +32,10 @@ TEST(Variations, TakeSomethingAwayAndLeaveAValidCase) {
   std::map<std::string_view, int> taken;
   for (std::uint64_t index = 0; index < kCases; ++index) {
     Draw draw(1, "variations", index);
-    const cases::Case source = generate_any(draw).source;
+    cases::Case source = generate_any(draw).source;
+    // No generator that all properties have makes cases with these.
+    if (index % 3 == 0) source.depth_bias.slope = 1;
+    if (index % 3 == 1) source.depth_format = cases::DepthFormat::unorm16;
     for (const Variation& variation : variations()) {
       cases::Case other = source;
       if (!take_away(variation, other, {})) continue;
