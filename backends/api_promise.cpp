@@ -156,7 +156,7 @@ double greatest(const std::array<Vertex, 3>& triangle, const Of& of) {
       {std::fabs(of(triangle[0])), std::fabs(of(triangle[1])), std::fabs(of(triangle[2]))});
 }
 
-/// What is added to a triangle's depths, in units of depth.
+/// Bounds the offset that a bias adds to a triangle's depths, in units of depth.
 struct Offset {
   double most = 0;  ///< upper bound on the magnitude
   double error = 0;

@@ -42,10 +42,10 @@ enum class Location { sample, center, centroid };
 /// fragment is nearer than the initial value of the depth buffer.
 enum class DepthTest { none, less };
 
-/// What is added to all depths of a triangle, before they are clamped: m · slope + r · constant,
-/// where m is how much the depth changes from one pixel to the next, and r is the least difference
-/// that the depth format resolves (RULES §8, cases::BiasPromise). `clamp` limits the sum: from
-/// above if positive, from below if negative.
+/// Adds m · slope + r · constant to all depths of a triangle before they are clamped, where m is
+/// how much the depth changes from one pixel to the next, and r is the least difference that the
+/// depth format resolves (RULES §8, cases::BiasPromise). `clamp` limits the sum: from above if
+/// positive, from below if negative.
 struct DepthBias {
   float constant = 0;
   float slope = 0;

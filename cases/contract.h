@@ -157,7 +157,7 @@ enum class BiasUnit { power, double_power, either_power, least_value, open };
 /// clipped triangle or of a part of that.
 enum class BiasExponent { vertices, open };
 
-/// What a backend adds to depths if a case has a bias (RULES §8). The sum is then clamped: under
+/// How a backend carries out a case's bias (RULES §8). The biased depth is then clamped: under
 /// `d3d`, and with depth clamp, to the viewport's depth range, else to [0, 1].
 struct BiasPromise {
   BiasSlope slope = BiasSlope::greatest;

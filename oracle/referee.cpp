@@ -193,7 +193,7 @@ Field bias_unit(const cases::Case& c, const Referee::Plane& plane) {
   return power_of_two(floor_log2(greatest) - kFractionBits);
 }
 
-/// What a depth bias adds to all depths of the triangle.
+/// The offset that a depth bias adds to all depths of the triangle.
 Field depth_offset(const cases::Case& c, const Referee::Plane& plane) {
   const cases::DepthBias& bias = c.depth_bias;
   if (bias.is_none()) return Field(0);

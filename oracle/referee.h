@@ -33,7 +33,7 @@ struct RefereeFragment {
   cases::SamplePlace place = {};
   /// Biased and clamped as cases::contract_of(c) says, before it is stored.
   Rational depth;
-  /// What the depth may be stored as in a unorm format: the nearest integer of the format, or two
+  /// The integers that a unorm format may store the depth as: the nearest of the format, or two
   /// if the depth is half-way between them. Empty if the case asks for float32.
   std::vector<std::uint32_t> stored;
   /// [attribute]; empty if undefined, or if the location is centroid and the rules name no point.

@@ -28,7 +28,7 @@ struct Generator {
 
 /// All generators, in the order of their names.
 std::span<const Generator> generators();
-/// Those for all laws, in the same order.
+/// The generators whose cases all laws draw, in the same order.
 std::span<const Generator> general_generators();
 /// The generator with that name; nullptr if none.
 const Generator* find_generator(std::string_view name);

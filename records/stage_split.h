@@ -29,7 +29,7 @@ enum class Stage {
   // In addition to `transform`, used for backends that do not report their stages:
   left_open,  ///< the part that the contract leaves open, e.g. snapping
   excess,     ///< the rest of the error
-  // Of depths only: `bias` comes before set_up, and `store` takes the place of `rounding`.
+  // Depths only: `bias` comes before set_up, and `store` takes the place of `rounding`.
   bias,   ///< what a depth bias adds to depths, computed from the corners
   store,  ///< storing a depth in a unorm format, all rounding included
 };

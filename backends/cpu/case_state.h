@@ -36,7 +36,7 @@ rasterizer::State state_of(const cases::Case& c,
 
 /// A depth buffer's initial value, as the format of the case's depths holds it.
 float stored_clear(const cases::Case& c, float depth);
-/// What the case names as the depth buffer's initial value, as stored; empty if it names none.
+/// Returns the depth buffer's initial value as stored; empty if the case names none.
 std::optional<float> stored_clear(const cases::Case& c);
 
 /// Adds what the rasterizer promises of depths (rasterizer.h): its bound, the format that a case

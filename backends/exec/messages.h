@@ -44,8 +44,8 @@ struct ProgramHello {
   bool has_shared_memory = false;
   cases::ContractTerms contract;
   cases::Capabilities limits;
-  /// What programs draw only if they say so, because it is younger than the protocol: depth_bias
-  /// and unorm_depth.
+  /// The features that a program is asked for only if it names them, because they are younger than
+  /// the protocol: depth_bias and unorm_depth.
   std::vector<cases::Feature> draws = {};
 };
 

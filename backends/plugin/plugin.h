@@ -429,10 +429,10 @@ typedef struct rastercheck_draw {
    * drawn. If the case does not specify one, it is 1, and fragments of depth 1 may then be drawn;
    * with contract.depth_function GREATER or GREATER_OR_EQUAL, it is 0. */
   float depth_clear;
-  /* What is added to all depths of a triangle: bias_slope times its slope, plus bias_constant times
-   * the unit of the depth format (rastercheck_contract.bias_slope, bias_unit, bias_exponent). The
-   * sum of both is at most bias_clamp if that is positive, at least bias_clamp if that is negative.
-   * Then the depth is clamped: with RULES_D3D or depth_clamp to min_depth…max_depth, else to 0…1.
+  /* Add to all depths of a triangle: bias_slope times its slope, plus bias_constant times the unit
+   * of the depth format (rastercheck_contract.bias_slope, bias_unit, bias_exponent). The sum of
+   * both is at most bias_clamp if that is positive, at least bias_clamp if that is negative. Then
+   * the depth is clamped: with RULES_D3D or depth_clamp to min_depth…max_depth, else to 0…1.
    */
   float bias_constant;
   float bias_slope;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a depth bias adds to the depths of a triangle (RULES §8):
+// A depth bias adds an offset to all depths of a triangle (RULES §8):
 //
 //   o = m · slope + r · constant,    limited by the bias's clamp,
 //
@@ -36,8 +36,8 @@ struct DepthOffset {
 /// Empty if nothing bounds the offset. The case must have a bias.
 std::optional<DepthOffset> depth_offset(const TriangleSetup& triangle);
 
-/// The offset of a plane with these slopes per pixel, and with the unit of the triangle's format, by
-/// the greatest of both slopes. The contract must not leave the unit open.
+/// The offset of a plane with these slopes per pixel, and with the unit of the triangle's format,
+/// by the greatest of both slopes. The contract must not leave the unit open.
 Field offset_of_slopes(const TriangleSetup& triangle, const Field& along_x, const Field& along_y);
 
 }  // namespace rastercheck::oracle

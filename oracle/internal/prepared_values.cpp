@@ -343,7 +343,8 @@ bool PreparedValues::set_stored(PreparedValue& value) const {
   stored.is_open = has_open_depths(*triangle_);
   if (!stored.is_open) return true;
   if (stored.bits != 0) stored.reach = reach_of(scene_->contract().depth_store) * (1 - 0x1p-52);
-  // Of several viewports, none need show at a sample what the requested one shows there.
+  // If several viewports are allowed, the one that was used may show another depth at the sample
+  // than the requested one.
   const cases::Contract& contract = scene_->contract();
   stored.permits_exact =
       !is_open_ || (contract.basis == cases::Basis::unspecified && !contract.has_open_viewport());

@@ -119,7 +119,8 @@ Exponents of_least(const DepthTriangle& triangle, bool /*depth_clamp*/) {
       std::min({magnitude(triangle, 0), magnitude(triangle, 1), magnitude(triangle, 2)}));
 }
 
-/// Of a vertex's depth and the differences of the others from it; which vertex is open.
+/// The exponents of a vertex's depth and of the other depths' differences from it, for each of the
+/// three vertices.
 Exponents of_differences(const DepthTriangle& triangle, bool /*depth_clamp*/) {
   Exponents all;
   const auto& z = triangle.depth;

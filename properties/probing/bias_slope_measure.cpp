@@ -176,7 +176,7 @@ void measure_formula(Subject& subject, const SteepDrawings& drawings, BiasSight&
   if (seen.slope != declared) sight.differs = true;
 }
 
-/// What a clamp does to the offsets beyond it on one side.
+/// Counts how offsets beyond a clamp were drawn, on one side of it.
 struct ClampReading {
   std::uint64_t limited = 0;  ///< ±clamp is left of the offset
   std::uint64_t untouched = 0;

@@ -144,7 +144,7 @@ std::vector<NamedUnit> named_units(int bits) {
   return all;
 }
 
-/// What all samples together say about r.
+/// The r that explains all samples together, if one does.
 struct FittedUnit {
   UnitRange range;          ///< if no r explains all samples: how far apart they are
   bool is_any = false;      ///< some r explains all samples
@@ -200,7 +200,7 @@ BiasUnit joined(BiasUnit a, BiasUnit b) {
   return a == BiasUnit::open || b == BiasUnit::open ? BiasUnit::open : BiasUnit::either_power;
 }
 
-/// What the samples show of r in a unorm format.
+/// The r that the samples show for a unorm format.
 struct SeenUnit {
   BiasUnit unit = BiasUnit::open;
   bool is_permitted = true;  ///< by `unit`
@@ -219,7 +219,7 @@ SeenUnit seen_unit(const UnitReading& reading, int bits, BiasUnit declared) {
       if (fitted.range.has(one.ratio)) named.push_back(one);
     }
     if (named.empty()) continue;
-    // Of several that explain all samples, the declared one.
+    // If several explain all samples, takes the declared one.
     std::stable_partition(named.begin(), named.end(),
                           [&](const NamedUnit& one) { return one.unit == declared; });
     const NamedUnit& best = named.front();

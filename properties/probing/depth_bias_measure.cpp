@@ -1,8 +1,8 @@
 // Measures what a depth bias adds to depths: its unit, its slope, its clamp, its exponent, and what
 // limits the sum. Each has a file of its own.
 //
-// What is found becomes the contract's `depth_bias` only if it differs from what the backend
-// declares, because declared promises may differ by rules.
+// A finding replaces the contract's `depth_bias` only if it differs from what the backend declares,
+// because declared promises may differ by rules.
 
 #include "properties/probing/depth_planes.h"
 #include "properties/probing/measures.h"

@@ -29,7 +29,7 @@ struct DepthTriangle {
   std::array<float, 3> w{1, 1, 1};  ///< powers of two
 };
 
-/// What else a case of DepthTriangles asks for.
+/// The state that a case of DepthTriangles asks for.
 struct DepthState {
   cases::DepthBias bias = {};
   cases::DepthFormat format = cases::DepthFormat::float32;
@@ -76,7 +76,7 @@ std::vector<BiasedFragment> biased_fragments(const Subject& subject,
 /// The exponent e of a depth z: 2^e <= |z| < 2^(e+1). z must not be 0.
 int exponent_of(double z);
 
-/// What the measures of a bias have found so far.
+/// The findings of the measures of a bias so far.
 struct BiasSight {
   /// Becomes the contract's term if any of it differs from what is declared.
   cases::BiasPromise found;

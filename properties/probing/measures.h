@@ -32,7 +32,7 @@ struct Sight {
   /// True if the backend rounds to the grid that a case asks for. Grid-dependent measures then use
   /// a grid of kAskedBits.
   bool follows_coverage = false;
-  /// What storing a depth allows, by unorm format, of the formats that were drawn.
+  /// The error of stored depths, by unorm format, for the formats that were drawn.
   std::map<cases::DepthFormat, StoredError> stored;
 };
 

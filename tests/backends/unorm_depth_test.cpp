@@ -33,7 +33,8 @@ TEST(UnormDepth, TellsNumbersApart) {
   }
 }
 
-/// What a driver that stores with `store` and fetches with `how` fetches for telling_depths().
+/// Returns what a driver fetches for telling_depths() if it stores with `store` and converts as
+/// `how` says.
 template <typename Store>
 std::vector<float> fetched_of(int bits, UnormFetch how, const Store& store) {
   std::vector<float> fetched;
@@ -83,7 +84,7 @@ TEST(UnormDepth, IsRecoveredFromWhatWasFetched) {
   }
   // No depth of 16 bits is 1/2.
   EXPECT_FALSE((DepthReading{16, UnormFetch::divided}.stored(0.5F, false)));
-  // What is not fetched is as it was stored.
+  // Depths that are read without a fetch stay as they were stored.
   EXPECT_EQ((DepthReading{24, {}}.stored(0.3F, false)).value(), 0.3F);
   EXPECT_EQ((DepthReading{}.stored(1.5F, false)).value(), 1.5F);
 }

@@ -13,7 +13,7 @@
 
 namespace rastercheck::properties {
 
-/// What is wrong; the default is nothing.
+/// The ways in which a backend's bias is wrong; by default, none.
 struct OwnBias {
   double unit = 1;        ///< r of unorm formats, in units of 2^-b
   double float_unit = 1;  ///< r of float32, in units of 2^(e−23)
