@@ -259,7 +259,7 @@ std::optional<DepthOffset> depth_offset(const TriangleSetup& triangle) {
 Field offset_of_slopes(const TriangleSetup& triangle, const Field& along_x, const Field& along_y) {
   const cases::DepthBias& bias = triangle.scene->source().depth_bias;
   Field sum = exact_field(bias.slope) * std::max(magnitude(along_x), magnitude(along_y)) +
-                    exact_field(bias.constant) * Field(units_of_bias(triangle).lo);
+              exact_field(bias.constant) * Field(units_of_bias(triangle).lo);
   if (bias.clamp > 0) return std::min(sum, exact_field(bias.clamp));
   if (bias.clamp < 0) return std::max(sum, exact_field(bias.clamp));
   return sum;

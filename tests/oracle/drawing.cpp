@@ -85,8 +85,8 @@ cases::Fragments perfect(const SceneTruth& scene) {
       attributes.push_back(value ? value->lo.nearest_float() : kNan);
     }
     push(drawn, f.place.triangle, static_cast<int>(f.place.x), static_cast<int>(f.place.y),
-         static_cast<int>(f.place.sample), f.depth ? stored_depth(f.depth->lo, scene.source().depth_format) : kNan,
-         attributes);
+         static_cast<int>(f.place.sample),
+         f.depth ? stored_depth(f.depth->lo, scene.source().depth_format) : kNan, attributes);
     return true;
   });
   return drawn;
