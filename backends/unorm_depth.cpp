@@ -17,7 +17,8 @@ std::vector<std::uint32_t> integers_read_as(float read, int bits, UnormFetch how
   // Each conversion is off by at most two roundings to float32, which is less than two steps.
   constexpr int kReach = 2;
   const double about = std::round(double{read} * steps_of(bits));
-  if (!(about >= 0 && about <= steps_of(bits))) return found;
+  const bool is_in_range = about >= 0 && about <= steps_of(bits);
+  if (!is_in_range) return found;
   for (int i = -kReach; i <= kReach; ++i) {
     const double k = about + i;
     if (k < 0 || k > steps_of(bits)) continue;

@@ -109,7 +109,8 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   for (const float depth : plane.drawn.depth) {
     if (depth != plane.depth) return not_applicable("the plane is drawn with several depths");
   }
-  if (!(plane.depth >= 0 && plane.depth <= 1)) return not_applicable("no depth of a buffer");
+  const bool is_in_range = plane.depth >= 0 && plane.depth <= 1;
+  if (!is_in_range) return not_applicable("no depth of a buffer");
   // Depth clamp may have brought the plane here from farther away than the bias reaches.
   if (c.depth_clamp && !is_unclamped(plane.base, contract, double{plane.depth})) {
     return not_applicable("the plane may be outside the depth range");

@@ -31,7 +31,9 @@
 // large offset may bring it back, so that both cancel. Then the offset is `deep`, unless |o| <= M:
 // the whole of d |det| T is summed without rounding at each sample.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec4.hpp>
 
 #include "rasterizer/internal/plane.h"
@@ -71,7 +73,7 @@ struct BiasTerms {
     return terms <= kMostBiasTerms * greatest && rise <= kMostBiasRise * greatest;
   }
   bool is_deep(double offset) const {
-    return may_leave && !(-greatest <= offset && offset <= greatest);
+    return may_leave && !(std::abs(offset) <= greatest);
   }
   double clamped(double offset) const {
     if (clamp > 0) return std::min(offset, clamp);
