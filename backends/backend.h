@@ -66,6 +66,8 @@ struct About {
   std::vector<cases::DrawBy> ways = {};
   /// True if the backend implements OcclusionCuller.
   bool answers_occlusion_queries = false;
+  /// True if the backend implements PictureDrawer.
+  bool draws_pictures = false;
   bool operator==(const About&) const = default;
 };
 
@@ -81,23 +83,31 @@ inline Result<cases::Fragments> fragments_of(Result<Drawn> drawn) {
 }
 
 /// Draws all triangles of a case into a framebuffer, in submission order, and returns the picture.
-/// The case must have no camera.
+class PictureDrawer {
+ public:
+  /// The case must have no camera. Fails with Failure::unsupported if the backend cannot draw the
+  /// case or the pipeline.
+  virtual Result<cases::Picture> draw_picture(const cases::Case& c,
+                                              const cases::Pipeline& pipeline) = 0;
+
+ protected:
+  ~PictureDrawer() = default;
+};
+
+/// Draws over existing pictures.
 ///
 /// A backend with this interface refuses every invalid case (cases::Case) in all its drawing
 /// functions, including Backend::draw(). A triangle with a vertex that is not finite, and any
 /// triangle in a viewport without area, may be silently skipped instead.
-class PictureDrawer {
+class PictureContinuer {
  public:
-  virtual Result<cases::Picture> draw_picture(const cases::Case& c,
-                                              const cases::Pipeline& pipeline) = 0;
-
-  /// Like draw_picture(), but draws over an existing picture without clearing it. The picture must
-  /// have the case's size and must not be resolved; it stays unchanged on failure.
+  /// Like PictureDrawer::draw_picture(), but draws over an existing picture without clearing it.
+  /// The picture must have the case's size and must not be resolved; it stays unchanged on failure.
   virtual Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                                  cases::Picture& picture) = 0;
 
  protected:
-  ~PictureDrawer() = default;
+  ~PictureContinuer() = default;
 };
 
 /// Assembles triangles from strips and fans.
@@ -187,6 +197,7 @@ class Backend {
   // Optional abilities; nullptr if the backend lacks one. The pointers live as long as the backend.
   // Drawings of these interfaces are judged by contract() of the case that was drawn.
   virtual PictureDrawer* picture_drawer() { return nullptr; }
+  virtual PictureContinuer* picture_continuer() { return nullptr; }
   virtual Assembler* assembler() { return nullptr; }
   virtual VertexStage* vertex_stage() { return nullptr; }
   virtual Tracer* tracer() { return nullptr; }

@@ -22,7 +22,10 @@ bool fits(const cases::Contract& contract, const cases::Case& c) {
 }
 
 /// Stands in for a backend in another process.
-class IsolatedBackend : public Backend, public WaysOfDrawing, public OcclusionCuller {
+class IsolatedBackend : public Backend,
+                        public PictureDrawer,
+                        public WaysOfDrawing,
+                        public OcclusionCuller {
  public:
   IsolatedBackend(std::string specification, const Isolation& isolation, WorkerProcess process)
       : specification_(std::move(specification)),
@@ -36,6 +39,21 @@ class IsolatedBackend : public Backend, public WaysOfDrawing, public OcclusionCu
   std::vector<cases::DrawBy> ways() const override { return greeting_.about.ways; }
   Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override {
     return draw_in(c, way);
+  }
+
+  PictureDrawer* picture_drawer() override {
+    return greeting_.about.draws_pictures ? this : nullptr;
+  }
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    const Result<std::string> answer =
+        ask_once_promised({.question = Question::picture, .source = c, .pipeline = pipeline});
+    if (!answer) return tl::unexpected(answer.error());
+    std::optional<PictureAnswer> drawn = unpack_picture(*answer);
+    if (!drawn) return tl::unexpected(nonsense());
+    if (drawn->problem) return tl::unexpected(counted(*drawn->problem));
+    crashes_ = 0;
+    return std::move(drawn->picture);
   }
 
   OcclusionCuller* occlusion_culler() override {

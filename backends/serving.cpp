@@ -90,6 +90,9 @@ class WatchedDrawer {
   Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) {
     return watched([&] { return backend_->occlusion_culler()->is_occluded(c, occluders); });
   }
+  Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline) {
+    return watched([&] { return backend_->picture_drawer()->draw_picture(c, pipeline); });
+  }
 
  private:
   /// Draws by `draw()`, and again if memory is to be checked.
@@ -165,6 +168,11 @@ std::string answer_to(const Request& request, const Backend& backend, WatchedDra
     const Result<bool> occluded = drawer.is_occluded(request.source, request.occluders);
     if (!occluded) return pack(OcclusionAnswer{false, occluded.error()});
     return pack(OcclusionAnswer{*occluded, std::nullopt});
+  }
+  if (request.question == Question::picture) {
+    Result<cases::Picture> picture = drawer.draw_picture(request.source, request.pipeline);
+    if (!picture) return pack(PictureAnswer{{}, picture.error()});
+    return pack(PictureAnswer{*std::move(picture)});
   }
   Result<Drawn> drawn = drawer.draw(request.source, request.way);
   if (!drawn) return pack(DrawingAnswer{{}, drawn.error()});

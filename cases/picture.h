@@ -43,6 +43,7 @@ struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> texels;  ///< [t][s][4]
+  bool operator==(const Texture&) const = default;
 };
 
 /// The source of colours.
@@ -64,6 +65,7 @@ struct Texturing {
   Wrap wrap_t = Wrap::repeat;
   Filter filter = Filter::nearest;
   std::optional<float> discard_below;  ///< fragments with less alpha are not drawn
+  bool operator==(const Texturing&) const = default;
 };
 
 /// The pipeline of a picture; overrides the case's own depth_test.
@@ -76,6 +78,7 @@ struct Pipeline {
   Shading shading = Shading::attributes;
   std::optional<Texturing> texturing;  ///< replaces the shading, if present
   bool resolves = false;               ///< true if the picture is the mean of the samples
+  bool operator==(const Pipeline&) const = default;
 };
 
 struct Picture {

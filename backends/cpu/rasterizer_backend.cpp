@@ -118,6 +118,7 @@ std::vector<std::string> variants(const RasterizerOptions& options) {
 
 class RasterizerBackend : public Backend,
                           private PictureDrawer,
+                          private PictureContinuer,
                           private Assembler,
                           private VertexStage,
                           private Tracer,
@@ -126,7 +127,9 @@ class RasterizerBackend : public Backend,
   explicit RasterizerBackend(RasterizerOptions options) : options_(std::move(options)) {}
 
   About about() const override {
-    return {.same_as = variants(options_), .answers_occlusion_queries = true};
+    return {.same_as = variants(options_),
+            .answers_occlusion_queries = true,
+            .draws_pictures = draws_pictures()};
   }
   cases::Contract promise(const cases::Case& c) const override {
     cases::Contract contract = production_contract(c, options_.precision);
@@ -138,10 +141,8 @@ class RasterizerBackend : public Backend,
     return contract;
   }
   /// Framebuffers hold values computed in double, so only the backend in double draws pictures.
-  PictureDrawer* picture_drawer() override {
-    const bool is_plain = options_.precision == ras::Precision::float64 && !options_.rounds_down;
-    return is_plain ? this : nullptr;
-  }
+  PictureDrawer* picture_drawer() override { return draws_pictures() ? this : nullptr; }
+  PictureContinuer* picture_continuer() override { return draws_pictures() ? this : nullptr; }
   Assembler* assembler() override { return this; }
   VertexStage* vertex_stage() override { return this; }
   /// The stages of a trace say whether a sample is covered, not a pixel.
@@ -149,6 +150,9 @@ class RasterizerBackend : public Backend,
   OcclusionCuller* occlusion_culler() override { return this; }
 
  private:
+  bool draws_pictures() const {
+    return options_.precision == ras::Precision::float64 && !options_.rounds_down;
+  }
   bool is_conservative() const { return options_.conservative != ras::Conservative::off; }
   Result<cases::Fragments> draw_fragments(const cases::Case& asked_for) override {
     const ras::OnSimdTarget target(options_.simd);

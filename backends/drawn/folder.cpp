@@ -117,6 +117,7 @@ About drawn_about(About promiser) {
   promiser.same_as.clear();
   promiser.ways.clear();
   promiser.answers_occlusion_queries = false;
+  promiser.draws_pictures = false;
   promiser.has_limits = true;
   return promiser;
 }

@@ -22,7 +22,12 @@ constexpr std::size_t count_of(cases::DepthError /*type*/) { return 3; }
 constexpr std::size_t count_of(cases::KeptDepth /*type*/) { return 4; }
 constexpr std::size_t count_of(cases::Claim /*type*/) { return 2; }
 constexpr std::size_t count_of(Failure /*type*/) { return 5; }
-constexpr std::size_t count_of(Question /*type*/) { return 3; }
+constexpr std::size_t count_of(Question /*type*/) { return 4; }
+constexpr std::size_t count_of(cases::DepthFunction /*type*/) { return 8; }
+constexpr std::size_t count_of(cases::ColorFormat /*type*/) { return 2; }
+constexpr std::size_t count_of(cases::Shading /*type*/) { return 4; }
+constexpr std::size_t count_of(cases::Wrap /*type*/) { return 3; }
+constexpr std::size_t count_of(cases::Filter /*type*/) { return 3; }
 
 /// True for arithmetic types except bool, and for aggregates of such types, whose bytes are copied
 /// as they are.
@@ -102,9 +107,26 @@ template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
   archive(f.attribute_count, f.triangle, f.x, f.y, f.sample, f.depth, f.attributes, f.derivatives);
 }
+template <typename Archive, cases::Either<cases::Texture> T>
+void members(Archive& archive, T& t) {
+  archive(t.width, t.height, t.texels);
+}
+template <typename Archive, cases::Either<cases::Texturing> T>
+void members(Archive& archive, T& t) {
+  archive(t.texture, t.wrap_s, t.wrap_t, t.filter, t.discard_below);
+}
+template <typename Archive, cases::Either<cases::Pipeline> T>
+void members(Archive& archive, T& p) {
+  archive(p.depth_function, p.writes_depth, p.clear_depth, p.blend, p.format, p.shading,
+          p.texturing, p.resolves);
+}
+template <typename Archive, cases::Either<cases::Picture> T>
+void members(Archive& archive, T& p) {
+  archive(p.size, p.channels, p.color, p.depth);
+}
 template <typename Archive, cases::Either<Request> T>
 void members(Archive& archive, T& r) {
-  archive(r.question, r.source, r.way, r.occluders);
+  archive(r.question, r.source, r.way, r.occluders, r.pipeline);
 }
 template <typename Archive, cases::Either<Driver> T>
 void members(Archive& archive, T& d) {
@@ -122,7 +144,7 @@ void members(Archive& archive, T& c) {
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
   archive(a.description, a.driver, a.api, a.has_limits, a.capabilities, a.same_as, a.ways,
-          a.answers_occlusion_queries);
+          a.answers_occlusion_queries, a.draws_pictures);
 }
 template <typename Archive, cases::Either<Greeting> T>
 void members(Archive& archive, T& g) {
@@ -139,6 +161,11 @@ void members(Archive& archive, T& d) {
 template <typename Archive, cases::Either<OcclusionAnswer> T>
 void members(Archive& archive, T& a) {
   archive(a.is_occluded, a.problem);
+}
+
+template <typename Archive, cases::Either<PictureAnswer> T>
+void members(Archive& archive, T& a) {
+  archive(a.picture, a.problem);
 }
 
 class Packer {
@@ -343,6 +370,7 @@ std::string pack(const Greeting& greeting) { return packed(greeting); }
 std::string pack(const DrawingAnswer& drawing) { return packed(drawing); }
 std::string pack(const cases::Contract& contract) { return packed(contract); }
 std::string pack(const OcclusionAnswer& answer) { return packed(answer); }
+std::string pack(const PictureAnswer& answer) { return packed(answer); }
 
 std::optional<Request> unpack_request(std::string_view bytes) {
   std::optional<Request> request = unpacked<Request>(bytes);
@@ -368,6 +396,10 @@ std::optional<cases::Contract> unpack_contract(std::string_view bytes) {
 
 std::optional<OcclusionAnswer> unpack_occlusion(std::string_view bytes) {
   return unpacked<OcclusionAnswer>(bytes);
+}
+
+std::optional<PictureAnswer> unpack_picture(std::string_view bytes) {
+  return unpacked<PictureAnswer>(bytes);
 }
 
 }  // namespace rastercheck::backends

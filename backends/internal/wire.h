@@ -1,7 +1,7 @@
 #pragma once
 
-// Converts cases, contracts and fragments to bytes, for another process of the same program. The
-// bytes are not a file format and are never stored.
+// Converts cases, contracts, fragments and pictures to bytes, for another process of the same
+// program. The bytes are not a file format and are never stored.
 
 #include <optional>
 #include <string>
@@ -13,17 +13,19 @@
 #include "cases/draw_by.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends {
 
 /// The questions that one process asks the other about a case.
-enum class Question : std::uint8_t { promise, drawing, occlusion };
+enum class Question : std::uint8_t { promise, drawing, occlusion, picture };
 
 struct Request {
   Question question = Question::drawing;
   cases::Case source;
   std::optional<cases::DrawBy> way = std::nullopt;  ///< the way of drawing that was asked for
   std::uint64_t occluders = 0;                      ///< for Question::occlusion
+  cases::Pipeline pipeline = {};                    ///< for Question::picture
 };
 
 /// The first message of a process: describes its backend, or says why it has none.
@@ -44,11 +46,18 @@ struct OcclusionAnswer {
   std::optional<Error> problem = std::nullopt;
 };
 
+/// The answer to a request for a picture.
+struct PictureAnswer {
+  cases::Picture picture = {};
+  std::optional<Error> problem = std::nullopt;
+};
+
 std::string pack(const Request& request);
 std::string pack(const Greeting& greeting);
 std::string pack(const DrawingAnswer& drawing);
 std::string pack(const cases::Contract& contract);
 std::string pack(const OcclusionAnswer& answer);
+std::string pack(const PictureAnswer& answer);
 
 /// Decode bytes. The result is empty unless the bytes are exactly one whole value: decoding fails
 /// for unknown enumerators, for lengths beyond the end, for numbers that no contract has, and for
@@ -58,5 +67,6 @@ std::optional<Greeting> unpack_greeting(std::string_view bytes);
 std::optional<DrawingAnswer> unpack_drawing(std::string_view bytes);
 std::optional<cases::Contract> unpack_contract(std::string_view bytes);
 std::optional<OcclusionAnswer> unpack_occlusion(std::string_view bytes);
+std::optional<PictureAnswer> unpack_picture(std::string_view bytes);
 
 }  // namespace rastercheck::backends

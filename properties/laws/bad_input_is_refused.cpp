@@ -1,9 +1,9 @@
 // Bad input is refused and leaves the target untouched: in every way of drawing, a case with one
 // fault gives an error, and the picture that it was to be drawn into keeps every bit.
 //
-// Why. A backend that draws pictures promises both (backends::PictureDrawer), as the rasterizer's
-// interface does: arguments are checked before anything is drawn. A case is bad if it breaks a
-// promise of cases::Case:
+// Why. A backend that draws over pictures promises both (backends::PictureContinuer), as the
+// rasterizer's interface does: arguments are checked before anything is drawn. A case is bad if it
+// breaks a promise of cases::Case:
 //
 //   mesh     an index beyond the vertices; too few or too many values or clip distances; more
 //            attributes or clip distances per vertex than allowed
@@ -205,12 +205,15 @@ class RefusalCheck {
   Check check_;
 };
 
+bool is_promised(backends::Backend& backend) {
+  return backend.picture_drawer() != nullptr && backend.picture_continuer() != nullptr;
+}
+
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
-  backends::PictureDrawer* const drawer = backend.picture_drawer();
-  if (drawer == nullptr || clip.triangles.empty())
-    return not_applicable("the backend draws no pictures, or the case has no triangles");
+  if (!is_promised(backend) || clip.triangles.empty())
+    return not_applicable("the backend does not draw over pictures, or the case has no triangles");
   const cases::Pipeline pipeline = adding_pipeline(clip);
   const Result<cases::Picture> before = draw_picture(clip, backend, pipeline);
   if (!before) return tl::unexpected(before.error());
@@ -223,10 +226,10 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   // Not properties::draw(), which expects valid cases.
   const Result<backends::Drawn> drawn = backend.draw(bad);
   refusal.see(!drawn, drawn ? drawn->fragments.size() : 0, "drawn as fragments");
-  const Result<cases::Picture> picture = drawer->draw_picture(bad, pipeline);
+  const Result<cases::Picture> picture = backend.picture_drawer()->draw_picture(bad, pipeline);
   refusal.see(!picture, 0, "drawn as a picture");
   cases::Picture target = *before;
-  const Result<void> over = drawer->draw_over(bad, pipeline, target);
+  const Result<void> over = backend.picture_continuer()->draw_over(bad, pipeline, target);
   refusal.see(!over, 0, "drawn over a picture");
   refusal.see_target(*before, target, !over);
   return refusal.finish();
@@ -236,12 +239,12 @@ const LawRegistration kRegistration(
     {.id = "bad-input-is-refused-and-the-target-untouched",
      .sentence = "bad input is refused and the target untouched",
      .reason = "Arguments are checked before anything is drawn.",
-     .exceptions = "backends that draw no pictures; what is bad of single triangles may "
+     .exceptions = "backends that do not draw over pictures; what is bad of single triangles may "
                    "draw nothing instead of being refused",
      .generate = &overlapping_case,
      .check = &check,
-     .is_promised = &draws_pictures,
-     .unpromised = "the backend draws no pictures",
+     .is_promised = &is_promised,
+     .unpromised = "the backend does not draw over pictures",
      .covers = {cover(15, "mesh"), cover(10, "state"), cover(8, "target"), cover(8, "empty")}});
 
 }  // namespace

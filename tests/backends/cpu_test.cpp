@@ -349,7 +349,7 @@ TEST(Cpu, DrawsOverAPictureWhatAddsToIt) {
   pipeline.blend = cases::Blend::additive;
   const cases::Picture once = backend->picture_drawer()->draw_picture(c, pipeline).value();
   cases::Picture twice = once;
-  ASSERT_TRUE(backend->picture_drawer()->draw_over(c, pipeline, twice));
+  ASSERT_TRUE(backend->picture_continuer()->draw_over(c, pipeline, twice));
   ASSERT_EQ(twice.color.size(), once.color.size());
   float most = 0;
   for (std::size_t i = 0; i < once.color.size(); ++i) {
@@ -361,9 +361,9 @@ TEST(Cpu, DrawsOverAPictureWhatAddsToIt) {
   // As many samples, but another size.
   cases::Picture other = once;
   other.size = {16, 4, 1};
-  EXPECT_FALSE(backend->picture_drawer()->draw_over(c, pipeline, other));
+  EXPECT_FALSE(backend->picture_continuer()->draw_over(c, pipeline, other));
   pipeline.resolves = true;
-  EXPECT_FALSE(backend->picture_drawer()->draw_over(c, pipeline, twice));
+  EXPECT_FALSE(backend->picture_continuer()->draw_over(c, pipeline, twice));
   EXPECT_EQ(make_backend("method:rational-linear").value()->picture_drawer(), nullptr);
 }
 

@@ -90,6 +90,29 @@ TEST(Isolation, AnswersOcclusionQueriesAlike) {
   EXPECT_EQ(method->occlusion_culler(), nullptr);
 }
 
+TEST(Isolation, DrawsPicturesAlike) {
+  const auto direct = make_backend("cpu").value();
+  const auto isolated = make_isolated_backend("cpu", isolation()).value();
+  ASSERT_NE(isolated->picture_drawer(), nullptr);
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.blend = cases::Blend::additive;
+  int drawn = 0;
+  for (const cases::Case& c : corpus()) {
+    const auto expected = direct->picture_drawer()->draw_picture(c, pipeline);
+    const auto picture = isolated->picture_drawer()->draw_picture(c, pipeline);
+    ASSERT_EQ(picture.has_value(), expected.has_value()) << c.name;
+    if (!picture) continue;
+    EXPECT_EQ(picture->size, expected->size) << c.name;
+    EXPECT_EQ(picture->color, expected->color) << c.name;
+    EXPECT_EQ(picture->depth, expected->depth) << c.name;
+    ++drawn;
+  }
+  EXPECT_GT(drawn, 20);
+  const auto method = make_isolated_backend("method:rational-linear", isolation()).value();
+  EXPECT_EQ(method->picture_drawer(), nullptr);
+}
+
 TEST(Isolation, HasTheBackendsOwnErrors) {
   const auto none = make_isolated_backend("cpu:magic=1", isolation());
   ASSERT_FALSE(none);

@@ -124,6 +124,36 @@ TEST(Wire, BringsOcclusionQueriesAndAnswers) {
   EXPECT_FALSE(unpack_occlusion(std::string(2, '\2')));
 }
 
+TEST(Wire, BringsPipelinesAndPictures) {
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::greater_or_equal;
+  pipeline.writes_depth = false;
+  pipeline.clear_depth = 0.25F;
+  pipeline.blend = cases::Blend::additive;
+  pipeline.format = cases::ColorFormat::rgba8;
+  pipeline.shading = cases::Shading::differences_along_y;
+  pipeline.texturing = cases::Texturing{{1, 2, {1, 2, 3, 4, 5, 6, 7, 8}},
+                                        cases::Wrap::mirror,
+                                        cases::Wrap::clamp,
+                                        cases::Filter::trilinear,
+                                        0.5F};
+  pipeline.resolves = true;
+  const auto request = unpack_request(
+      pack(Request{.question = Question::picture, .source = full_case(), .pipeline = pipeline}));
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->question, Question::picture);
+  EXPECT_EQ(request->pipeline, pipeline);
+
+  const cases::Picture picture{{2, 1, 1}, 1, {0.5F, -0.0F}, {1, 0.25F}};
+  const auto answer = unpack_picture(pack(PictureAnswer{picture}));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->picture.size, picture.size);
+  EXPECT_EQ(answer->picture.channels, picture.channels);
+  EXPECT_EQ(answer->picture.color, picture.color);
+  EXPECT_EQ(answer->picture.depth, picture.depth);
+  EXPECT_FALSE(answer->problem);
+}
+
 TEST(Wire, BringsEveryMemberOfAContract) {
   for (const cases::Contract& contract : {full_contract(), cases::Contract()}) {
     EXPECT_EQ(unpack_contract(pack(contract)), contract);
@@ -159,7 +189,8 @@ TEST(Wire, BringsDrawingsAndErrors) {
                     .has_limits = true,
                     .capabilities = capabilities,
                     .same_as = {"another", "and another"},
-                    .answers_occlusion_queries = true};
+                    .answers_occlusion_queries = true,
+                    .draws_pictures = true};
   const auto greeting = unpack_greeting(pack(Greeting{about, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->about, about);

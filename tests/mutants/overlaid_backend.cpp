@@ -141,7 +141,9 @@ Result<void> OverlaidBackend::draw_over(const cases::Case& c, const cases::Pipel
   return overlaid(
              [&](backends::Backend& of) -> Result<cases::Picture> {
                cases::Picture over = picture;
-               return of.picture_drawer()->draw_over(c, pipeline, over).map([&] { return over; });
+               return of.picture_continuer()->draw_over(c, pipeline, over).map([&] {
+                 return over;
+               });
              },
              &overlay_picture)
       .map([&picture](cases::Picture&& drawn) { picture = std::move(drawn); });

@@ -17,6 +17,7 @@ namespace rastercheck::mutants {
 /// defect caused it.
 class OverlaidBackend : public backends::Backend,
                         backends::PictureDrawer,
+                        backends::PictureContinuer,
                         backends::Assembler,
                         backends::VertexStage,
                         backends::OcclusionCuller {
@@ -27,6 +28,7 @@ class OverlaidBackend : public backends::Backend,
   backends::About about() const override { return unharmed_->about(); }
   cases::Contract promise(const cases::Case& c) const override { return unharmed_->promise(c); }
   backends::PictureDrawer* picture_drawer() override { return this; }
+  backends::PictureContinuer* picture_continuer() override { return this; }
   backends::Assembler* assembler() override { return this; }
   backends::VertexStage* vertex_stage() override { return this; }
   backends::OcclusionCuller* occlusion_culler() override { return this; }

@@ -177,6 +177,10 @@ backends::PictureDrawer* RecordingBackend::picture_drawer() {
   return asked([](Backend& b) { return b.picture_drawer() != nullptr; }) ? this : nullptr;
 }
 
+backends::PictureContinuer* RecordingBackend::picture_continuer() {
+  return asked([](Backend& b) { return b.picture_continuer() != nullptr; }) ? this : nullptr;
+}
+
 backends::Assembler* RecordingBackend::assembler() {
   return asked([](Backend& b) { return b.assembler() != nullptr; }) ? this : nullptr;
 }
@@ -230,7 +234,7 @@ Result<void> RecordingBackend::draw_over(const cases::Case& c, const cases::Pipe
                                          cases::Picture& picture) {
   DrawnOver drawn = asked([c, pipeline, before = picture](Backend& backend) {
     DrawnOver over{{}, before};
-    over.result = backend.picture_drawer()->draw_over(c, pipeline, over.picture);
+    over.result = backend.picture_continuer()->draw_over(c, pipeline, over.picture);
     return over;
   });
   picture = std::move(drawn.picture);

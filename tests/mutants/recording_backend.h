@@ -18,6 +18,7 @@ namespace rastercheck::mutants {
 /// Passes questions on to another backend, and records the questions and answers.
 class RecordingBackend : public backends::Backend,
                          backends::PictureDrawer,
+                         backends::PictureContinuer,
                          backends::Assembler,
                          backends::VertexStage,
                          backends::Tracer,
@@ -35,6 +36,7 @@ class RecordingBackend : public backends::Backend,
   backends::About about() const override;
   cases::Contract promise(const cases::Case& c) const override;
   backends::PictureDrawer* picture_drawer() override;
+  backends::PictureContinuer* picture_continuer() override;
   backends::Assembler* assembler() override;
   backends::VertexStage* vertex_stage() override;
   backends::Tracer* tracer() override;

@@ -45,6 +45,7 @@ using TraceDamage =
 
 class DamagedBackend : public backends::Backend,
                        protected backends::PictureDrawer,
+                       protected backends::PictureContinuer,
                        protected backends::Assembler,
                        protected backends::VertexStage,
                        protected backends::Tracer,
@@ -66,6 +67,9 @@ class DamagedBackend : public backends::Backend,
   }
   backends::PictureDrawer* picture_drawer() override {
     return inner_->picture_drawer() ? this : nullptr;
+  }
+  backends::PictureContinuer* picture_continuer() override {
+    return inner_->picture_continuer() ? this : nullptr;
   }
   backends::Assembler* assembler() override { return inner_->assembler() ? this : nullptr; }
   backends::VertexStage* vertex_stage() override { return inner_->vertex_stage() ? this : nullptr; }
@@ -123,7 +127,7 @@ class DamagedBackend : public backends::Backend,
 
   Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                          cases::Picture& picture) override {
-    Result<void> drawn = inner_->picture_drawer()->draw_over(c, pipeline, picture);
+    Result<void> drawn = inner_->picture_continuer()->draw_over(c, pipeline, picture);
     if (over_damage) over_damage(c, drawn, picture);
     return drawn;
   }
