@@ -102,6 +102,7 @@
 #include <vector>
 
 #include "backends/internal/affine_condition.h"
+#include "backends/internal/picture_promise.h"
 #include "backends/internal/plane_error.h"
 #include "backends/internal/view_clipping.h"
 
@@ -548,6 +549,7 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits,
   contract.is_invariant = false;
   contract.viewport_error = viewport_error(c.viewport, limits.viewport_subpixel_bits);
   contract.coverage = cases::Snapping{limits.subpixel_bits, cases::Rounding::unspecified, 0};
+  promise_pictures(c, limits, promised, arithmetic.operation, contract);
   // For a case without triangles, the contract is the strictest that any triangle can have.
   contract.bounds = {{in_ulps(kQuotient * arithmetic.operation), in_ulps(arithmetic.operation, 0)},
                      {in_ulps(arithmetic.operation)},

@@ -91,6 +91,34 @@ struct TextureBounds {
   bool operator==(const TextureBounds&) const = default;
 };
 
+/// How pictures may differ from those of the rules (properties/laws/internal/picture_model.h), for
+/// a backend that does not promise these to the bit.
+struct PictureBounds {
+  /// True if a picture's fragments have the depths and attributes that the backend draws as
+  /// fragments of the same case, to the bit.
+  bool keeps_fragments = true;
+  /// True if a resolved colour is the mean of a pixel's samples; else it is anywhere between the
+  /// least and the greatest of them.
+  bool resolves_to_mean = true;
+  /// True if a difference across a quad is of the fragment's own row or column (dFdxFine,
+  /// dFdyFine); else of either of the quad's.
+  bool has_fine_differences = true;
+  /// The largest error of a colour that is blended into float32, in units of 2^-24 of the summed
+  /// sizes of the products that are added; of a mean of float32 colours and of a difference across
+  /// a quad likewise; and of a texel's colour k/255, in units of 2^-24.
+  float float_error = 0;
+  /// The largest distance between a colour times 255 and the byte that it is stored as: without and
+  /// with blending. Of the mean of bytes: byte_store.
+  float byte_store = 0.5F;
+  float byte_blend = 0.5F;
+  /// How far from its coordinates a texel may be looked up, along either axis: a share of the
+  /// distance from coordinate 0, and a distance in texels. In addition, each coordinate may have
+  /// any value that the contract permits it.
+  float texel_share = 0;
+  float texel_distance = 0;
+  bool operator==(const PictureBounds&) const = default;
+};
+
 /// A range of magnitudes, inclusive; 0 always belongs to it.
 struct MagnitudeRange {
   float least = 0;
@@ -295,6 +323,9 @@ struct Contract {
   std::optional<float> quad_share;
   /// The error of filtered textures. Empty: no textures, or no promise.
   std::optional<TextureBounds> texture_bounds;
+  /// If set, pictures may differ from those of the rules. Empty: they are those of the rules to the
+  /// bit, and texels are those of the exact coordinates.
+  std::optional<PictureBounds> picture_bounds;
   /// The range of numbers that promises cover. Nothing is promised about a triangle that has a clip
   /// position or clip distance outside the range; about an attribute, unless flat, that has a value
   /// outside the range at one of the triangle's vertices; or about a case whose depth range has an

@@ -77,6 +77,43 @@ Bounded magnitude_of(const Rational& exact, const Rational& scale, const Field& 
   return {std::max(Field(0), Field(size - error)), size + error};
 }
 
+/// The most texels, or squares between texels, along an axis of a range of coordinates.
+constexpr int kMostAcross = 4;
+
+/// The wrapped indices of the texels along an axis that coordinates of a range may fall into, each
+/// off by at most `share` of the distance from 0 and `distance` texels; empty if they are too many.
+std::vector<int> indices_within(const records::FloatRange& range, int size, cases::Wrap wrap,
+                                const cases::PictureBounds& bounds) {
+  const auto reach = [&](const Field& texels) {
+    return Field(exact_field(bounds.texel_share) * magnitude(texels) +
+                 exact_field(bounds.texel_distance));
+  };
+  const Field least = exact_field(range.least) * Field(size);
+  const Field greatest = exact_field(range.greatest) * Field(size);
+  const Field first = floor_of(least - reach(least));
+  const Field last = floor_of(greatest + reach(greatest));
+  std::vector<int> indices;
+  if (last - first >= Field(kMostAcross)) return indices;
+  for (Field i = first; i <= last; i = i + Field(1)) indices.push_back(wrapped(i, size, wrap));
+  return indices;
+}
+
+/// Coordinates between which a bilinear colour is a polynomial: the ends of a range, and within it
+/// the middles of texels. Empty if they are too many.
+std::vector<Field> pieces_of(const records::FloatRange& range, int size) {
+  const Field least = exact_field(range.least);
+  const Field greatest = exact_field(range.greatest);
+  const Field half(1, 2);
+  std::vector<Field> ends{least};
+  Field middle = floor_of(least * Field(size) - half) + Field(1) + half;
+  for (; middle < greatest * Field(size); middle = middle + Field(1)) {
+    if (ends.size() > kMostAcross) return {};
+    ends.push_back(middle / Field(size));
+  }
+  if (greatest > least) ends.push_back(greatest);
+  return ends;
+}
+
 }  // namespace
 
 TexelIndex texel_index(const Rational& coordinate, int size, cases::Wrap wrap) {
@@ -188,6 +225,52 @@ TextureTruth::Filtered TextureTruth::bilinear(const Rational& s, const Rational&
   for (std::size_t k = 0; k < 4; ++k) {
     filtered[k].exact = {to_rational(color[k]), to_rational(color[k])};
     filtered[k].allowed = {to_rational(color[k] - bound), to_rational(color[k] + bound), true};
+  }
+  return filtered;
+}
+
+std::vector<TextureTruth::Color> TextureTruth::nearest_within(
+    const CoordinateRanges& at, const cases::PictureBounds& bounds) const {
+  const Level& level = levels_.front();
+  std::vector<Color> colors;
+  for (const int row : indices_within(at.t, level.height, wrap_t_, bounds)) {
+    for (const int column : indices_within(at.s, level.width, wrap_s_, bounds)) {
+      const Color color = level.texel(column, row);
+      if (std::find(colors.begin(), colors.end(), color) == colors.end()) colors.push_back(color);
+    }
+  }
+  return colors;
+}
+
+std::optional<TextureTruth::Filtered> TextureTruth::bilinear_within(
+    const CoordinateRanges& at, const CoordinateSizes& sizes,
+    const cases::TextureBounds& bounds) const {
+  const Level& level = levels_.front();
+  const std::vector<Field> columns = pieces_of(at.s, level.width);
+  const std::vector<Field> rows = pieces_of(at.t, level.height);
+  if (columns.empty() || rows.empty()) return std::nullopt;
+  // Within a square between four texels the colour is linear along each axis, so that its extremes
+  // are at the corners.
+  std::array<Field, 4> lo;
+  std::array<Field, 4> hi;
+  Field most(0);
+  bool is_first = true;
+  for (const Field& t : rows) {
+    for (const Field& s : columns) {
+      const Sampling sampling{*this, s, t};
+      const std::array<Field, 4> color = sampling.bilinear(0);
+      for (std::size_t k = 0; k < 4; ++k) {
+        lo[k] = is_first ? color[k] : std::min(lo[k], color[k]);
+        hi[k] = is_first ? color[k] : std::max(hi[k], color[k]);
+      }
+      most = std::max(most, sampling.bound(sizes, bounds, bounds.bilinear));
+      is_first = false;
+    }
+  }
+  Filtered filtered;
+  for (std::size_t k = 0; k < 4; ++k) {
+    filtered[k].exact = {to_rational(lo[k]), to_rational(hi[k]), true};
+    filtered[k].allowed = {to_rational(lo[k] - most), to_rational(hi[k] + most), true};
   }
   return filtered;
 }

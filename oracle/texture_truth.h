@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cases/contract.h"
@@ -27,6 +28,7 @@
 #include "oracle/rational.h"
 #include "oracle/triangle_truth.h"
 #include "records/enclosure.h"
+#include "records/float_range.h"
 
 namespace rastercheck::oracle {
 
@@ -51,6 +53,12 @@ struct CoordinateSizes {
   Rational t = Rational();
 };
 
+/// Ranges of finite coordinates.
+struct CoordinateRanges {
+  records::FloatRange s;
+  records::FloatRange t;
+};
+
 class TextureTruth {
  public:
   using Color = std::array<std::uint8_t, 4>;
@@ -64,6 +72,17 @@ class TextureTruth {
 
   Filtered bilinear(const Rational& s, const Rational& t, const CoordinateSizes& sizes,
                     const cases::TextureBounds& bounds) const;
+
+  /// The colours that nearest filtering may give anywhere within these coordinates, if each texel
+  /// may be looked up as far off as the bounds allow; each colour once. Empty if more than 4×4
+  /// texels are within.
+  std::vector<Color> nearest_within(const CoordinateRanges& at,
+                                    const cases::PictureBounds& bounds) const;
+
+  /// The colours of bilinear filtering anywhere within these coordinates. Empty if more than 4×4
+  /// squares between texels are within.
+  std::optional<Filtered> bilinear_within(const CoordinateRanges& at, const CoordinateSizes& sizes,
+                                          const cases::TextureBounds& bounds) const;
 
   /// `level` encloses λ; its ends may be infinite.
   Filtered trilinear(const Rational& s, const Rational& t, const records::Enclosure& level,

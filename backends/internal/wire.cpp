@@ -93,6 +93,11 @@ template <typename Archive, cases::Either<cases::BiasPromise> T>
 void members(Archive& archive, T& b) {
   archive(b.slope, b.unit, b.exponent);
 }
+template <typename Archive, cases::Either<cases::PictureBounds> T>
+void members(Archive& archive, T& b) {
+  archive(b.keeps_fragments, b.resolves_to_mean, b.has_fine_differences, b.float_error,
+          b.byte_store, b.byte_blend, b.texel_share, b.texel_distance);
+}
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
   archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.conservative, c.guard_band,
@@ -101,7 +106,7 @@ void members(Archive& archive, T& c) {
           c.clip_error, c.viewport_error, c.depth_format, c.depth_store, c.depth_bias, c.claims,
           c.bounds, c.keeps_equal_depth, c.keeps_constants, c.keeps_sign_of_zero, c.is_invariant,
           c.keeps_vertex_values, c.derivative_bound, c.transform_bound, c.normal_bound,
-          c.quad_share, c.texture_bounds, c.triangles);
+          c.quad_share, c.texture_bounds, c.picture_bounds, c.triangles);
 }
 template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
@@ -134,7 +139,8 @@ void members(Archive& archive, T& d) {
 }
 template <typename Archive, cases::Either<ApiLimits> T>
 void members(Archive& archive, T& l) {
-  archive(l.subpixel_bits, l.is_software, l.viewport_subpixel_bits);
+  archive(l.subpixel_bits, l.is_software, l.viewport_subpixel_bits, l.subtexel_bits,
+          l.has_fine_differences);
 }
 template <typename Archive, cases::Either<cases::Capabilities> T>
 void members(Archive& archive, T& c) {
@@ -352,6 +358,11 @@ bool has_meaning(const cases::Contract& c) {
     const cases::TextureBounds& bounds = *c.texture_bounds;
     sizes.insert(sizes.end(), {bounds.coordinate_share, bounds.coordinate_constant, bounds.bilinear,
                                bounds.trilinear, bounds.derivative_share});
+  }
+  if (c.picture_bounds) {
+    const cases::PictureBounds& bounds = *c.picture_bounds;
+    sizes.insert(sizes.end(), {bounds.float_error, bounds.byte_store, bounds.byte_blend,
+                               bounds.texel_share, bounds.texel_distance});
   }
   if (!std::all_of(sizes.begin(), sizes.end(), [](double size) { return size >= 0; })) return false;
   if (c.sample_position) {

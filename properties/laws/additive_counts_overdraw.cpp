@@ -65,6 +65,7 @@ class OverdrawCheck {
   OverdrawCheck(const cases::Case& c, const cases::Contract& contract,
                 const cases::Picture& picture)
       : case_(&c),
+        bounds_(contract.picture_bounds.value_or(cases::PictureBounds{})),
         scene_(c, contract),
         picture_(&picture),
         overdraw_(picture.depth.size()),
@@ -105,7 +106,7 @@ class OverdrawCheck {
 
   void compare(std::size_t at) {
     const Overdraw& overdraw = overdraw_[at];
-    const float sum = picture_->color[at];
+    const float sum = counted(picture_->color[at]);
     const auto least = static_cast<float>(overdraw.required);
     const float most = static_cast<float>(overdraw.required + overdraw.permitted);
     if (most > 1) tally_.label("overdraw");
@@ -120,6 +121,14 @@ class OverdrawCheck {
     }
     if (found == FragmentClass::correct) return tally_.pass(AttributeKind::coverage);
     report(at, found, sum);
+  }
+
+  /// The number of ones whose sum a colour is, if each addition may be off by float_error of what
+  /// it adds; else the colour itself.
+  float counted(float color) const {
+    const float count = std::round(color);
+    const float error = bounds_.float_error * 0x1p-24F * count * count;
+    return std::abs(color - count) <= error ? count : color;
   }
 
   void report(std::size_t at, FragmentClass found, float sum) {
@@ -138,6 +147,7 @@ class OverdrawCheck {
   }
 
   const cases::Case* case_;
+  cases::PictureBounds bounds_;
   oracle::SceneTruth scene_;
   const cases::Picture* picture_;
   std::vector<Overdraw> overdraw_;  ///< [y][x][sample]

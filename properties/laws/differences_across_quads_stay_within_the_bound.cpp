@@ -14,19 +14,30 @@
 // a helper pixel need not have a centroid; noperspective values with some w <= 0; and contracts
 // that allow several placements.
 //
+// The APIs define dFdx and dFdy by the values that a shader is given, and hardly bound these at
+// helper pixels. So a driver's differences (cases::PictureBounds) are held against the values that
+// it draws itself: at two pixels of a quad that the same triangle covers, the difference is that of
+// the two drawn values. Triangles that may be clipped are left out, as a driver may draw them in
+// pieces with planes of their own, and so are several samples.
+//
 // x or y is chosen at random (choices.h). Without depth test and blending, the last triangle drawn
 // is visible. Samples: some of the drawn samples at which the last triangle is required; up to half
 // of the checked samples lie beside a sample that was not drawn. Only backends that draw pictures
-// and promise a bound are judged.
+// and promise a bound, or pictures of the fragments that they draw, are judged.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "oracle/judged_number.h"
 #include "properties/choices.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/seen_triangles.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/random_state.h"
@@ -151,8 +162,133 @@ class DifferencesCheck {
   Tally tally_;
 };
 
+/// The fragments of a triangle, by pixel.
+using Pixels = std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
+
+/// Compares differences with those of the values that the backend itself draws.
+class DrawnDifferencesCheck {
+ public:
+  DrawnDifferencesCheck(const cases::Case& c, const backends::Drawn& drawn, WindowAxis axis,
+                        const cases::Picture& picture)
+      : case_(&c),
+        bounds_(*drawn.contract.picture_bounds),
+        axis_(axis),
+        scene_(c, drawn.contract),
+        fragments_(&drawn.fragments),
+        picture_(&picture),
+        drawn_(c.triangles.size()),
+        tally_(c) {
+    for (std::size_t i = 0; i < fragments_->size(); ++i) {
+      const cases::SamplePlace place = fragments_->place_of(i);
+      if (!is_of_case(c, place)) continue;
+      drawn_[place.triangle][{place.x, place.y}] = i;
+      std::uint32_t& last = last_[{place.x, place.y}];
+      last = std::max(last, place.triangle);
+    }
+  }
+
+  Check run() {
+    tally_.label(axis_ == WindowAxis::x ? "along x" : "along y");
+    std::vector<std::size_t> judged;
+    for (const auto& [pixel, triangle] : last_) {
+      const Pixels& pixels = drawn_[triangle];
+      if (pixels.contains(across(pixel, axis_))) judged.push_back(pixels.at(pixel));
+    }
+    for (const std::size_t i : some_of(judged, kMostSamples)) check_fragment(i);
+    return tally_.finish();
+  }
+
+ private:
+  using Pixel = std::pair<std::uint32_t, std::uint32_t>;
+
+  static Pixel across(Pixel pixel, WindowAxis axis) {
+    (axis == WindowAxis::x ? pixel.first : pixel.second) ^= 1U;
+    return pixel;
+  }
+
+  void check_fragment(std::size_t i) {
+    const cases::SamplePlace place = fragments_->place_of(i);
+    if (!oracle::TriangleTruth(scene_, place.triangle).has_certain_orientation()) {
+      return tally_.label("may be clipped");
+    }
+    const Pixel own{place.x, place.y};
+    std::vector<Pixel> permitted{own};
+    if (!bounds_.has_fine_differences) {
+      const Pixels& pixels = drawn_[place.triangle];
+      const Pixel other = across(own, axis_ == WindowAxis::x ? WindowAxis::y : WindowAxis::x);
+      if (!pixels.contains(other) || !pixels.contains(across(other, axis_))) {
+        return tally_.label("the quad's other pixels are not drawn");
+      }
+      permitted.push_back(other);
+    }
+    tally_.pass_required(place.triangle);
+    for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
+      check_difference(place, a, permitted);
+    }
+  }
+
+  void check_difference(const cases::SamplePlace& place, std::uint32_t attribute,
+                        const std::vector<Pixel>& permitted) {
+    const float computed =
+        picture_->color[index_at(*picture_, place) * picture_->channels + attribute];
+    const AttributeKind kind = records::kind_of(case_->attributes[attribute].interpolation);
+    double expected = 0;
+    for (const Pixel& pixel : permitted) {
+      const double here = value_at(place.triangle, pixel, attribute);
+      const double there = value_at(place.triangle, across(pixel, axis_), attribute);
+      const bool is_odd = ((axis_ == WindowAxis::x ? pixel.first : pixel.second) & 1U) != 0;
+      expected = is_odd ? here - there : there - here;
+      const double size = std::abs(here) + std::abs(there);
+      const bool is_float = size <= std::numeric_limits<float>::max();
+      const double error =
+          double{bounds_.float_error} * 0x1p-24 * size + std::numeric_limits<float>::min();
+      // Differences of numbers beyond float32 may be anything.
+      if (!is_float || std::abs(double{computed} - expected) <= error) return tally_.pass(kind);
+    }
+    tally_.report(violation_at(
+        place, class_of_wrong(computed, FragmentClass::beyond_bound),
+        value_text(static_cast<float>(expected)),
+        fmt::format("the difference along window {} of two values that the backend draws",
+                    axis_ == WindowAxis::x ? "x" : "y"),
+        {kind, attribute, computed}));
+  }
+
+  double value_at(std::uint32_t triangle, const Pixel& pixel, std::uint32_t attribute) {
+    return double{fragments_->attributes_of(drawn_[triangle].at(pixel))[attribute]};
+  }
+
+  const cases::Case* case_;
+  cases::PictureBounds bounds_;
+  WindowAxis axis_;
+  oracle::SceneTruth scene_;
+  const cases::Fragments* fragments_;
+  const cases::Picture* picture_;
+  std::vector<Pixels> drawn_;            ///< [triangle]
+  std::map<Pixel, std::uint32_t> last_;  ///< the last triangle drawn at a pixel
+  Tally tally_;
+};
+
+/// True if the backend's differences are held against the values that it draws.
+bool are_of_drawn_values(backends::Backend& backend) {
+  const std::optional<cases::PictureBounds> bounds = backend.contract({}).picture_bounds;
+  return bounds && bounds->keeps_fragments;
+}
+
 bool is_promised(backends::Backend& backend) {
-  return backend.picture_drawer() != nullptr && backend.contract({}).quad_share.has_value();
+  return backend.picture_drawer() != nullptr &&
+         (backend.contract({}).quad_share.has_value() || are_of_drawn_values(backend));
+}
+
+Result<Check> check_drawn(const cases::ClipCase& clip, WindowAxis axis,
+                          backends::Backend& backend) {
+  if (clip.framebuffer.samples > 1) return not_applicable("a driver's pixels have one sample");
+  cases::Pipeline pipeline = pipeline_of(axis);
+  pipeline.clear_depth = 1;
+  const Result<backends::Drawn> drawn = draw_promised(clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
+  if (!picture) return tl::unexpected(picture.error());
+  return DrawnDifferencesCheck(clip, *drawn, axis, *picture).run();
 }
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
@@ -163,6 +299,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   clip.depth_test = cases::DepthTest::none;
   Choices choices(choices_of(clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
+  if (!backend.contract({}).quad_share) return check_drawn(clip, axis, backend);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline_of(axis));
   if (!picture) return tl::unexpected(picture.error());
   return DifferencesCheck(clip, backend.contract(clip), axis, *picture).run();

@@ -13,11 +13,15 @@
 // The coordinates are the first two attributes.
 //
 // Samples: some of those at which both coordinates of every fragment have a single exact value.
-// Depths and colours must agree to the bit. Only backends that draw pictures are judged.
+// Depths and colours must agree to the bit. A driver's coordinates are in a range: all texels
+// within must have one colour, and an alpha that no permitted error takes across the limit; its
+// colours must be within its bounds (cases::PictureBounds). Only backends that draw pictures, of
+// the fragments that they draw, are judged.
 
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -66,6 +70,7 @@ class DiscardCheck {
                const cases::Pipeline& pipeline, const cases::Fragments& fragments,
                const cases::Picture& picture)
       : case_(&c),
+        bounds_(contract.picture_bounds),
         seen_(c, contract),
         pipeline_(&pipeline),
         truth_(*pipeline.texturing),
@@ -114,12 +119,12 @@ class DiscardCheck {
                                    .judge(static_cast<int>(place.x), static_cast<int>(place.y),
                                           static_cast<int>(place.sample))
                                    .verdict != records::Verdict::forbidden;
-      const auto exact = is_required ? exact_coordinates(truth, place) : std::nullopt;
-      if (!exact) {
+      const auto color = is_required ? color_at(truth, place) : std::nullopt;
+      if (!color) {
         tally_.label("no one coordinate");
         return false;
       }
-      colors.push_back(truth_.nearest(exact->s, exact->t));
+      colors.push_back(*color);
     }
     for (std::size_t k = 0; k < fragments.size(); ++k) {
       tally_.see(fragments_->triangle[fragments[k]]);
@@ -132,6 +137,27 @@ class DiscardCheck {
     if (fragments.size() > 1) tally_.label("overdraw");
     return true;
   }
+
+  /// The only colour that a fragment may have; empty if it may have several, or if its alpha may
+  /// be on either side of the limit.
+  std::optional<TextureTruth::Color> color_at(const oracle::TriangleTruth& truth,
+                                              const cases::SamplePlace& place) const {
+    if (!bounds_) {
+      const auto exact = exact_coordinates(truth, place);
+      return exact ? std::optional(truth_.nearest(exact->s, exact->t)) : std::nullopt;
+    }
+    const auto permitted = permitted_coordinates(truth, place);
+    if (!permitted) return std::nullopt;
+    const std::vector<TextureTruth::Color> colors = truth_.nearest_within(*permitted, *bounds_);
+    if (colors.size() != 1) return std::nullopt;
+    const double alpha = colors.front().back() / 255.0;
+    const double limit{*pipeline_->texturing->discard_below};
+    if (std::abs(alpha - limit) <= color_error()) return std::nullopt;
+    return colors.front();
+  }
+
+  /// How far a texel's colour k/255 may be off in a driver's float32.
+  double color_error() const { return (double{bounds_->float_error} + 1) * 0x1p-24; }
 
   void add_kept(std::size_t i, const TextureTruth::Color& color) {
     kept_.triangle.push_back(fragments_->triangle[i]);
@@ -149,24 +175,44 @@ class DiscardCheck {
     colored.attributes.assign(kChannels, {});
     cases::Pipeline untextured = *pipeline_;
     untextured.texturing.reset();
-    const cases::Picture expected = picture_of(colored, kept_, untextured);
+    PictureRange expected = range_of(colored, kept_, untextured, bounds_);
+    if (bounds_ && pipeline_->format == cases::ColorFormat::float32) widen(expected);
     for (const std::size_t at : judged) {
       ++tally_.counts().required;
       tally_.pass(AttributeKind::coverage);
-      compare_number(at, std::nullopt, expected.depth[at], picture_->depth[at]);
+      const float depth = expected.least.depth[at];
+      compare_number(at, std::nullopt, is_same(depth, picture_->depth[at]), depth,
+                     picture_->depth[at]);
       for (std::uint32_t channel = 0; channel < kChannels; ++channel) {
         const std::size_t index = at * kChannels + channel;
-        compare_number(at, channel, expected.color[index], picture_->color[index]);
+        const float color = picture_->color[index];
+        compare_number(at, channel, expected.has_color(index, color), expected.least.color[index],
+                       color);
       }
     }
   }
 
-  void compare_number(std::size_t at, std::optional<std::uint32_t> channel, float expected,
-                      float actual) {
+  /// Adds the errors of texels' colours. Each of a sample's fragments changes a colour by at most
+  /// twice its own error and once that of its alpha, as colours lie in [0, 1]; additive blending
+  /// changes it by less.
+  void widen(PictureRange& range) const {
+    std::vector<float> errors(range.least.depth.size());
+    const auto one = static_cast<float>(3 * color_error());
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      errors[index_at(range.least, kept_.place_of(i))] += one;
+    }
+    for (std::size_t i = 0; i < range.least.color.size(); ++i) {
+      range.least.color[i] -= errors[i / kChannels];
+      range.greatest.color[i] += errors[i / kChannels];
+    }
+  }
+
+  void compare_number(std::size_t at, std::optional<std::uint32_t> channel, bool is_permitted,
+                      float expected, float actual) {
     const AttributeKind kind = channel
                                    ? records::kind_of(case_->attributes[*channel % 2].interpolation)
                                    : AttributeKind::depth;
-    if (is_same(expected, actual)) return tally_.pass(kind);
+    if (is_permitted) return tally_.pass(kind);
     const cases::Texturing& texturing = *pipeline_->texturing;
     const std::string what = channel ? fmt::format("channel {}", *channel) : "the depth";
     const auto attribute = channel ? std::optional(*channel % 2) : std::nullopt;
@@ -179,6 +225,7 @@ class DiscardCheck {
   }
 
   const cases::Case* case_;
+  std::optional<cases::PictureBounds> bounds_;
   SeenTriangles seen_;
   const cases::Pipeline* pipeline_;
   TextureTruth truth_;
@@ -190,8 +237,10 @@ class DiscardCheck {
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2)
-    return not_applicable("the backend draws no pictures, or the case has no texture coordinates");
+  if (!keeps_fragments_in_pictures(backend) || clip.attributes.size() < 2)
+    return not_applicable(
+        "the backend promises no pictures of its fragments, or the case has no texture "
+        "coordinates");
   clip.depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<backends::Drawn> fragments = draw_promised(clip, backend);
@@ -213,12 +262,12 @@ const LawRegistration kRegistration(
      .sentence = "discarding draws what keeping the kept texels draws",
      .reason = "A discarded fragment leaves neither colour nor depth, and which texel a fragment "
                "has is exact.",
-     .exceptions = "fragments whose coordinates the contract leaves in a range; backends that draw "
-                   "no pictures",
+     .exceptions = "fragments that may have several texels; backends that draw no pictures, or "
+                   "pictures of other fragments than they draw",
      .generate = &generate,
      .check = &check,
-     .is_promised = &draws_pictures,
-     .unpromised = "the backend draws no pictures",
+     .is_promised = &keeps_fragments_in_pictures,
+     .unpromised = "the backend draws no pictures, or pictures of other fragments than it draws",
      .covers = {cover(5, "clipped"), cover(38, "discarded"), cover(7, "exactly the limit"),
                 cover(38, "kept"), cover(30, "overdraw"), cover(15, "several samples")}});
 

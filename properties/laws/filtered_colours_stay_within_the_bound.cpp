@@ -8,6 +8,10 @@
 // contract allows. That gives an enclosure of the level and so a range of colours, to which the
 // bound is added.
 //
+// A driver's contract leaves its coordinates in a range: the colour may be that of any of them.
+// Drivers are asked for bilinear filtering only, as their levels of detail follow differences
+// across quads, which the APIs hardly bound.
+//
 // The texture's size, wrap modes and filter are random (choices.h); texels are noise, much of it
 // black and white. The coordinates are the first two attributes.
 //
@@ -20,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "oracle/texture_truth.h"
 #include "properties/choices.h"
@@ -40,12 +45,13 @@ using records::FragmentClass;
 /// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 16;
 
-cases::Pipeline pipeline_of(const cases::Case& c) {
+cases::Pipeline pipeline_of(const cases::Case& c, bool has_levels) {
   Choices choices(choices_of(c));
   cases::Pipeline pipeline;
   pipeline.depth_function = cases::DepthFunction::always;
   pipeline.texturing = texturing_of(choices, &noise_byte);
   pipeline.texturing->filter = choices.pick(std::array{Filter::bilinear, Filter::trilinear});
+  if (!has_levels) pipeline.texturing->filter = Filter::bilinear;
   return pipeline;
 }
 
@@ -70,6 +76,7 @@ class FilterCheck {
               const cases::Texturing& texturing, const cases::Picture& picture)
       : case_(&c),
         bounds_(*contract.texture_bounds),
+        is_in_range_(contract.picture_bounds.has_value()),
         seen_(c, contract),
         texturing_(&texturing),
         truth_(texturing),
@@ -88,6 +95,7 @@ class FilterCheck {
     const auto place = seen_.find(*picture_, at);
     if (!place) return;
     const oracle::TriangleTruth& truth = seen_.truth(place->triangle);
+    if (is_in_range_) return check_within(at, *place, truth);
     const auto exact = exact_coordinates(truth, *place);
     if (!exact) return tally_.label("no one coordinate");
     const auto filtered = filter(*exact, truth, *place);
@@ -95,7 +103,24 @@ class FilterCheck {
     tally_.pass_required(place->triangle);
     for (std::uint32_t channel = 0; channel < filtered->size(); ++channel) {
       const float actual = picture_->color[at * filtered->size() + channel];
-      compare(*place, channel, (*filtered)[channel], actual, *exact);
+      compare(*place, channel, (*filtered)[channel], actual,
+              fmt::format("s = {}, t = {}", exact->s.to_string(), exact->t.to_string()));
+    }
+  }
+
+  /// Checks a colour of a driver.
+  void check_within(std::size_t at, const cases::SamplePlace& place,
+                    const oracle::TriangleTruth& truth) {
+    const auto permitted = permitted_coordinates(truth, place);
+    const auto filtered =
+        permitted ? truth_.bilinear_within(*permitted, greatest_, bounds_) : std::nullopt;
+    if (!filtered) return tally_.label("no one coordinate");
+    tally_.pass_required(place.triangle);
+    for (std::uint32_t channel = 0; channel < filtered->size(); ++channel) {
+      const float actual = picture_->color[at * filtered->size() + channel];
+      compare(place, channel, (*filtered)[channel], actual,
+              fmt::format("s from {} to {}, t from {} to {}", permitted->s.least,
+                          permitted->s.greatest, permitted->t.least, permitted->t.greatest));
     }
   }
 
@@ -129,22 +154,22 @@ class FilterCheck {
   }
 
   void compare(const cases::SamplePlace& place, std::uint32_t channel,
-               const oracle::FilteredChannel& filtered, float actual, const Coordinates& at) {
+               const oracle::FilteredChannel& filtered, float actual, const std::string& where) {
     const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
     if (is_within(filtered.allowed, actual)) return tally_.pass(kind);
     tally_.report(violation_at(
         place, class_of_wrong(actual, FragmentClass::beyond_bound),
         oracle::to_string(filtered.exact),
-        fmt::format("channel {} of a {}×{} texture, {}, at s = {}, t = {}; allowed is {} to {}",
-                    channel, texturing_->texture.width, texturing_->texture.height,
-                    texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear",
-                    at.s.to_string(), at.t.to_string(), filtered.allowed.lo.enclosure().lo,
-                    filtered.allowed.hi.enclosure().hi),
+        fmt::format("channel {} of a {}×{} texture, {}, at {}; allowed is {} to {}", channel,
+                    texturing_->texture.width, texturing_->texture.height,
+                    texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear", where,
+                    filtered.allowed.lo.enclosure().lo, filtered.allowed.hi.enclosure().hi),
         {kind, channel % 2, actual}));
   }
 
   const cases::Case* case_;
   cases::TextureBounds bounds_;
+  bool is_in_range_;  ///< the contract leaves coordinates in a range
   SeenTriangles seen_;
   const cases::Texturing* texturing_;
   TextureTruth truth_;
@@ -162,10 +187,11 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   if (!is_promised(backend) || clip.attributes.size() < 2)
     return not_applicable(
         "the backend promises no filtering, or the case has no texture coordinates");
-  const cases::Pipeline pipeline = pipeline_of(clip);
+  const cases::Contract contract = backend.contract(clip);
+  const cases::Pipeline pipeline = pipeline_of(clip, !contract.picture_bounds.has_value());
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return FilterCheck(clip, backend.contract(clip), *pipeline.texturing, *picture).run();
+  return FilterCheck(clip, contract, *pipeline.texturing, *picture).run();
 }
 
 const LawRegistration kRegistration(

@@ -11,16 +11,22 @@
 // picture's format; the coordinates are the first two attributes. Without depth test and blending,
 // the last triangle drawn is visible.
 //
+// A driver's contract leaves its coordinates in a range, and lets it look up texels somewhat off
+// (cases::PictureBounds). Its colour must be that of one of the texels within.
+//
 // Samples: some of the drawn samples at which the last triangle is required and both coordinates
-// have a single exact value. That excludes noperspective coordinates of triangles with some w <= 0,
-// centroids whose place is open, and values that the contract leaves in a range. Only backends that
+// have a single exact value or, for a driver, permit few texels. That excludes noperspective
+// coordinates of triangles with some w <= 0 and centroids whose place is open. Only backends that
 // draw pictures are judged.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "oracle/texture_truth.h"
 #include "properties/choices.h"
@@ -70,12 +76,14 @@ std::string text_of(const TextureTruth::Color& color) {
 
 class TexelCheck {
  public:
-  TexelCheck(const cases::Case& c, const cases::Contract& contract,
-             const cases::Texturing& texturing, const cases::Picture& picture)
+  TexelCheck(const cases::Case& c, const cases::Contract& contract, const cases::Pipeline& pipeline,
+             const cases::Picture& picture)
       : case_(&c),
+        bounds_(contract.picture_bounds),
+        color_error_(bounds_ ? color_error(*bounds_, pipeline.format) : 0),
         seen_(c, contract),
-        texturing_(&texturing),
-        truth_(texturing),
+        texturing_(&*pipeline.texturing),
+        truth_(*pipeline.texturing),
         picture_(&picture),
         tally_(c) {}
 
@@ -89,12 +97,49 @@ class TexelCheck {
     const auto place = seen_.find(*picture_, at);
     if (!place) return;
     const oracle::TriangleTruth& truth = seen_.truth(place->triangle);
+    if (bounds_) return check_within(at, *place, truth);
     const auto exact = exact_coordinates(truth, *place);
     if (!exact) return tally_.label("no one coordinate");
     tally_.pass_required(place->triangle);
     add_labels(exact->s, texturing_->texture.width, texturing_->wrap_s);
     add_labels(exact->t, texturing_->texture.height, texturing_->wrap_t);
     compare(at, *place, *exact);
+  }
+
+  /// Checks a colour of a driver.
+  void check_within(std::size_t at, const cases::SamplePlace& place,
+                    const oracle::TriangleTruth& truth) {
+    const auto permitted = permitted_coordinates(truth, place);
+    if (!permitted) return tally_.label("no one coordinate");
+    const std::vector<TextureTruth::Color> colors = truth_.nearest_within(*permitted, *bounds_);
+    if (colors.empty()) return tally_.label("no one coordinate");
+    tally_.pass_required(place.triangle);
+    tally_.label(colors.size() == 1 ? "one texel" : "one of several texels");
+    const float* const drawn = &picture_->color[at * colors.front().size()];
+    const bool is_permitted =
+        std::any_of(colors.begin(), colors.end(), [&](const TextureTruth::Color& color) {
+          return std::equal(color.begin(), color.end(), drawn, [&](std::uint8_t byte, float value) {
+            return std::abs(double{value} - byte / 255.0) <= color_error_;
+          });
+        });
+    if (is_permitted) return tally_.pass(kind_of(*case_, 0));
+    records::Violation violation = violation_at(
+        place, class_of_wrong(drawn[0], FragmentClass::beyond_bound), text_of(colors.front()),
+        fmt::format("or {} others; a {}×{} texture, s from {} to {}, t from {} to {}",
+                    colors.size() - 1, texturing_->texture.width, texturing_->texture.height,
+                    permitted->s.least, permitted->s.greatest, permitted->t.least,
+                    permitted->t.greatest),
+        {kind_of(*case_, 0), 0, drawn[0]});
+    violation.actual = fmt::format("{}, {} of 255", value_text(drawn[0]), drawn[0] * 255);
+    tally_.report(violation);
+  }
+
+  /// How far a colour k/255 may be off, once it is stored.
+  static double color_error(const cases::PictureBounds& bounds, cases::ColorFormat format) {
+    // The picture's own float is off by at most half a unit of a number up to 1.
+    const double in_float = (double{bounds.float_error} + 1) * 0x1p-24;
+    if (format == cases::ColorFormat::float32) return in_float;
+    return (double{bounds.byte_store} - 0.5) / 255 + in_float;
   }
 
   void add_labels(const oracle::Rational& coordinate, int size, cases::Wrap wrap) {
@@ -130,6 +175,8 @@ class TexelCheck {
   }
 
   const cases::Case* case_;
+  std::optional<cases::PictureBounds> bounds_;
+  double color_error_;  ///< 0 without bounds
   SeenTriangles seen_;
   const cases::Texturing* texturing_;
   TextureTruth truth_;
@@ -144,7 +191,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return TexelCheck(clip, backend.contract(clip), *pipeline.texturing, *picture).run();
+  return TexelCheck(clip, backend.contract(clip), pipeline, *picture).run();
 }
 
 const LawRegistration kRegistration(
@@ -152,7 +199,8 @@ const LawRegistration kRegistration(
      .sentence = "texels are those of the exact coordinates",
      .reason = "A fragment has one s and one t, and ⌊s W⌋ is a whole number with nothing to round.",
      .exceptions =
-         "samples whose coordinates have no single exact value; backends that draw no pictures",
+         "samples whose coordinates have no single exact value and permit many texels; backends "
+         "that draw no pictures",
      .generate = &textured_case,
      .check = &check,
      .is_promised = &draws_pictures,

@@ -149,4 +149,10 @@ Generated overlapping_case(Draw& draw) {
 
 bool draws_pictures(backends::Backend& backend) { return backend.picture_drawer() != nullptr; }
 
+bool keeps_fragments_in_pictures(backends::Backend& backend) {
+  if (!draws_pictures(backend)) return false;
+  const std::optional<cases::PictureBounds> bounds = backend.contract({}).picture_bounds;
+  return !bounds || bounds->keeps_fragments;
+}
+
 }  // namespace rastercheck::properties

@@ -13,4 +13,7 @@ Generated overlapping_case(Draw& draw);
 /// True if a backend draws pictures, as laws about pictures require (Law::is_promised).
 bool draws_pictures(backends::Backend& backend);
 
+/// True if, besides, a picture's fragments are those that the backend draws (cases::PictureBounds).
+bool keeps_fragments_in_pictures(backends::Backend& backend);
+
 }  // namespace rastercheck::properties

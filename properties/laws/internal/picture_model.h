@@ -26,10 +26,16 @@
 // and the sum is divided by their number. The mean of floats is rounded to a float; bytes are added
 // as integers and their mean is rounded to an integer, ties to even. The depth is that of sample 0.
 //
+// Where a backend promises less (cases::PictureBounds), each colour is a range, from the least to
+// the greatest that the bounds allow; a blend's range is that of all colours present.
+//
 // Colours are the attributes. Vertex colours are the first four attributes; if a case has three
 // attributes, the fourth channel is 1. Textures and differences are not modelled.
 
+#include <optional>
+
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "cases/fragments.h"
 #include "cases/picture.h"
 
@@ -44,5 +50,21 @@ bool passes(cases::DepthFunction function, float depth, float present);
 /// exactly four if the pipeline blends `over`. Fragments outside the framebuffer are ignored.
 cases::Picture picture_of(const cases::Case& c, const cases::Fragments& fragments,
                           const cases::Pipeline& pipeline);
+
+/// The least and the greatest picture that a case's fragments may leave; equal if there are no
+/// bounds. Colours beyond float32 are infinite, and NaN if a colour may be.
+struct PictureRange {
+  cases::Picture least;
+  cases::Picture greatest;
+
+  /// True if the colour of that index is promised to be `drawn`. Of two colours that are no
+  /// numbers, either will do; nothing is promised about a range with such an end.
+  bool has_color(std::size_t index, float drawn) const;
+};
+
+/// Like picture_of(), within a backend's bounds.
+PictureRange range_of(const cases::Case& c, const cases::Fragments& fragments,
+                      const cases::Pipeline& pipeline,
+                      const std::optional<cases::PictureBounds>& bounds);
 
 }  // namespace rastercheck::properties

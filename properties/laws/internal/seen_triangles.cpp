@@ -1,6 +1,7 @@
 #include "properties/laws/internal/seen_triangles.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "properties/choices.h"
 
@@ -50,6 +51,19 @@ std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
   const auto s = exact_value(truth, 0, place);
   const auto t = exact_value(truth, 1, place);
   return s && t ? std::optional(Coordinates{*s, *t}) : std::nullopt;
+}
+
+std::optional<oracle::CoordinateRanges> permitted_coordinates(const oracle::TriangleTruth& truth,
+                                                              const cases::SamplePlace& place) {
+  const auto range_of = [&](std::size_t attribute) {
+    auto range = truth.permitted_numbers(attribute, static_cast<int>(place.x),
+                                         static_cast<int>(place.y), static_cast<int>(place.sample));
+    const bool is_finite = range && std::isfinite(range->least) && std::isfinite(range->greatest);
+    return is_finite ? range : std::nullopt;
+  };
+  const auto s = range_of(0);
+  const auto t = range_of(1);
+  return s && t ? std::optional(oracle::CoordinateRanges{*s, *t}) : std::nullopt;
 }
 
 std::vector<std::size_t> some_drawn_samples(const cases::Picture& picture, std::size_t most) {

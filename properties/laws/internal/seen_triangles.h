@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/picture.h"
+#include "oracle/texture_truth.h"
 #include "oracle/triangle_truth.h"
 #include "properties/laws/internal/drawn_fragments.h"
 
@@ -41,6 +42,10 @@ struct Coordinates {
 /// The exact coordinates of a fragment; empty if the rules allow several.
 std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
                                              const cases::SamplePlace& place);
+
+/// The coordinates that the contract permits a fragment; empty if it permits any.
+std::optional<oracle::CoordinateRanges> permitted_coordinates(const oracle::TriangleTruth& truth,
+                                                              const cases::SamplePlace& place);
 
 /// At most `most` evenly spread samples of the picture that have been drawn. A sample with all
 /// channels 0 counts as not drawn. Indices are those of cases::Picture.
