@@ -72,9 +72,7 @@ struct BiasTerms {
   bool is_certain(double rise, double terms) const {
     return terms <= kMostBiasTerms * greatest && rise <= kMostBiasRise * greatest;
   }
-  bool is_deep(double offset) const {
-    return may_leave && !(std::abs(offset) <= greatest);
-  }
+  bool is_deep(double offset) const { return may_leave && !(std::abs(offset) <= greatest); }
   double clamped(double offset) const {
     if (clamp > 0) return std::min(offset, clamp);
     return clamp < 0 ? std::max(offset, clamp) : offset;
