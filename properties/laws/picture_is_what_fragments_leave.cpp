@@ -72,7 +72,7 @@ class PictureCheck {
       if (!triangles_[at].empty()) tally_.pass_required(triangles_[at].front());
       for (const std::uint32_t triangle : triangles_[at]) tally_.see(triangle);
       if (is_same(picture_->depth[at], least.depth[at])) {
-        tally_.pass(AttributeKind::depth);
+        tally_.pass(records::AttributeKind::depth);
       } else {
         report(at, std::nullopt, least.depth[at], "");
       }

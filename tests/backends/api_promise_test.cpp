@@ -95,6 +95,31 @@ TEST(ApiPromise, PromisesNoValuesIfTheAreaMayVanish) {
   EXPECT_TRUE(std::isinf(plane_error(triangle, {.operation = 1e-9, .reach = 0.01}).affine));
 }
 
+TEST(ApiPromise, BoundsPicturesAsTheSpecificationsDo) {
+  cases::Case c = case_of(kPlain);
+  const cases::PictureBounds spec = api_promise(c, {8, true}, kSpec).picture_bounds.value();
+  EXPECT_FALSE(spec.keeps_fragments);
+  EXPECT_FALSE(spec.resolves_to_mean);
+  EXPECT_FALSE(spec.has_fine_differences);
+  EXPECT_EQ(spec.byte_store, 1);  // either neighbour
+  EXPECT_EQ(spec.byte_blend, 4);
+  EXPECT_EQ(spec.texel_distance, 0x1p-4F);
+  EXPECT_NEAR(spec.float_error, 3.03e-5 * 0x1p24, 1);
+
+  const ApiLimits limits{.is_software = true, .subtexel_bits = 8, .has_fine_differences = true};
+  constexpr auto kIeee = cases::DriverPromise::ieee;
+  const cases::PictureBounds ieee = api_promise(c, limits, kIeee).picture_bounds.value();
+  EXPECT_TRUE(ieee.keeps_fragments);
+  EXPECT_TRUE(ieee.resolves_to_mean);
+  EXPECT_TRUE(ieee.has_fine_differences);
+  EXPECT_EQ(ieee.byte_store, 0.6F);
+  EXPECT_EQ(ieee.byte_blend, 2);
+  EXPECT_EQ(ieee.texel_distance, 0x1p-8F);
+  EXPECT_NEAR(ieee.float_error, 3.03, 1e-5);
+  c.framebuffer.samples = 8;  // seven sums and a product
+  EXPECT_NEAR(api_promise(c, limits, kIeee).picture_bounds->float_error, 8.08, 1e-5);
+}
+
 TEST(ApiPromise, DepthBoundFollowsFromThePlaneError) {
   // The error of positions reduces the area only a little: K is 11 · 32²/2 or slightly more.
   const cases::Contract contract = api_promise(case_of(kPlain), kEightBits, kSpec);

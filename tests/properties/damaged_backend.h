@@ -63,6 +63,8 @@ class DamagedBackend : public backends::Backend,
     if (promised) return *promised;
     cases::Contract contract = inner_->promise(c);
     contract.keeps_equal_depth = true;  // true for the simple planes that the tests draw
+    contract.picture_bounds = picture_bounds;
+    if (picture_bounds) contract.quad_share.reset();
     return contract;
   }
   backends::PictureDrawer* picture_drawer() override {
@@ -83,6 +85,8 @@ class DamagedBackend : public backends::Backend,
   }
 
   std::optional<cases::Contract> promised;
+  /// If set, pictures are promised as drivers promise them.
+  std::optional<cases::PictureBounds> picture_bounds;
   OcclusionDamage occlusion_damage;
   TraceDamage trace_damage;
   TransformDamage transform_damage;

@@ -9,6 +9,7 @@
 
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
+#include "tests/properties/laws/driver_bounds.h"
 #include "tests/properties/laws/own_cases.h"
 
 namespace rastercheck::properties::differences_across_quads_stay_within_the_bound_test {
@@ -109,6 +110,36 @@ TEST(QuadDifferences, AreOfBackendsThatPromiseThem) {
   backend.promised->quad_share.reset();
   EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
   EXPECT_FALSE(check_of(kLaw, square(), backend).is_applicable);
+}
+
+TEST(QuadDifferences, OfADriverAreThoseOfTheValuesThatItDraws) {
+  DamagedBackend backend({}, "cpu");
+  backend.picture_bounds = driver_bounds();
+  const FoundInOwnCases found = check_own_cases(kLaw, backend, 200);
+  EXPECT_EQ(found.violated, 0);
+  EXPECT_GT(found.required, 1000U);
+  // Differences with the other sign, and of the quad's other row or column.
+  backend.picture_damage = [](const Pipeline&, Picture& picture) {
+    for (float& color : picture.color) color = -color;
+  };
+  EXPECT_GT(broken(backend), 20);
+  backend.picture_damage = [](const Pipeline& pipeline, Picture& picture) {
+    const auto width = static_cast<std::size_t>(picture.size.width) * picture.channels;
+    const bool is_along_x = pipeline.shading == Shading::differences_along_x;
+    const std::size_t step = is_along_x ? width : picture.channels;
+    const std::vector<float> before = picture.color;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const std::size_t at = is_along_x ? i / width : i % width / picture.channels;
+      const std::size_t other = at % 2 == 0 ? i + step : i - step;
+      const bool is_inside = other < before.size() && (is_along_x || other / width == i / width);
+      if (is_inside) picture.color[i] = before[other];
+    }
+  };
+  EXPECT_GT(broken(backend), 10);
+  backend.picture_bounds->has_fine_differences = false;
+  EXPECT_EQ(broken(backend), 0);
+  backend.picture_bounds->keeps_fragments = false;
+  EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
+#include "tests/properties/laws/driver_bounds.h"
 #include "tests/properties/laws/own_cases.h"
 
 namespace rastercheck::properties::discarding_keeps_the_kept_texels_test {
@@ -60,6 +61,19 @@ TEST(Discarding, ShowsDepthThatWasLeft) {
     }
   };
   EXPECT_GT(check_own_cases(kLaw, backend, 100).violated, 30);
+}
+
+TEST(Discarding, OfADriverKeepsItsBounds) {
+  DamagedBackend backend({}, "cpu");
+  backend.picture_bounds = driver_bounds();
+  const FoundInOwnCases found = check_own_cases(kLaw, backend, 100);
+  EXPECT_EQ(found.violated, 0);
+  EXPECT_GT(found.required, 300U);
+  backend.pipeline_damage = [](Pipeline& pipeline) { pipeline.texturing->discard_below.reset(); };
+  EXPECT_GT(check_own_cases(kLaw, backend, 100).violated, 30);
+  backend.pipeline_damage = {};
+  backend.picture_bounds->keeps_fragments = false;
+  EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
 }
 
 }  // namespace

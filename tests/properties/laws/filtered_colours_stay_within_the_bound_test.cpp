@@ -6,6 +6,7 @@
 
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
+#include "tests/properties/laws/driver_bounds.h"
 #include "tests/properties/laws/own_cases.h"
 
 namespace rastercheck::properties::filtered_colours_stay_within_the_bound_test {
@@ -85,6 +86,20 @@ TEST(FilteredColours, AreJudgedByTheBound) {
   EXPECT_EQ(check.violations[0].place.x, 1U);
   EXPECT_EQ(check.violations[0].place.y, 1U);
   EXPECT_THAT(check.violations[0].note, HasSubstr("at s = 3, t = 1; allowed is "));
+}
+
+TEST(FilteredColours, OfADriverAreThoseOfPermittedCoordinates) {
+  DamagedBackend backend({}, "cpu");
+  backend.picture_bounds = driver_bounds();
+  const FoundInOwnCases found = check_own_cases(kLaw, backend, 100);
+  EXPECT_EQ(found.violated, 0);
+  EXPECT_GT(found.required, 300U);
+  EXPECT_THAT(found.labels(), testing::Contains("bilinear"));
+  EXPECT_THAT(found.labels(), testing::Not(testing::Contains("trilinear")));
+  backend.pipeline_damage = [](Pipeline& pipeline) {
+    pipeline.texturing->filter = Filter::nearest;
+  };
+  EXPECT_GT(check_own_cases(kLaw, backend, 100).violated, 20);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "properties/law.h"
+#include "tests/properties/laws/driver_bounds.h"
 #include "tests/properties/laws/own_cases.h"
 #include "tests/properties/laws/picture_backend.h"
 
@@ -135,6 +136,27 @@ TEST(APicture, OfAnotherShapeIsAnError) {
   const Result<Check> check = check_law(*find_law(kLaw), square(), backend, 0);
   ASSERT_FALSE(check.has_value());
   EXPECT_THAT(check.error().reason, HasSubstr("picture does not have"));
+}
+
+TEST(APicture, OfADriverStaysWithinItsBounds) {
+  PictureBackend backend;
+  backend.picture_bounds = driver_bounds();
+  EXPECT_EQ(broken(backend), 0);
+  backend.picture_damage = [](const Pipeline& pipeline, Picture& picture) {
+    const bool is_rgba8 = pipeline.format == cases::ColorFormat::rgba8;
+    for (float& color : picture.color) {
+      color = is_rgba8 ? color : std::nextafter(color, std::numeric_limits<float>::infinity());
+    }
+  };
+  backend.picture_bounds->float_error = 0;
+  EXPECT_GT(broken(backend), 30);
+  backend.picture_bounds = driver_bounds();
+  backend.picture_damage = [](const Pipeline&, Picture& picture) {
+    for (float& color : picture.color) color = color == 0 ? 0 : color + 5.0F / 255;
+  };
+  EXPECT_GT(broken(backend), 40);
+  backend.picture_bounds->keeps_fragments = false;
+  EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
 }
 
 }  // namespace

@@ -191,5 +191,72 @@ TEST(PictureModel, GivesThreeVertexColoursAnAlphaOfOne) {
   }
 }
 
+cases::PictureBounds bounds_of(float float_error, float byte_store, float byte_blend) {
+  cases::PictureBounds bounds;
+  bounds.float_error = float_error;
+  bounds.byte_store = byte_store;
+  bounds.byte_blend = byte_blend;
+  return bounds;
+}
+
+TEST(PictureRange, OfFloatsGrowsWithTheSizesOfTheirTerms) {
+  cases::Fragments drawn;
+  add(drawn, 0, 0.5F, {1});
+  add(drawn, 1, 0.5F, {-0.5F});
+  const PictureRange range =
+      range_of(pixel(1), drawn, always(Blend::additive), bounds_of(0x1p4F, 0, 0));
+  // 1 is off by 2^-20; the sum's terms are 1 + 2^-20 and 0.5, so it is off by 1.5 · 2^-20 more.
+  EXPECT_NEAR(range.least.color[0], 0.5F - 2.5F * 0x1p-20F, 0x1p-24F);
+  EXPECT_NEAR(range.greatest.color[0], 0.5F + 2.5F * 0x1p-20F, 0x1p-24F);
+  EXPECT_TRUE(range.has_color(0, 0.5F));
+  EXPECT_FALSE(range.has_color(0, 0.5F + 3 * 0x1p-20F));
+  EXPECT_FALSE(range.has_color(0, std::numeric_limits<float>::quiet_NaN()));
+}
+
+TEST(PictureRange, OfBytesHasTheBytesWithinReach) {
+  cases::Fragments drawn;
+  add(drawn, 0, 0.5F, {0.5F, 0, 1, 0.25F});  // 127.5, 0, 255 and 63.75 steps
+  const auto bytes = [&](float reach) {
+    const PictureRange range =
+        range_of(pixel(4), drawn, always(Blend::off, ColorFormat::rgba8), bounds_of(0, reach, 0));
+    std::vector<float> ends;
+    for (std::size_t k = 0; k < 4; ++k) {
+      ends.push_back(range.least.color[k] * 255);
+      ends.push_back(range.greatest.color[k] * 255);
+    }
+    return ends;
+  };
+  EXPECT_THAT(bytes(0.5F), ElementsAre(127, 128, 0, 0, 255, 255, 64, 64));
+  EXPECT_THAT(bytes(1), ElementsAre(127, 128, 0, 1, 254, 255, 63, 64));
+}
+
+TEST(PictureRange, OfABlendTakesInAllThatMayBePresent) {
+  cases::Fragments drawn;
+  add(drawn, 0, 0.5F, {1, 1, 1, 1});
+  add(drawn, 1, 0.5F, {0, 0, 0, 0.5F});
+  const PictureRange range =
+      range_of(pixel(4), drawn, always(Blend::over, ColorFormat::rgba8), bounds_of(0, 0.5F, 2));
+  // First 253 to 255, of 255 over 0 with alpha 1; then half of that, off by 2.
+  EXPECT_EQ(range.least.color[0] * 255, 125);
+  EXPECT_EQ(range.greatest.color[0] * 255, 129);
+}
+
+TEST(PictureRange, OfAResolveIsTheMeanOrAllSamples) {
+  cases::Fragments drawn;
+  for (int sample = 0; sample < 4; ++sample) {
+    add(drawn, 0, 0.5F, {static_cast<float>(sample)}, sample);
+  }
+  Pipeline resolved = always(Blend::off);
+  resolved.resolves = true;
+  cases::PictureBounds bounds;
+  const PictureRange mean = range_of(pixel(1, 4), drawn, resolved, bounds);
+  EXPECT_EQ(mean.least.color[0], 1.5F);
+  EXPECT_EQ(mean.greatest.color[0], 1.5F);
+  bounds.resolves_to_mean = false;
+  const PictureRange any = range_of(pixel(1, 4), drawn, resolved, bounds);
+  EXPECT_EQ(any.least.color[0], 0);
+  EXPECT_EQ(any.greatest.color[0], 3);
+}
+
 }  // namespace
 }  // namespace rastercheck::properties::picture_model_test

@@ -9,6 +9,7 @@
 
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
+#include "tests/properties/laws/driver_bounds.h"
 #include "tests/properties/laws/own_cases.h"
 
 namespace rastercheck::properties::texels_of_exact_coordinates_test {
@@ -92,6 +93,24 @@ TEST(Texels, ShowEveryWrap) {
   EXPECT_GT(swapped(Wrap::repeat, Wrap::mirror), 20);
   EXPECT_GT(swapped(Wrap::mirror, Wrap::repeat), 10);
   EXPECT_GT(swapped(Wrap::clamp, Wrap::repeat), 10);
+}
+
+TEST(Texels, OfADriverAreAmongThosePermitted) {
+  DamagedBackend backend({}, "cpu");
+  backend.picture_bounds = driver_bounds();
+  const FoundInOwnCases found = check_own_cases(kLaw, backend, 100);
+  EXPECT_EQ(found.violated, 0);
+  EXPECT_GT(found.required, 1000U);
+  EXPECT_THAT(found.labels(), testing::IsSupersetOf({"one texel", "one of several texels"}));
+  backend.pipeline_damage = [](Pipeline& pipeline) {
+    std::swap(pipeline.texturing->wrap_s, pipeline.texturing->wrap_t);
+  };
+  EXPECT_GT(check_own_cases(kLaw, backend, 100).violated, 10);
+  backend.pipeline_damage = {};
+  backend.picture_damage = [](const Pipeline&, Picture& picture) {
+    for (float& color : picture.color) color += color == 0 ? 0 : 0x1p-20F;
+  };
+  EXPECT_GT(check_own_cases(kLaw, backend, 100).violated, 50);
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "cases/contract.h"
+
+namespace rastercheck::properties {
+
+/// Bounds of pictures as a driver has them.
+inline cases::PictureBounds driver_bounds() {
+  cases::PictureBounds bounds;
+  bounds.float_error = 3;
+  bounds.byte_store = 0.6F;
+  bounds.byte_blend = 2;
+  bounds.texel_distance = 0x1p-8F;
+  return bounds;
+}
+
+}  // namespace rastercheck::properties
