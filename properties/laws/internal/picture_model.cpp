@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "properties/laws/internal/drawn_fragments.h"
+
 namespace rastercheck::properties {
 namespace {
 
