@@ -95,7 +95,8 @@ struct TextureBounds {
 /// a backend that does not promise these to the bit.
 struct PictureBounds {
   /// True if a picture's fragments have the depths and attributes that the backend draws as
-  /// fragments of the same case, to the bit.
+  /// fragments of the same case, to the bit. A contract of a case may have false where that of
+  /// another has true.
   bool keeps_fragments = true;
   /// True if a resolved colour is the mean of a pixel's samples; else it is anywhere between the
   /// least and the greatest of them.
@@ -108,9 +109,10 @@ struct PictureBounds {
   /// a quad likewise; and of a texel's colour k/255, in units of 2^-24.
   float float_error = 0;
   /// The largest distance between a colour times 255 and the byte that it is stored as: without and
-  /// with blending. Of the mean of bytes: byte_store.
+  /// with blending, and as the mean of a pixel's samples.
   float byte_store = 0.5F;
   float byte_blend = 0.5F;
+  float byte_mean = 0.5F;
   /// How far from its coordinates a texel may be looked up, along either axis: a share of the
   /// distance from coordinate 0, and a distance in texels. In addition, each coordinate may have
   /// any value that the contract permits it.

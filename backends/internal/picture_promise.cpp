@@ -14,8 +14,9 @@
 // and 1/2 on the way to a blend, as arithmetic in 8 bits is arithmetic of whole bytes.
 //
 // Resolve. OpenGL 4.6, 18.3.1, leaves open how the samples of a pixel become one; each
-// implementation that is known takes their mean, which `ieee` asks for: n − 1 sums and a product,
-// nδ of the summed sizes over n.
+// implementation that is known takes their mean, which `ieee` asks for: in float32 n − 1 sums and a
+// product, nδ of the summed sizes over n; in 8 bits, means of two samples, of two such means and so
+// on may each be rounded by 1/2, in all log2(n)/2.
 //
 // Texels. OpenGL 4.6, 8.14, and Vulkan 1.3, "Texel Coordinate Systems": s W takes one operation and
 // may be rounded to a fixed-point number of the implementation's bits, at least 4 in Vulkan
@@ -26,7 +27,8 @@
 //
 // Fragments. That a picture shows the values that a program with other outputs draws, and that
 // differences across quads are those of these values, follows from no specification. Drivers that
-// draw on the processor do so, which `ieee` asks for.
+// draw on the processor do so, which `ieee` asks for; but of several samples, the centroid may be
+// that of those samples that are left after a depth test.
 
 #include "backends/internal/picture_promise.h"
 
@@ -52,21 +54,32 @@ float no_less(double number) {
              : std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
 
+bool has_open_centroids(const cases::Case& c) {
+  return c.framebuffer.samples > 1 &&
+         std::any_of(c.attributes.begin(), c.attributes.end(), [](const cases::Attribute& a) {
+           return a.location == cases::Location::centroid &&
+                  a.interpolation != cases::Interpolation::flat;
+         });
+}
+
 }  // namespace
 
 void promise_pictures(const cases::Case& c, const ApiLimits& limits, cases::DriverPromise promised,
                       double operation, cases::Contract& contract) {
   const bool is_ieee = promised == cases::DriverPromise::ieee;
   const double operations = std::max(kBlending, static_cast<double>(c.framebuffer.samples));
+  const float byte_store = is_ieee ? kNearestOfDirect3D : 1.0F;
   const double texel = std::ldexp(1.0, -limits.subtexel_bits);
-  contract.picture_bounds = {.keeps_fragments = is_ieee,
-                             .resolves_to_mean = is_ieee,
-                             .has_fine_differences = limits.has_fine_differences,
-                             .float_error = no_less(kRest * operations * operation * kUnit),
-                             .byte_store = is_ieee ? kNearestOfDirect3D : 1.0F,
-                             .byte_blend = is_ieee ? 2.0F : 4.0F,
-                             .texel_share = no_less(kRest * operation),
-                             .texel_distance = no_less(texel)};
+  contract.picture_bounds = {
+      .keeps_fragments = is_ieee && !has_open_centroids(c),
+      .resolves_to_mean = is_ieee,
+      .has_fine_differences = limits.has_fine_differences,
+      .float_error = no_less(kRest * operations * operation * kUnit),
+      .byte_store = byte_store,
+      .byte_blend = is_ieee ? 2.0F : 4.0F,
+      .byte_mean = std::max(byte_store, no_less(std::log2(c.framebuffer.samples) / 2)),
+      .texel_share = no_less(kRest * operation),
+      .texel_distance = no_less(texel)};
   contract.texture_bounds = {
       .coordinate_share = no_less(kRest * operation),
       .bilinear = no_less(kRest * (2 * texel + 3 / kSteps + 2 * operation) * kUnit)};

@@ -96,7 +96,7 @@ void members(Archive& archive, T& b) {
 template <typename Archive, cases::Either<cases::PictureBounds> T>
 void members(Archive& archive, T& b) {
   archive(b.keeps_fragments, b.resolves_to_mean, b.has_fine_differences, b.float_error,
-          b.byte_store, b.byte_blend, b.texel_share, b.texel_distance);
+          b.byte_store, b.byte_blend, b.byte_mean, b.texel_share, b.texel_distance);
 }
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
@@ -362,7 +362,7 @@ bool has_meaning(const cases::Contract& c) {
   if (c.picture_bounds) {
     const cases::PictureBounds& bounds = *c.picture_bounds;
     sizes.insert(sizes.end(), {bounds.float_error, bounds.byte_store, bounds.byte_blend,
-                               bounds.texel_share, bounds.texel_distance});
+                               bounds.byte_mean, bounds.texel_share, bounds.texel_distance});
   }
   if (!std::all_of(sizes.begin(), sizes.end(), [](double size) { return size >= 0; })) return false;
   if (c.sample_position) {

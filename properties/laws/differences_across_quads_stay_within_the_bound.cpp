@@ -38,6 +38,7 @@
 #include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/seen_triangles.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/random_state.h"
@@ -173,7 +174,6 @@ class DrawnDifferencesCheck {
       : case_(&c),
         bounds_(*drawn.contract.picture_bounds),
         axis_(axis),
-        scene_(c, drawn.contract),
         fragments_(&drawn.fragments),
         picture_(&picture),
         drawn_(c.triangles.size()),
@@ -206,11 +206,24 @@ class DrawnDifferencesCheck {
     return pixel;
   }
 
+  /// True if a vertex is outside the view volume or a clip plane.
+  bool may_be_cut(std::uint32_t triangle) const {
+    const auto is_outside = [&](std::uint32_t vertex) {
+      const cases::ClipVertex& p = case_->positions[vertex];
+      const float nearest = case_->rules == cases::Rules::opengl ? -p.w : 0;
+      const bool is_inside =
+          p.w > 0 && std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && p.z >= nearest && p.z <= p.w;
+      const auto distances = case_->clip_distances_of(vertex);
+      return !is_inside ||
+             std::any_of(distances.begin(), distances.end(), [](float d) { return !(d >= 0); });
+    };
+    const cases::Triangle& corners = case_->triangles[triangle];
+    return std::any_of(corners.begin(), corners.end(), is_outside);
+  }
+
   void check_fragment(std::size_t i) {
     const cases::SamplePlace place = fragments_->place_of(i);
-    if (!oracle::TriangleTruth(scene_, place.triangle).has_certain_orientation()) {
-      return tally_.label("may be clipped");
-    }
+    if (may_be_cut(place.triangle)) return tally_.label("may be clipped");
     const Pixel own{place.x, place.y};
     std::vector<Pixel> permitted{own};
     if (!bounds_.has_fine_differences) {
@@ -260,7 +273,6 @@ class DrawnDifferencesCheck {
   const cases::Case* case_;
   cases::PictureBounds bounds_;
   WindowAxis axis_;
-  oracle::SceneTruth scene_;
   const cases::Fragments* fragments_;
   const cases::Picture* picture_;
   std::vector<Pixels> drawn_;            ///< [triangle]
@@ -270,8 +282,8 @@ class DrawnDifferencesCheck {
 
 /// True if the backend's differences are held against the values that it draws.
 bool are_of_drawn_values(backends::Backend& backend) {
-  const std::optional<cases::PictureBounds> bounds = backend.contract({}).picture_bounds;
-  return bounds && bounds->keeps_fragments;
+  const cases::Contract contract = backend.contract({});
+  return contract.picture_bounds && keeps_fragments_in_pictures(contract);
 }
 
 bool is_promised(backends::Backend& backend) {
@@ -286,6 +298,7 @@ Result<Check> check_drawn(const cases::ClipCase& clip, WindowAxis axis,
   pipeline.clear_depth = 1;
   const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
+  if (!keeps_fragments_in_pictures(drawn->contract)) return not_applicable(kOtherFragments);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
   return DrawnDifferencesCheck(clip, *drawn, axis, *picture).run();
@@ -299,7 +312,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   clip.depth_test = cases::DepthTest::none;
   Choices choices(choices_of(clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
-  if (!backend.contract({}).quad_share) return check_drawn(clip, axis, backend);
+  if (are_of_drawn_values(backend)) return check_drawn(clip, axis, backend);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline_of(axis));
   if (!picture) return tl::unexpected(picture.error());
   return DifferencesCheck(clip, backend.contract(clip), axis, *picture).run();

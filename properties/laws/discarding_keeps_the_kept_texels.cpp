@@ -245,6 +245,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<backends::Drawn> fragments = draw_promised(clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
+  if (!keeps_fragments_in_pictures(fragments->contract)) return not_applicable(kOtherFragments);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
   return DiscardCheck(clip, fragments->contract, pipeline, fragments->fragments, *picture).run();

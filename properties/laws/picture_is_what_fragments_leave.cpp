@@ -115,12 +115,13 @@ class PictureCheck {
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (!keeps_fragments_in_pictures(backend)) {
-    return not_applicable("the backend does not promise pictures of the fragments that it draws");
+    return not_applicable(kOtherFragments);
   }
   clip.depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<backends::Drawn> fragments = draw_promised(clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
+  if (!keeps_fragments_in_pictures(fragments->contract)) return not_applicable(kOtherFragments);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
   return PictureCheck(clip, pipeline, *fragments, *picture).run();

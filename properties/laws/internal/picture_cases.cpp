@@ -150,9 +150,11 @@ Generated overlapping_case(Draw& draw) {
 bool draws_pictures(backends::Backend& backend) { return backend.picture_drawer() != nullptr; }
 
 bool keeps_fragments_in_pictures(backends::Backend& backend) {
-  if (!draws_pictures(backend)) return false;
-  const std::optional<cases::PictureBounds> bounds = backend.contract({}).picture_bounds;
-  return !bounds || bounds->keeps_fragments;
+  return draws_pictures(backend) && keeps_fragments_in_pictures(backend.contract({}));
+}
+
+bool keeps_fragments_in_pictures(const cases::Contract& contract) {
+  return !contract.picture_bounds || contract.picture_bounds->keeps_fragments;
 }
 
 }  // namespace rastercheck::properties

@@ -15,5 +15,9 @@ bool draws_pictures(backends::Backend& backend);
 
 /// True if, besides, a picture's fragments are those that the backend draws (cases::PictureBounds).
 bool keeps_fragments_in_pictures(backends::Backend& backend);
+bool keeps_fragments_in_pictures(const cases::Contract& contract);
+/// Why a law does not apply to a case of which a picture may have other fragments.
+inline constexpr const char* kOtherFragments =
+    "the contract does not promise pictures of the fragments that are drawn";
 
 }  // namespace rastercheck::properties

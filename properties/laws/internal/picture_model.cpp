@@ -173,7 +173,7 @@ class Model {
     }
     if (bounds_ && !bounds_->resolves_to_mean) return all;
     const auto n = static_cast<double>(count);
-    return stored(sum.least / n, sum.greatest / n, bounds_ ? bounds_->byte_store : 0, size / n);
+    return stored(sum.least / n, sum.greatest / n, bounds_ ? bounds_->byte_mean : 0, size / n);
   }
 
   float shown(double held) const {

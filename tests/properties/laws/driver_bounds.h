@@ -10,6 +10,7 @@ inline cases::PictureBounds driver_bounds() {
   bounds.float_error = 3;
   bounds.byte_store = 0.6F;
   bounds.byte_blend = 2;
+  bounds.byte_mean = 1;
   bounds.texel_distance = 0x1p-8F;
   return bounds;
 }
