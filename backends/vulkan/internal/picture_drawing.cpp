@@ -20,6 +20,8 @@ namespace rastercheck::backends::vulkan {
 namespace {
 
 constexpr std::size_t kColorChannels = 4;
+/// The most floats of all vertices, which the process holds twice.
+constexpr std::size_t kMaxVertexFloats = std::size_t{1} << 28U;
 
 bool has_four_channels(const cases::Case& c, const cases::Pipeline& pipeline) {
   return pipeline.texturing || pipeline.shading == cases::Shading::vertex_colors ||
@@ -102,13 +104,12 @@ std::int32_t shows_of(const cases::Pipeline& pipeline) {
 
 /// Up to four channels, which one draw makes from up to four attributes.
 struct PictureDrawing::Group {
-  std::size_t first_channel = 0;
   std::size_t channels = 0;
   std::vector<Slot> slots;
   PictureConstants constants;
 
   Group(const cases::Case& c, const cases::Pipeline& pipeline, std::size_t first, std::size_t count)
-      : first_channel(first), channels(count) {
+      : channels(count) {
     const std::size_t sources =
         std::min(pipeline.texturing ? 2 : count, c.attributes.size() - first);
     slots = widened(slots_of(c, first, sources), c.framebuffer.samples);
@@ -140,7 +141,13 @@ Result<void> PictureDrawing::draw_group(const cases::Case& c, const cases::Pipel
     texture = *std::move(image);
   }
   const VertexLayout layout = vertex_layout(kind);
+  if (3 * c.triangles.size() > kMaxVertexFloats / layout.size) {
+    return failed(
+        fmt::format("{} triangles do not fit into the memory of its process", c.triangles.size()),
+        Failure::unsupported);
+  }
   std::vector<float> floats;
+  floats.reserve(3 * c.triangles.size() * layout.size);
   for (std::size_t t = 0; t < c.triangles.size(); ++t) {
     append_triangle(c, group.slots, layout, t, 0, floats);
   }

@@ -347,7 +347,8 @@ std::vector<float> Target::colors(std::size_t slot, std::size_t layer) const {
   std::vector<float> colors(count);
   for (std::size_t i = 0; i < count; ++i) {
     // A shader fetches k/255 with an error of a few units in the last place.
-    const float k = has_samples_read(part) ? std::round(floats[i] * 255) : bytes[i];
+    const float k =
+        has_samples_read(part) ? std::round(floats[i] * 255) : static_cast<float>(bytes[i]);
     colors[i] = k / 255;
   }
   return colors;

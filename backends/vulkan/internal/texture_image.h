@@ -17,8 +17,8 @@ namespace rastercheck::backends::vulkan {
 class TextureImage {
  public:
   /// The texture must have a positive size and four bytes for each texel. `set_layout` is a layout
-  /// of one sampled image with its sampler. For trilinear filtering, also makes all smaller levels,
-  /// as cases::Texturing defines them (docs/rules.md).
+  /// of one sampled image with its sampler. For trilinear filtering, also makes all smaller levels:
+  /// each has half the size of the level before, rounded down, but at least one texel.
   static Result<TextureImage> create(const Device& device, VkDescriptorSetLayout set_layout,
                                      const cases::Texturing& texturing);
 
