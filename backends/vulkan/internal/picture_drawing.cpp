@@ -7,13 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "backends/vulkan/internal/case_commands.h"
-#include "backends/vulkan/internal/texture_image.h"
 #include "backends/vulkan/slots.h"
 
 namespace rastercheck::backends::vulkan {
@@ -123,6 +121,16 @@ struct PictureDrawing::Group {
   }
 };
 
+Result<void> PictureDrawing::make_texture(const cases::Texturing& texturing) {
+  if (texture_ && texture_->is_for(texturing)) return {};
+  texture_.reset();
+  Result<TextureImage> image =
+      TextureImage::create(*shared_->device, shared_->pipelines.texture_layout(), texturing);
+  if (!image) return tl::unexpected(image.error());
+  texture_ = *std::move(image);
+  return {};
+}
+
 Result<void> PictureDrawing::draw_group(const cases::Case& c, const cases::Pipeline& pipeline,
                                         const Group& group, const Target& target) {
   const Device& device = *shared_->device;
@@ -133,12 +141,8 @@ Result<void> PictureDrawing::draw_group(const cases::Case& c, const cases::Pipel
   kind.blend = pipeline.blend;
   const Result<VkPipeline> made = shared_->pipelines.get(device, kind);
   if (!made) return tl::unexpected(made.error());
-  std::optional<TextureImage> texture;
   if (pipeline.texturing) {
-    Result<TextureImage> image =
-        TextureImage::create(device, shared_->pipelines.texture_layout(), *pipeline.texturing);
-    if (!image) return tl::unexpected(image.error());
-    texture = *std::move(image);
+    if (Result<void> image = make_texture(*pipeline.texturing); !image) return image;
   }
   const VertexLayout layout = vertex_layout(kind);
   if (3 * c.triangles.size() > kMaxVertexFloats / layout.size) {
@@ -155,13 +159,13 @@ Result<void> PictureDrawing::draw_group(const cases::Case& c, const cases::Pipel
 
   return shared_->commands.run(device, [&](VkCommandBuffer buffer) {
     const VkPipelineLayout used = shared_->pipelines.picture_layout();
-    if (texture) texture->fill(buffer);
+    if (pipeline.texturing) texture_->fill(buffer);
     target.begin(buffer);
     target.begin_layer(buffer, 0, pipeline.clear_depth);
     if (!c.triangles.empty()) {
       bind_case(buffer, c, *made, shared_->vertices.buffer.get());
       vkCmdSetDepthCompareOp(buffer, compare_op(pipeline.depth_function));
-      if (texture) texture->bind(buffer, used);
+      if (pipeline.texturing) texture_->bind(buffer, used);
       vkCmdPushConstants(buffer, used, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof group.constants,
                          &group.constants);
       vkCmdDraw(buffer, static_cast<std::uint32_t>(3 * c.triangles.size()), 1, 0, 0);

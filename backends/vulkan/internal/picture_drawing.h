@@ -1,8 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "backends/vulkan/internal/drawing_resources.h"
+#include "backends/vulkan/internal/texture_image.h"
 #include "cases/case.h"
 #include "cases/error.h"
 #include "cases/picture.h"
@@ -29,12 +32,16 @@ class PictureDrawing {
  private:
   struct Group;
 
+  Result<void> make_texture(const cases::Texturing& texturing);
   Result<void> draw_group(const cases::Case& c, const cases::Pipeline& pipeline, const Group& group,
                           const Target& target);
   Result<std::vector<float>> depths_of(const Target& target, const DepthReading& reading,
                                        bool resolves) const;
 
   DrawingResources* shared_;
+  /// The last texture. Drawing it again reuses the image, because drivers may keep code for each
+  /// image view that they have seen.
+  std::optional<TextureImage> texture_;
 };
 
 }  // namespace rastercheck::backends::vulkan

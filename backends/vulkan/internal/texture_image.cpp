@@ -175,6 +175,7 @@ Result<void> TextureImage::make_set(const Device& device, VkDescriptorSetLayout 
 Result<TextureImage> TextureImage::create(const Device& device, VkDescriptorSetLayout set_layout,
                                           const cases::Texturing& texturing) {
   TextureImage texture;
+  texture.source_ = texturing;
   Result<void> made = texture.make_texels(device, texturing);
   if (made) made = texture.make_view(device);
   if (!made) return tl::unexpected(made.error());
@@ -184,6 +185,12 @@ Result<TextureImage> TextureImage::create(const Device& device, VkDescriptorSetL
   made = texture.make_set(device, set_layout);
   if (!made) return tl::unexpected(made.error());
   return texture;
+}
+
+bool TextureImage::is_for(const cases::Texturing& texturing) const {
+  cases::Texturing same = source_;
+  same.discard_below = texturing.discard_below;
+  return same == texturing;
 }
 
 /// Transitions the image for copying to it or, once it is filled, for reading by shaders.

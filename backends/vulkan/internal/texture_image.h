@@ -22,6 +22,9 @@ class TextureImage {
   static Result<TextureImage> create(const Device& device, VkDescriptorSetLayout set_layout,
                                      const cases::Texturing& texturing);
 
+  /// True if the image was made for the same texture, wraps and filter.
+  bool is_for(const cases::Texturing& texturing) const;
+
   /// Call while recording, before rendering begins: copies the texels to the image.
   void fill(VkCommandBuffer commands) const;
   /// Call while recording, before draws with a pipeline of this layout.
@@ -40,6 +43,7 @@ class TextureImage {
   Result<void> make_set(const Device& device, VkDescriptorSetLayout layout);
   void barrier(VkCommandBuffer commands, bool is_filled) const;
 
+  cases::Texturing source_;
   std::vector<Level> levels_;
   HostBuffer texels_;
   DeviceImage image_;
