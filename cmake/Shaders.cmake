@@ -10,9 +10,9 @@ function(rastercheck_shader list name file)
   file(MAKE_DIRECTORY "${folder}")
   set(header "${folder}/${name}.h")
   list(TRANSFORM ARGN PREPEND -D)
-  add_custom_command(OUTPUT "${header}" DEPENDS "${file}"
+  add_custom_command(OUTPUT "${header}" DEPENDS "${file}" DEPFILE "${header}.d"
     COMMAND "${RASTERCHECK_GLSLANG}" --quiet --target-env vulkan1.1 ${ARGN} --vn spirv_${name}
-            -o "${header}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}"
+            --depfile "${header}.d" -o "${header}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}"
     COMMENT "Compiling ${file} ${ARGN}" VERBATIM)
   set(${list} ${${list}} "${header}" PARENT_SCOPE)
 endfunction()

@@ -124,4 +124,23 @@ std::string lacks(const Limits& limits, const cases::Case& c) {
   return "";
 }
 
+std::string lacks_for_picture(const Limits& limits, const cases::Case& c,
+                              const cases::Pipeline& pipeline) {
+  if (!(pipeline.clear_depth >= 0 && pipeline.clear_depth <= 1)) {
+    return fmt::format("the initial depth {}: 0 to 1", pipeline.clear_depth);
+  }
+  if (pipeline.format == cases::ColorFormat::rgba8) {
+    if ((limits.byte_samples & static_cast<unsigned>(c.framebuffer.samples)) == 0) {
+      return fmt::format("{} samples per pixel of rgba8", c.framebuffer.samples);
+    }
+  } else if (pipeline.blend != cases::Blend::off && !limits.float_blending) {
+    return "blending of float32 colours (VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT)";
+  }
+  if (!pipeline.texturing) return "";
+  const cases::Texture& texture = pipeline.texturing->texture;
+  if (texture.width <= limits.max_texture && texture.height <= limits.max_texture) return "";
+  return fmt::format("textures of {} x {} texels: {} at most (maxImageDimension2D)", texture.width,
+                     texture.height, limits.max_texture);
+}
+
 }  // namespace rastercheck::backends::vulkan

@@ -7,6 +7,7 @@
 
 #include "cases/capabilities.h"
 #include "cases/case.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends::vulkan {
 
@@ -32,6 +33,9 @@ struct Limits {
   bool fragment_stores = false;  ///< fragment shaders can write to storage buffers
   std::size_t max_storage = 0;   ///< bytes of a storage buffer
   int slots = 3;                 ///< slots that one draw can write (slots.h)
+  bool float_blending = false;   ///< blends colours of float32
+  unsigned byte_samples = 1;     ///< bit mask like `sample_counts`, of images with bytes as colours
+  int max_texture = 0;           ///< width and height of a texture, texels
 };
 
 /// The cases that a device can draw.
@@ -39,5 +43,9 @@ cases::Capabilities drawable(const Limits& limits);
 
 /// Names the feature of a case that the device lacks; empty if it lacks none.
 std::string lacks(const Limits& limits, const cases::Case& c);
+/// Names what a pipeline for a picture needs beyond that and the device lacks; empty if it lacks
+/// nothing.
+std::string lacks_for_picture(const Limits& limits, const cases::Case& c,
+                              const cases::Pipeline& pipeline);
 
 }  // namespace rastercheck::backends::vulkan

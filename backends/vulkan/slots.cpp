@@ -51,9 +51,11 @@ std::vector<Slot> in_slots(std::span<const Qualifier> qualifiers, const std::vec
 
 }  // namespace
 
-std::vector<Slot> slots_of(const cases::Case& c) {
+std::vector<Slot> slots_of(const cases::Case& c) { return slots_of(c, 0, c.attributes.size()); }
+
+std::vector<Slot> slots_of(const cases::Case& c, std::size_t first, std::size_t count) {
   std::map<Qualifier, std::vector<std::size_t>> groups;
-  for (std::size_t i = 0; i < c.attributes.size(); ++i) {
+  for (std::size_t i = first; i < first + count; ++i) {
     const cases::Attribute& a = c.attributes[i];
     const bool is_everywhere_alike =
         c.framebuffer.samples == 1 || a.interpolation == cases::Interpolation::flat;

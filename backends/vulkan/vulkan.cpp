@@ -18,7 +18,9 @@
 #include "backends/upright_viewport.h"
 #include "backends/vulkan/internal/case_drawing.h"
 #include "backends/vulkan/internal/device.h"
+#include "backends/vulkan/internal/drawing_resources.h"
 #include "backends/vulkan/internal/open_device.h"
+#include "backends/vulkan/internal/picture_drawing.h"
 #include "backends/vulkan/limits.h"
 #include "cases/json.h"
 
@@ -27,13 +29,18 @@ namespace {
 
 using vulkan::CaseDrawing;
 using vulkan::Device;
+using vulkan::DrawingResources;
+using vulkan::PictureDrawing;
 
-class VulkanBackend : public Backend, public WaysOfDrawing {
+class VulkanBackend : public Backend, public WaysOfDrawing, public PictureDrawer {
  public:
-  VulkanBackend(std::string specification, std::unique_ptr<Device> device, CaseDrawing drawing)
+  VulkanBackend(std::string specification, std::unique_ptr<Device> device,
+                std::unique_ptr<DrawingResources> resources, CaseDrawing drawing)
       : specification_(std::move(specification)),
         device_(std::move(device)),
-        drawing_(std::move(drawing)) {}
+        resources_(std::move(resources)),
+        drawing_(std::move(drawing)),
+        picture_drawing_(*resources_) {}
 
   About about() const override {
     return {.description = device_->description(),
@@ -42,12 +49,23 @@ class VulkanBackend : public Backend, public WaysOfDrawing {
                              device_->limits().viewport_subpixel_bits},
             .has_limits = true,
             .capabilities = vulkan::drawable(device_->limits()),
-            .ways = ways()};
+            .ways = ways(),
+            .draws_pictures = true};
   }
   WaysOfDrawing* ways_of_drawing() override { return this; }
   std::vector<cases::DrawBy> ways() const override { return drawing_.ways(); }
   Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override {
     return draw_in(c, way);
+  }
+  PictureDrawer* picture_drawer() override { return this; }
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    const auto upright = with_upright_viewport(c, NegativeSizes::height);
+    const cases::Case& drawn = upright ? *upright : c;
+    std::string missing = vulkan::lacks(device_->limits(), drawn);
+    if (missing.empty()) missing = vulkan::lacks_for_picture(device_->limits(), drawn, pipeline);
+    if (!missing.empty()) return lacking(missing);
+    return checked(picture_drawing_.draw(drawn, pipeline, [this] { go_on(); }));
   }
   cases::Contract promise(const cases::Case& c) const override {
     return api_promise(c, *about().api, *driver_promise());
@@ -63,8 +81,17 @@ class VulkanBackend : public Backend, public WaysOfDrawing {
       return draw_in(*upright, way);
     }
     const std::string missing = vulkan::lacks(device_->limits(), c);
-    if (!missing.empty()) return fail({"", "", "it lacks " + missing, Failure::unsupported});
-    Result<cases::Fragments> drawn = drawing_.draw(c, way, [this] { go_on(); });
+    if (!missing.empty()) return lacking(missing);
+    return checked(drawing_.draw(c, way, [this] { go_on(); }));
+  }
+
+  tl::unexpected<Error> lacking(const std::string& missing) const {
+    return fail({"", "", "it lacks " + missing, Failure::unsupported});
+  }
+
+  /// Fails if the validation layer said anything about the drawing.
+  template <typename Drawing>
+  Result<Drawing> checked(Result<Drawing> drawn) const {
     const std::string said = device_->take_messages();
     if (!said.empty()) return fail({"", "", "the validation layer says: " + cases::one_line(said)});
     if (!drawn) return fail(drawn.error());
@@ -78,14 +105,20 @@ class VulkanBackend : public Backend, public WaysOfDrawing {
 
   std::string specification_;
   std::unique_ptr<Device> device_;
+  std::unique_ptr<DrawingResources> resources_;
   CaseDrawing drawing_;
+  PictureDrawing picture_drawing_;
 };
 
 Result<std::unique_ptr<Backend>> make_on(const std::string& specification, Device opened) {
   auto device = std::make_unique<Device>(std::move(opened));
-  Result<CaseDrawing> drawing = CaseDrawing::create(*device);
+  Result<DrawingResources> made = DrawingResources::create(*device);
+  if (!made) return tl::unexpected(made.error());
+  auto resources = std::make_unique<DrawingResources>(*std::move(made));
+  Result<CaseDrawing> drawing = CaseDrawing::create(*resources);
   if (!drawing) return tl::unexpected(drawing.error());
-  return std::make_unique<VulkanBackend>(specification, std::move(device), *std::move(drawing));
+  return std::make_unique<VulkanBackend>(specification, std::move(device), std::move(resources),
+                                         *std::move(drawing));
 }
 
 Result<std::unique_ptr<Backend>> make(const std::string& options) {

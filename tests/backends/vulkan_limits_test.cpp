@@ -27,6 +27,9 @@ Limits all() {
   limits.depth_clip_control = true;
   limits.provoking_vertex_last = true;
   limits.slots = 7;
+  limits.float_blending = true;
+  limits.byte_samples = 1U | 4U;
+  limits.max_texture = 8192;
   return limits;
 }
 
@@ -148,6 +151,31 @@ TEST(VulkanLimits, AreOfRules) {
   EXPECT_EQ(lacks(limits, c), "OpenGL's clip depth (VK_EXT_depth_clip_control)");
   c.rules = cases::Rules::vulkan;
   EXPECT_EQ(lacks(limits, c), "");
+}
+
+TEST(VulkanLimits, AreOfPictures) {
+  const cases::Case c = ordinary();
+  cases::Pipeline pipeline;
+  pipeline.blend = cases::Blend::additive;
+  pipeline.texturing.emplace();
+  pipeline.texturing->texture = {8192, 1, {}};
+  EXPECT_EQ(lacks_for_picture(all(), c, pipeline), "");
+  Limits limits = all();
+  limits.max_texture = 4096;
+  EXPECT_EQ(lacks_for_picture(limits, c, pipeline),
+            "textures of 8192 x 1 texels: 4096 at most (maxImageDimension2D)");
+  limits.float_blending = false;
+  EXPECT_EQ(lacks_for_picture(limits, c, pipeline),
+            "blending of float32 colours (VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT)");
+  pipeline.texturing.reset();
+  pipeline.blend = cases::Blend::off;
+  EXPECT_EQ(lacks_for_picture(limits, c, pipeline), "");
+  pipeline.format = cases::ColorFormat::rgba8;
+  EXPECT_EQ(lacks_for_picture(limits, c, pipeline), "");
+  limits.byte_samples = 1;
+  EXPECT_EQ(lacks_for_picture(limits, c, pipeline), "4 samples per pixel of rgba8");
+  pipeline.clear_depth = -0.5F;
+  EXPECT_EQ(lacks_for_picture(limits, c, pipeline), "the initial depth -0.5: 0 to 1");
 }
 
 }  // namespace

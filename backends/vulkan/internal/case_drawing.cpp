@@ -30,8 +30,6 @@ namespace {
 /// The most bytes of layers that are drawn together; more would not be faster.
 constexpr std::size_t kTogether = std::size_t{16} << 20U;
 constexpr std::size_t kMaxLayers = 64;
-/// The most bytes of one layer, out of the 4 GiB that a process has.
-constexpr std::size_t kMost = std::size_t{1} << 30U;
 /// Integers up to this number are exact in float32.
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 24U;
 
@@ -192,17 +190,10 @@ cases::Fragments CaseFragments::take() {
 }  // namespace
 
 struct CaseDrawing::Impl {
-  Impl(const Device& the_device, Pipelines the_pipelines, SampleReader the_reader,
-       Commands the_commands, FragmentBuffer the_records)
-      : device(&the_device),
-        pipelines(std::move(the_pipelines)),
-        reader(std::move(the_reader)),
-        commands(std::move(the_commands)),
-        records(std::move(the_records)) {}
+  Impl(DrawingResources& the_resources, FragmentBuffer the_records)
+      : shared(&the_resources), records(std::move(the_records)) {}
 
-  Result<const Target*> target_for(TargetShape shape);
-  Result<DepthReading> depth_reading(const cases::Case& c);
-  Result<void> hand_over(const std::vector<float>& vertices);
+  const Limits& limits() const { return shared->device->limits(); }
   Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
                            const Target& target);
   Result<void> draw_ones(const cases::Case& c, Pass pass, std::size_t layer_count,
@@ -216,15 +207,8 @@ struct CaseDrawing::Impl {
   void record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
               std::span<const Layer> layers, const Target& target) const;
 
-  const Device* device;
-  Pipelines pipelines;
-  SampleReader reader;
-  Commands commands;
+  DrawingResources* shared;
   FragmentBuffer records;
-  HostBuffer vertices;
-  std::optional<Target> target;
-  /// How shaders convert unorm depths, by bits and samples.
-  std::map<std::pair<int, int>, std::optional<UnormFetch>> fetches;
 };
 
 CaseDrawing::CaseDrawing(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -232,72 +216,11 @@ CaseDrawing::CaseDrawing(CaseDrawing&& other) noexcept = default;
 CaseDrawing& CaseDrawing::operator=(CaseDrawing&& other) noexcept = default;
 CaseDrawing::~CaseDrawing() = default;
 
-/// Reuses the target of the previous case if it fits. Otherwise makes one with at least that many
-/// layers.
-Result<const Target*> CaseDrawing::Impl::target_for(TargetShape shape) {
-  shape.layers = std::bit_ceil(shape.layers);
-  if (target) {
-    TargetShape there = target->shape();
-    const bool has_layers = there.layers >= shape.layers;
-    there.layers = shape.layers;
-    if (has_layers && there == shape) return &*target;
-  }
-  target.reset();
-  Result<Target> made = Target::create(*device, reader, shape);
-  if (!made) return tl::unexpected(made.error());
-  target = *std::move(made);
-  return &*target;
-}
-
-/// Finds out how the depths of a case are to be read, on the first such case by clearing layers of
-/// one pixel to known depths.
-Result<DepthReading> CaseDrawing::Impl::depth_reading(const cases::Case& c) {
-  const int bits = cases::unorm_bits(c.depth_format);
-  const int samples = c.framebuffer.samples;
-  if (bits == 0 || samples == 1) return DepthReading{bits, std::nullopt};
-  if (const auto known = fetches.find({bits, samples}); known == fetches.end()) {
-    const std::vector<std::uint32_t> stored = telling_depths(bits);
-    const Result<const Target*> of_shape =
-        target_for({1, 1, samples, 0, stored.size(), c.depth_format});
-    if (!of_shape) return tl::unexpected(of_shape.error());
-    const Result<void> done = commands.run(*device, [&](VkCommandBuffer buffer) {
-      (*of_shape)->begin(buffer);
-      for (std::size_t i = 0; i < stored.size(); ++i) {
-        (*of_shape)->begin_layer(buffer, i, unorm_depth(stored[i], bits));
-        Target::end_layer(buffer);
-      }
-      (*of_shape)->end(buffer, reader, stored.size());
-    });
-    if (!done) return tl::unexpected(done.error());
-    std::vector<float> fetched;
-    fetched.reserve(stored.size());
-    for (std::size_t i = 0; i < stored.size(); ++i) fetched.push_back((*of_shape)->depths(i)[0]);
-    fetches[{bits, samples}] = fetch_of(fetched, bits);
-  }
-  const std::optional<UnormFetch> fetch = fetches[{bits, samples}];
-  if (fetch) return DepthReading{bits, fetch};
-  return failed(fmt::format("its shaders do not fetch depths of {} bits exactly", bits),
-                Failure::unsupported);
-}
-
-Result<void> CaseDrawing::Impl::hand_over(const std::vector<float>& floats) {
-  const std::span<const std::byte> bytes = std::as_bytes(std::span(floats));
-  if (vertices.bytes.size() < bytes.size()) {
-    vertices = {};
-    Result<HostBuffer> made =
-        make_host_buffer(*device, std::bit_ceil(bytes.size()), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    if (!made) return tl::unexpected(made.error());
-    vertices = *std::move(made);
-  }
-  std::memcpy(vertices.bytes.data(), bytes.data(), bytes.size());
-  return {};
-}
-
 Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
                                             std::span<const Layer> layers,
                                             const Target& target_of) {
-  const PipelineKind kind = kind_of(c, device->limits(), pass);
-  const Result<VkPipeline> pipeline = pipelines.get(*device, kind);
+  const PipelineKind kind = kind_of(c, limits(), pass);
+  const Result<VkPipeline> pipeline = shared->pipelines.get(*shared->device, kind);
   if (!pipeline) return tl::unexpected(pipeline.error());
   const VertexLayout layout = vertex_layout(kind);
   std::vector<float> floats;
@@ -306,39 +229,40 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
       append_triangle(c, pass, layout, triangle, triangle + 1, floats);
     }
   }
-  if (Result<void> handed = hand_over(floats); !handed) return handed;
+  if (Result<void> handed = shared->hand_over(floats); !handed) return handed;
 
-  return commands.run(
-      *device, [&](VkCommandBuffer buffer) { record(buffer, c, *pipeline, layers, target_of); });
+  return shared->commands.run(*shared->device, [&](VkCommandBuffer buffer) {
+    record(buffer, c, *pipeline, layers, target_of);
+  });
 }
 
 /// Draws into layers where depth 1 is stored.
 Result<void> CaseDrawing::Impl::draw_ones(const cases::Case& c, Pass pass, std::size_t layer_count,
                                           const Target& target_of) {
   const cases::Case all = covering_at_one(c);
-  const PipelineKind kind = kind_of(all, device->limits(), pass);
-  const Result<VkPipeline> pipeline = pipelines.get(*device, kind);
+  const PipelineKind kind = kind_of(all, limits(), pass);
+  const Result<VkPipeline> pipeline = shared->pipelines.get(*shared->device, kind);
   if (!pipeline) return tl::unexpected(pipeline.error());
   std::vector<float> floats;
   append_triangle(all, pass, vertex_layout(kind), 0, 1, floats);
-  if (Result<void> handed = hand_over(floats); !handed) return handed;
-  return commands.run(*device, [&](VkCommandBuffer buffer) {
+  if (Result<void> handed = shared->hand_over(floats); !handed) return handed;
+  return shared->commands.run(*shared->device, [&](VkCommandBuffer buffer) {
     target_of.begin_over_depths(buffer);
-    bind_case(buffer, all, *pipeline, vertices.buffer.get());
+    bind_case(buffer, all, *pipeline, shared->vertices.buffer.get());
     vkCmdSetDepthCompareOp(buffer, VK_COMPARE_OP_EQUAL);
     for (std::size_t i = 0; i < layer_count; ++i) {
       target_of.begin_layer(buffer, i, std::nullopt);
       vkCmdDraw(buffer, 3, 1, 0, 0);
       Target::end_layer(buffer);
     }
-    target_of.end(buffer, reader, layer_count);
+    target_of.end(buffer, shared->reader, layer_count);
   });
 }
 
 void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
                                std::span<const Layer> layers, const Target& target_of) const {
   target_of.begin(buffer);
-  bind_case(buffer, c, pipeline, vertices.buffer.get());
+  bind_case(buffer, c, pipeline, shared->vertices.buffer.get());
   std::uint32_t first = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const auto count = static_cast<std::uint32_t>(3 * layers[i].size());
@@ -347,20 +271,13 @@ void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkP
     Target::end_layer(buffer);
     first += count;
   }
-  target_of.end(buffer, reader, layers.size());
+  target_of.end(buffer, shared->reader, layers.size());
 }
 
-Result<CaseDrawing> CaseDrawing::create(const Device& device) {
-  Result<Pipelines> pipelines = Pipelines::create(device);
-  if (!pipelines) return tl::unexpected(pipelines.error());
-  Result<SampleReader> reader = SampleReader::create(device);
-  if (!reader) return tl::unexpected(reader.error());
-  Result<Commands> commands = Commands::create(device);
-  if (!commands) return tl::unexpected(commands.error());
-  Result<FragmentBuffer> records = FragmentBuffer::create(device, *pipelines);
+Result<CaseDrawing> CaseDrawing::create(DrawingResources& resources) {
+  Result<FragmentBuffer> records = FragmentBuffer::create(*resources.device, resources.pipelines);
   if (!records) return tl::unexpected(records.error());
-  return CaseDrawing(std::make_unique<Impl>(device, *std::move(pipelines), *std::move(reader),
-                                            *std::move(commands), *std::move(records)));
+  return CaseDrawing(std::make_unique<Impl>(resources, *std::move(records)));
 }
 
 Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
@@ -374,24 +291,17 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
   }
   const std::vector<Slot> slots = widened(slots_of(c), c.framebuffer.samples);
   const std::vector<Layer> layers = layers_of(c);
-  const std::vector<Pass> passes =
-      passes_of(slots, static_cast<std::size_t>(device->limits().slots));
-  const Result<DepthReading> reading = depth_reading(c);
+  const std::vector<Pass> passes = passes_of(slots, static_cast<std::size_t>(limits().slots));
+  const Result<DepthReading> reading = shared->depth_reading(c);
   if (!reading) return tl::unexpected(reading.error());
   for (const Pass pass : passes) {
     TargetShape shape{
         c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples, pass.size(), 1,
         c.depth_format};
-    if (shape.bytes() > kMost) {
-      return failed(
-          fmt::format("{} x {} pixels of {} samples and {} attributes do not fit into the "
-                      "memory of its process",
-                      shape.width, shape.height, shape.samples, c.attributes.size()),
-          Failure::unsupported);
-    }
+    if (Result<void> fits = check_memory(shape); !fits) return tl::unexpected(fits.error());
     const std::size_t together = std::clamp<std::size_t>(kTogether / shape.bytes(), 1, kMaxLayers);
     shape.layers = std::min(std::bit_floor(together), layers.size());
-    const Result<const Target*> of_shape = target_for(shape);
+    const Result<const Target*> of_shape = shared->target_for(shape);
     if (!of_shape) return tl::unexpected(of_shape.error());
     fragments.begin_pass();
     for (std::size_t first = 0; first < layers.size(); first += shape.layers) {
@@ -421,24 +331,25 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
 Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pass,
                                                    std::size_t first, std::size_t count,
                                                    std::size_t room) {
-  PipelineKind kind = kind_of(c, device->limits(), pass);
-  kind.appends = true;
-  const Result<VkPipeline> pipeline = pipelines.get(*device, kind);
+  PipelineKind kind = kind_of(c, limits(), pass);
+  kind.output = Output::records;
+  const Result<VkPipeline> pipeline = shared->pipelines.get(*shared->device, kind);
   if (!pipeline) return tl::unexpected(pipeline.error());
   const VertexLayout layout = vertex_layout(kind);
   std::vector<float> floats;
   for (std::size_t t = 0; t < count; ++t) {
     append_triangle(c, pass, layout, first + t, t + 1, floats);
   }
-  if (Result<void> handed = hand_over(floats); !handed) return tl::unexpected(handed.error());
+  if (Result<void> handed = shared->hand_over(floats); !handed)
+    return tl::unexpected(handed.error());
   const std::size_t words = room * (kRecordHead + kSlotSize * pass.size());
-  if (Result<void> ready = records.make_room(*device, words); !ready) {
+  if (Result<void> ready = records.make_room(*shared->device, words); !ready) {
     return tl::unexpected(ready.error());
   }
-  const Result<void> done = commands.run(*device, [&](VkCommandBuffer buffer) {
+  const Result<void> done = shared->commands.run(*shared->device, [&](VkCommandBuffer buffer) {
     begin_without_images(buffer, c.framebuffer);
-    bind_case(buffer, c, *pipeline, vertices.buffer.get());
-    records.bind(buffer, pipelines.appending_layout(), room);
+    bind_case(buffer, c, *pipeline, shared->vertices.buffer.get());
+    records.bind(buffer, shared->pipelines.appending_layout(), room);
     vkCmdDraw(buffer, static_cast<std::uint32_t>(3 * count), 1, 0, 0);
     vkCmdEndRendering(buffer);
     FragmentBuffer::show_host(buffer);
@@ -450,7 +361,7 @@ Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pa
 Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, bool is_checked,
                                                        const std::function<void()>& go_on) {
   std::string what = lacks_of_appending(c);
-  if (!device->limits().fragment_stores) {
+  if (!limits().fragment_stores) {
     what = "it lacks storage buffers for fragments (fragmentStoresAndAtomics)";
   }
   if (!what.empty()) return failed(what, Failure::unsupported);
@@ -474,14 +385,14 @@ Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, boo
 /// True if fragments are appended when the caller names no way of drawing. That is the case only if
 /// layers, which are read back whole, would take more than one batch.
 bool CaseDrawing::Impl::appends(const cases::Case& c) const {
-  if (!device->limits().fragment_stores || !lacks_of_appending(c).empty()) return false;
+  if (!limits().fragment_stores || !lacks_of_appending(c).empty()) return false;
   const TargetShape one{c.framebuffer.width, c.framebuffer.height, 1,
                         widened(slots_of(c), 1).size(), 1};
   return one.bytes() * c.triangles.size() > kTogether;
 }
 
 std::vector<cases::DrawBy> CaseDrawing::ways() const {
-  if (!impl_->device->limits().fragment_stores) return {cases::DrawBy::layers};
+  if (!impl_->limits().fragment_stores) return {cases::DrawBy::layers};
   return {cases::DrawBy::append, cases::DrawBy::layers};
 }
 

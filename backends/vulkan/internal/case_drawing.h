@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "backends/vulkan/internal/device.h"
+#include "backends/vulkan/internal/drawing_resources.h"
 #include "cases/case.h"
 #include "cases/draw_by.h"
 #include "cases/error.h"
@@ -20,8 +20,8 @@ namespace rastercheck::backends::vulkan {
 /// which shows what is covered, whatever the values are.
 class CaseDrawing {
  public:
-  /// `device` must outlive the result.
-  static Result<CaseDrawing> create(const Device& device);
+  /// `resources` must outlive the result.
+  static Result<CaseDrawing> create(DrawingResources& resources);
 
   CaseDrawing(CaseDrawing&& other) noexcept;
   CaseDrawing& operator=(CaseDrawing&& other) noexcept;

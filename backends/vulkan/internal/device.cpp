@@ -208,6 +208,13 @@ unsigned depth_sample_counts_of(VkPhysicalDevice physical, VkFormat format) {
   return sample_counts_of(physical, format, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
 }
 
+bool blends(VkPhysicalDevice physical, VkFormat format) {
+  VkFormatProperties properties{};
+  vkGetPhysicalDeviceFormatProperties(physical, format, &properties);
+  constexpr VkFormatFeatureFlags kBlends = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+  return (properties.optimalTilingFeatures & kBlends) != 0;
+}
+
 /// The format with 24 bits of depth that supports most sample counts; undefined if there is none.
 VkFormat unorm24_of(VkPhysicalDevice physical) {
   const unsigned of_depth = depth_sample_counts_of(physical, VK_FORMAT_X8_D24_UNORM_PACK32);
@@ -247,6 +254,10 @@ Limits limits_of(VkPhysicalDevice physical, const Features& features) {
   // One attachment is needed for the triangle's number.
   limits.slots = static_cast<int>(std::min<std::size_t>(
       std::min(device.maxColorAttachments, device.maxFragmentOutputAttachments) - 1, kMaxSlots));
+  limits.float_blending = blends(physical, kSlotFormat);
+  limits.byte_samples =
+      sample_counts_of(physical, kByteFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) | 1U;
+  limits.max_texture = static_cast<int>(device.maxImageDimension2D);
   return limits;
 }
 

@@ -25,6 +25,7 @@ struct DeviceChoice {
 /// The formats of images.
 inline constexpr VkFormat kNumberFormat = VK_FORMAT_R32_SFLOAT;
 inline constexpr VkFormat kSlotFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+inline constexpr VkFormat kByteFormat = VK_FORMAT_R8G8B8A8_UNORM;
 inline constexpr VkFormat kFloatDepth = VK_FORMAT_D32_SFLOAT;
 
 /// A device with one queue that draws, and the objects that belong to them.

@@ -44,6 +44,7 @@ using ImageView = Object<VkImageView, &vkDestroyImageView>;
 using Memory = Object<VkDeviceMemory, &vkFreeMemory>;
 using Pipeline = Object<VkPipeline, &vkDestroyPipeline>;
 using PipelineLayout = Object<VkPipelineLayout, &vkDestroyPipelineLayout>;
+using Sampler = Object<VkSampler, &vkDestroySampler>;
 using ShaderModule = Object<VkShaderModule, &vkDestroyShaderModule>;
 
 /// Makes an object with a function such as vkCreateImage, whose name is `call`.

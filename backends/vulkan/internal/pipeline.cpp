@@ -5,6 +5,23 @@
 namespace rastercheck::backends::vulkan {
 namespace {
 
+/// How a colour attachment takes all channels of a fragment's colour.
+VkPipelineColorBlendAttachmentState attachment_state(cases::Blend blend) {
+  VkPipelineColorBlendAttachmentState state{};
+  state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                         VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  if (blend == cases::Blend::off) return state;
+  const bool is_over = blend == cases::Blend::over;
+  state.blendEnable = VK_TRUE;
+  state.srcColorBlendFactor = is_over ? VK_BLEND_FACTOR_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
+  state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  state.dstColorBlendFactor = is_over ? VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
+  state.dstAlphaBlendFactor = state.dstColorBlendFactor;
+  state.colorBlendOp = VK_BLEND_OP_ADD;
+  state.alphaBlendOp = VK_BLEND_OP_ADD;
+  return state;
+}
+
 /// The structs that describe a pipeline, which point at each other and at the source.
 struct Description {
   VkVertexInputBindingDescription binding{};
@@ -86,11 +103,8 @@ void Description::describe_output(const PipelineSource& source) {
   multisampling.rasterizationSamples = static_cast<VkSampleCountFlagBits>(source.samples);
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
   depth.depthTestEnable = source.depth != VK_FORMAT_UNDEFINED ? VK_TRUE : VK_FALSE;
-  depth.depthWriteEnable = depth.depthTestEnable;
-  VkPipelineColorBlendAttachmentState attachment{};
-  attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                              VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  attachments.assign(source.colors.size(), attachment);
+  depth.depthWriteEnable = source.writes_depth ? depth.depthTestEnable : VK_FALSE;
+  attachments.assign(source.colors.size(), attachment_state(source.blend));
   blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blending.attachmentCount = static_cast<std::uint32_t>(attachments.size());
   blending.pAttachments = attachments.data();

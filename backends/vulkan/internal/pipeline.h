@@ -8,12 +8,13 @@
 
 #include "backends/vulkan/internal/device.h"
 #include "backends/vulkan/internal/object.h"
+#include "cases/picture_layout.h"
 
 namespace rastercheck::backends::vulkan {
 
 /// The parts of a pipeline that draws lists of triangles. Not among them are the viewport, the
 /// scissor, culling, the front face, the depth bias and the function of the depth test, which are
-/// set when a draw is recorded. The depth test writes depth.
+/// set when a draw is recorded.
 struct PipelineSource {
   std::span<const std::uint32_t> vertex_shader;
   std::span<const std::uint32_t> fragment_shader;
@@ -25,7 +26,9 @@ struct PipelineSource {
   bool negative_one_to_one = false;  ///< clip depth from −w to w
   bool provoking_last = false;
   std::vector<VkFormat> colors;
-  VkFormat depth = kFloatDepth;  ///< if undefined: no depth test and no depth image
+  cases::Blend blend = cases::Blend::off;  ///< of all colours
+  VkFormat depth = kFloatDepth;            ///< if undefined: no depth test and no depth image
+  bool writes_depth = true;                ///< true if fragments that pass the test replace depths
 };
 
 Result<Pipeline> make_pipeline(const Device& device, VkPipelineLayout layout,

@@ -73,27 +73,51 @@ class Centers {
   bool any_ = false;
 };
 
-Result<DescriptorSetLayout> make_records_layout(const Device& device) {
-  const VkDescriptorSetLayoutBinding records{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
-                                             VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+/// A set with one descriptor, which fragment shaders use.
+Result<DescriptorSetLayout> make_set_layout(const Device& device, VkDescriptorType type) {
+  const VkDescriptorSetLayoutBinding binding{0, type, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
   VkDescriptorSetLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   info.bindingCount = 1;
-  info.pBindings = &records;
+  info.pBindings = &binding;
   return make_object<DescriptorSetLayout>("vkCreateDescriptorSetLayout",
                                           &vkCreateDescriptorSetLayout, device.get(), info);
 }
 
-Result<PipelineLayout> make_appending_layout(const Device& device, VkDescriptorSetLayout records) {
-  const VkPushConstantRange room{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(std::uint32_t)};
+/// A layout with one set, and push constants of `size` bytes that fragment shaders use.
+Result<PipelineLayout> make_layout_with(const Device& device, VkDescriptorSetLayout set,
+                                        std::size_t size) {
+  const VkPushConstantRange constants{VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                                      static_cast<std::uint32_t>(size)};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
   info.setLayoutCount = 1;
-  info.pSetLayouts = &records;
+  info.pSetLayouts = &set;
   info.pushConstantRangeCount = 1;
-  info.pPushConstantRanges = &room;
+  info.pPushConstantRanges = &constants;
   return make_object<PipelineLayout>("vkCreatePipelineLayout", &vkCreatePipelineLayout,
                                      device.get(), info);
+}
+
+std::span<const std::uint32_t> shader_of(const PipelineKind& kind, bool has_centers) {
+  switch (kind.output) {
+    case Output::numbers_and_slots:
+      return fragment_shader(kind.slots.size(), has_centers);
+    case Output::records:
+      return appending_shader(kind.slots.size());
+    case Output::colors:
+    case Output::texture_colors:
+      break;
+  }
+  return picture_shader(kind.slots.size(), has_centers, kind.output == Output::texture_colors);
+}
+
+std::vector<VkFormat> colors_of(const PipelineKind& kind) {
+  if (kind.output == Output::records) return {};
+  if (kind.output != Output::numbers_and_slots) return {kind.color};
+  std::vector<VkFormat> colors(kind.slots.size() + 1, kSlotFormat);
+  colors[0] = kNumberFormat;
+  return colors;
 }
 
 }  // namespace
@@ -112,13 +136,36 @@ Result<Pipelines> Pipelines::create(const Device& device) {
   if (!layout) return tl::unexpected(layout.error());
   Pipelines pipelines;
   pipelines.layout_ = *std::move(layout);
-  Result<DescriptorSetLayout> records = make_records_layout(device);
+  Result<DescriptorSetLayout> records = make_set_layout(device, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
   if (!records) return tl::unexpected(records.error());
   pipelines.records_layout_ = *std::move(records);
-  Result<PipelineLayout> appending = make_appending_layout(device, pipelines.records_layout_.get());
+  Result<PipelineLayout> appending =
+      make_layout_with(device, pipelines.records_layout_.get(), sizeof(std::uint32_t));
   if (!appending) return tl::unexpected(appending.error());
   pipelines.appending_layout_ = *std::move(appending);
+  Result<DescriptorSetLayout> texture =
+      make_set_layout(device, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+  if (!texture) return tl::unexpected(texture.error());
+  pipelines.texture_layout_ = *std::move(texture);
+  Result<PipelineLayout> picture =
+      make_layout_with(device, pipelines.texture_layout_.get(), sizeof(PictureConstants));
+  if (!picture) return tl::unexpected(picture.error());
+  pipelines.picture_layout_ = *std::move(picture);
   return pipelines;
+}
+
+/// The layout of pipelines with this output.
+VkPipelineLayout Pipelines::layout_of(Output output) const {
+  switch (output) {
+    case Output::numbers_and_slots:
+      return layout_.get();
+    case Output::records:
+      return appending_layout_.get();
+    case Output::colors:
+    case Output::texture_colors:
+      break;
+  }
+  return picture_layout_.get();
 }
 
 Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind) {
@@ -126,9 +173,7 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
   if (made_.size() >= kKept) made_.clear();
   const Centers centers(kind);
   const std::vector<std::uint32_t> fragment_words =
-      qualified(kind.appends ? appending_shader(kind.slots.size())
-                             : fragment_shader(kind.slots.size(), centers.any()),
-                kind.slots);
+      qualified(shader_of(kind, centers.any()), kind.slots);
   PipelineSource source;
   source.vertex_shader = vertex_shader(kind.clip_distances);
   source.fragment_shader = fragment_words;
@@ -139,13 +184,12 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
   source.depth_clamp = kind.depth_clamp;
   source.negative_one_to_one = kind.negative_one_to_one;
   source.provoking_last = kind.provoking_last;
-  source.depth = kind.appends ? VK_FORMAT_UNDEFINED : device.depth_format(kind.depth);
-  if (!kind.appends) {
-    source.colors.assign(kind.slots.size() + 1, kSlotFormat);
-    source.colors[0] = kNumberFormat;
-  }
-  const VkPipelineLayout layout = kind.appends ? appending_layout_.get() : layout_.get();
-  Result<Pipeline> made = make_pipeline(device, layout, source);
+  const bool has_depth = kind.output != Output::records;
+  source.depth = has_depth ? device.depth_format(kind.depth) : VK_FORMAT_UNDEFINED;
+  source.writes_depth = kind.writes_depth;
+  source.colors = colors_of(kind);
+  source.blend = kind.blend;
+  Result<Pipeline> made = make_pipeline(device, layout_of(kind.output), source);
   if (!made) return tl::unexpected(made.error());
   const VkPipeline handle = made->get();
   made_.insert_or_assign(kind, *std::move(made));

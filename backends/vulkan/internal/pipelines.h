@@ -1,14 +1,28 @@
 #pragma once
 
+#include <vulkan/vulkan_core.h>
+
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
 #include "backends/vulkan/internal/device.h"
 #include "backends/vulkan/internal/object.h"
 #include "backends/vulkan/slots.h"
+#include "cases/picture_layout.h"
 
 namespace rastercheck::backends::vulkan {
+
+/// What fragments leave.
+enum class Output {
+  numbers_and_slots,  ///< a triangle's number and its slots, each in an image
+  records,            ///< records in the buffer of appending_layout(), and nothing else
+  colors,             ///< four channels of a picture, made of attributes (picture_layout())
+  texture_colors      ///< likewise, looked up in a texture
+};
 
 /// The properties that a pipeline depends on; all other state is set when a draw is recorded.
 struct PipelineKind {
@@ -18,8 +32,10 @@ struct PipelineKind {
   bool provoking_last = false;
   std::size_t clip_distances = 0;  ///< as declared by the shader (shaders.h)
   cases::DepthFormat depth = cases::DepthFormat::float32;
-  /// True if fragments only append records to the buffer of appending_layout().
-  bool appends = false;
+  bool writes_depth = true;
+  Output output = Output::numbers_and_slots;
+  VkFormat color = kSlotFormat;  ///< of a picture
+  cases::Blend blend = cases::Blend::off;
   std::vector<Qualifier> slots;
   auto operator<=>(const PipelineKind&) const = default;
 };
@@ -32,6 +48,14 @@ struct VertexLayout {
   std::size_t size = 5;
 };
 VertexLayout vertex_layout(const PipelineKind& kind);
+
+/// The push constants of pipelines for pictures, as in shaders/picture.frag.
+struct PictureConstants {
+  /// 4 · slot + component of each channel's values. −1: the channel is 1.
+  std::array<std::int32_t, 4> sources{};
+  std::int32_t shows = 0;  ///< 0: values; 1, 2: differences along x, y; 3: a texture's levels
+  float discard_below = -std::numeric_limits<float>::infinity();
+};
 
 /// Makes pipelines and keeps them for later cases of the same kind.
 class Pipelines {
@@ -47,12 +71,20 @@ class Pipelines {
   VkPipelineLayout appending_layout() const { return appending_layout_.get(); }
   VkDescriptorSetLayout records_layout() const { return records_layout_.get(); }
 
+  /// The layout of pipelines for pictures: a texture with its sampler at set 0, binding 0, which
+  /// only Output::texture_colors needs, and PictureConstants.
+  VkPipelineLayout picture_layout() const { return picture_layout_.get(); }
+  VkDescriptorSetLayout texture_layout() const { return texture_layout_.get(); }
+
  private:
   Pipelines() = default;
+  VkPipelineLayout layout_of(Output output) const;
 
   PipelineLayout layout_;
   DescriptorSetLayout records_layout_;
   PipelineLayout appending_layout_;
+  DescriptorSetLayout texture_layout_;
+  PipelineLayout picture_layout_;
   std::map<PipelineKind, Pipeline> made_;
 };
 

@@ -26,6 +26,38 @@
 #include "backends/vulkan/shaders/fragment_5.h"
 #include "backends/vulkan/shaders/fragment_6.h"
 #include "backends/vulkan/shaders/fragment_7.h"
+#include "backends/vulkan/shaders/picture_0_0_0.h"
+#include "backends/vulkan/shaders/picture_0_0_1.h"
+#include "backends/vulkan/shaders/picture_0_1_0.h"
+#include "backends/vulkan/shaders/picture_0_1_1.h"
+#include "backends/vulkan/shaders/picture_1_0_0.h"
+#include "backends/vulkan/shaders/picture_1_0_1.h"
+#include "backends/vulkan/shaders/picture_1_1_0.h"
+#include "backends/vulkan/shaders/picture_1_1_1.h"
+#include "backends/vulkan/shaders/picture_2_0_0.h"
+#include "backends/vulkan/shaders/picture_2_0_1.h"
+#include "backends/vulkan/shaders/picture_2_1_0.h"
+#include "backends/vulkan/shaders/picture_2_1_1.h"
+#include "backends/vulkan/shaders/picture_3_0_0.h"
+#include "backends/vulkan/shaders/picture_3_0_1.h"
+#include "backends/vulkan/shaders/picture_3_1_0.h"
+#include "backends/vulkan/shaders/picture_3_1_1.h"
+#include "backends/vulkan/shaders/picture_4_0_0.h"
+#include "backends/vulkan/shaders/picture_4_0_1.h"
+#include "backends/vulkan/shaders/picture_4_1_0.h"
+#include "backends/vulkan/shaders/picture_4_1_1.h"
+#include "backends/vulkan/shaders/picture_5_0_0.h"
+#include "backends/vulkan/shaders/picture_5_0_1.h"
+#include "backends/vulkan/shaders/picture_5_1_0.h"
+#include "backends/vulkan/shaders/picture_5_1_1.h"
+#include "backends/vulkan/shaders/picture_6_0_0.h"
+#include "backends/vulkan/shaders/picture_6_0_1.h"
+#include "backends/vulkan/shaders/picture_6_1_0.h"
+#include "backends/vulkan/shaders/picture_6_1_1.h"
+#include "backends/vulkan/shaders/picture_7_0_0.h"
+#include "backends/vulkan/shaders/picture_7_0_1.h"
+#include "backends/vulkan/shaders/picture_7_1_0.h"
+#include "backends/vulkan/shaders/picture_7_1_1.h"
 #include "backends/vulkan/shaders/samples.h"
 #include "backends/vulkan/shaders/vertex_0.h"
 #include "backends/vulkan/shaders/vertex_1.h"
@@ -45,6 +77,16 @@ const std::array<Words, 8> kCenters{spirv_centers_0, spirv_centers_1, spirv_cent
 
 const std::array<Words, 8> kAppend{spirv_append_0, spirv_append_1, spirv_append_2, spirv_append_3,
                                    spirv_append_4, spirv_append_5, spirv_append_6, spirv_append_7};
+/// Index 4 · slots + 2 · centres + textured.
+const std::array<Words, 32> kPicture{
+    spirv_picture_0_0_0, spirv_picture_0_0_1, spirv_picture_0_1_0, spirv_picture_0_1_1,
+    spirv_picture_1_0_0, spirv_picture_1_0_1, spirv_picture_1_1_0, spirv_picture_1_1_1,
+    spirv_picture_2_0_0, spirv_picture_2_0_1, spirv_picture_2_1_0, spirv_picture_2_1_1,
+    spirv_picture_3_0_0, spirv_picture_3_0_1, spirv_picture_3_1_0, spirv_picture_3_1_1,
+    spirv_picture_4_0_0, spirv_picture_4_0_1, spirv_picture_4_1_0, spirv_picture_4_1_1,
+    spirv_picture_5_0_0, spirv_picture_5_0_1, spirv_picture_5_1_0, spirv_picture_5_1_1,
+    spirv_picture_6_0_0, spirv_picture_6_0_1, spirv_picture_6_1_0, spirv_picture_6_1_1,
+    spirv_picture_7_0_0, spirv_picture_7_0_1, spirv_picture_7_1_0, spirv_picture_7_1_1};
 
 }  // namespace
 
@@ -58,6 +100,9 @@ Words fragment_shader(std::size_t slots, bool has_centers) {
   return has_centers ? kCenters[slots] : kFragment[slots];
 }
 Words appending_shader(std::size_t slots) { return kAppend[slots]; }
+Words picture_shader(std::size_t slots, bool has_centers, bool is_textured) {
+  return kPicture[4 * slots + (has_centers ? 2U : 0U) + (is_textured ? 1U : 0U)];
+}
 Words samples_shader() { return spirv_samples; }
 
 }  // namespace rastercheck::backends::vulkan

@@ -15,6 +15,8 @@ std::size_t shader_clip_distances(std::size_t of_case);
 std::span<const std::uint32_t> vertex_shader(std::size_t clip_distances);
 std::span<const std::uint32_t> fragment_shader(std::size_t slots, bool has_centers);
 std::span<const std::uint32_t> appending_shader(std::size_t slots);
+std::span<const std::uint32_t> picture_shader(std::size_t slots, bool has_centers,
+                                              bool is_textured);
 std::span<const std::uint32_t> samples_shader();
 
 }  // namespace rastercheck::backends::vulkan

@@ -1,6 +1,7 @@
 #include "backends/vulkan/internal/target.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -22,14 +23,11 @@ std::size_t part_bytes(const TargetShape& shape, std::size_t components) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
 
-bool is_depth_format(VkFormat format) { return format != kNumberFormat && format != kSlotFormat; }
+bool is_depth_format(VkFormat format) {
+  return format != kNumberFormat && format != kSlotFormat && format != kByteFormat;
+}
 
-VkImageCreateInfo image_info(const TargetShape& shape, VkFormat format) {
-  const bool is_depth = is_depth_format(format);
-  const auto drawn = static_cast<VkImageUsageFlags>(
-      is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-  const auto read = static_cast<VkImageUsageFlags>(
-      shape.samples > 1 ? VK_IMAGE_USAGE_SAMPLED_BIT : VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+VkImageCreateInfo image_info(const TargetShape& shape, VkFormat format, VkImageUsageFlags usage) {
   const VkExtent3D extent{static_cast<std::uint32_t>(shape.width),
                           static_cast<std::uint32_t>(shape.height), 1};
   return {VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
@@ -42,7 +40,7 @@ VkImageCreateInfo image_info(const TargetShape& shape, VkFormat format) {
           static_cast<std::uint32_t>(shape.layers),
           static_cast<VkSampleCountFlagBits>(shape.samples),
           VK_IMAGE_TILING_OPTIMAL,
-          drawn | read,
+          usage,
           VK_SHARING_MODE_EXCLUSIVE,
           0,
           nullptr,
@@ -78,20 +76,34 @@ std::size_t TargetShape::bytes() const {
 }
 
 Result<void> Target::add_part(const Device& device, VkFormat format, std::size_t components) {
-  Result<DeviceImage> image = make_image(device, image_info(shape_, format));
-  if (!image) return tl::unexpected(image.error());
   Part part;
-  part.image = *std::move(image);
   part.is_depth = is_depth_format(format);
   part.has_stencil = format == VK_FORMAT_D24_UNORM_S8_UINT;
   part.components = components;
+  const auto drawn =
+      static_cast<VkImageUsageFlags>(part.is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                                   : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+  const auto read = static_cast<VkImageUsageFlags>(
+      has_samples_read(part) ? VK_IMAGE_USAGE_SAMPLED_BIT : VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  Result<DeviceImage> image = make_image(device, image_info(shape_, format, drawn | read));
+  if (!image) return tl::unexpected(image.error());
+  part.image = *std::move(image);
+  if (resolves(part)) {
+    TargetShape pixels = shape_;
+    pixels.samples = 1;
+    constexpr VkImageUsageFlags kCopied =
+        VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    Result<DeviceImage> resolved = make_image(device, image_info(pixels, format, kCopied));
+    if (!resolved) return tl::unexpected(resolved.error());
+    part.resolved = *std::move(resolved);
+  }
   const VkImage handle = part.image.image.get();
   for (std::uint32_t i = 0; i < shape_.layers; ++i) {
     Result<ImageView> view = make_view(device, handle, format, VK_IMAGE_VIEW_TYPE_2D, i, 1);
     if (!view) return tl::unexpected(view.error());
     part.views.push_back(*std::move(view));
   }
-  if (shape_.samples > 1) {
+  if (has_samples_read(part)) {
     Result<ImageView> whole = make_view(device, handle, format, VK_IMAGE_VIEW_TYPE_2D_ARRAY, 0,
                                         static_cast<std::uint32_t>(shape_.layers));
     if (!whole) return tl::unexpected(whole.error());
@@ -107,7 +119,7 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
   target.shape_ = shape;
   Result<void> added = target.add_part(device, device.depth_format(shape.depth), 1);
   for (std::size_t i = 0; added && i < shape.slots; ++i) {
-    added = target.add_part(device, kSlotFormat, kSlotSize);
+    added = target.add_part(device, shape.slot_format, kSlotSize);
   }
   if (added && shape.has_numbers) added = target.add_part(device, kNumberFormat, 1);
   if (!added) return tl::unexpected(added.error());
@@ -120,18 +132,38 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
       device, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   if (!buffer) return tl::unexpected(buffer.error());
   target.buffer_ = *std::move(buffer);
-  if (shape.samples == 1) return target;
+  Result<void> bound = target.bind_samples(device, reader);
+  if (!bound) return tl::unexpected(bound.error());
+  return target;
+}
 
+/// Binds the images whose samples are read one by one.
+Result<void> Target::bind_samples(const Device& device, const SampleReader& reader) {
   std::vector<SampleReader::Source> sources;
-  sources.reserve(target.parts_.size());
-  for (const Part& part : target.parts_) {
-    sources.push_back({part.whole.get(), target.buffer_.buffer.get(), part.begin,
-                       part_bytes(shape, part.components)});
+  sources.reserve(parts_.size());
+  for (const Part& part : parts_) {
+    if (!has_samples_read(part)) continue;
+    sources.push_back(
+        {part.whole.get(), buffer_.buffer.get(), part.begin, part_bytes(shape_, part.components)});
   }
+  if (sources.empty()) return {};
   Result<SampleReader::Bindings> bindings = reader.bind(device, sources);
   if (!bindings) return tl::unexpected(bindings.error());
-  target.bindings_ = *std::move(bindings);
-  return target;
+  bindings_ = *std::move(bindings);
+  auto next = bindings_.sets.begin();
+  for (Part& part : parts_) {
+    if (has_samples_read(part)) part.set = *next++;
+  }
+  return {};
+}
+
+/// True if the mean of a pixel's samples is read. Depths have no mean.
+bool Target::resolves(const Part& part) const {
+  return shape_.resolves && shape_.samples > 1 && !part.is_depth;
+}
+
+bool Target::has_samples_read(const Part& part) const {
+  return shape_.samples > 1 && !resolves(part);
 }
 
 /// Transitions the image for drawing into it, with or without its content, or from drawing to
@@ -142,12 +174,12 @@ void Target::barrier(VkCommandBuffer commands, const Part& part, Change change) 
   const VkAccessFlags drawing =
       part.is_depth ? VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
                           VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT
-                    : static_cast<VkAccessFlags>(VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT);
+                    : VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT;
   const VkPipelineStageFlags drawing_stage =
       part.is_depth
           ? VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT
           : static_cast<VkPipelineStageFlags>(VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT);
-  const bool has_samples = shape_.samples > 1;
+  const bool has_samples = has_samples_read(part);
   VkImageMemoryBarrier barrier{};
   barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
@@ -213,14 +245,41 @@ void Target::begin_layer(VkCommandBuffer commands, std::size_t layer,
 
 void Target::end_layer(VkCommandBuffer commands) { vkCmdEndRendering(commands); }
 
+/// Leaves the resolved image ready for copying.
+void Target::resolve(VkCommandBuffer commands, const Part& part, std::size_t layers) const {
+  VkImageMemoryBarrier barrier{};
+  barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = part.resolved.image.get();
+  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
+  barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+  barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                       0, 0, nullptr, 0, nullptr, 1, &barrier);
+  VkImageResolve region{};
+  region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, static_cast<std::uint32_t>(layers)};
+  region.dstSubresource = region.srcSubresource;
+  region.extent = {static_cast<std::uint32_t>(shape_.width),
+                   static_cast<std::uint32_t>(shape_.height), 1};
+  vkCmdResolveImage(commands, part.image.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                    part.resolved.image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_TRANSFER_READ_BIT;
+  barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0,
+                       0, nullptr, 0, nullptr, 1, &barrier);
+}
+
 void Target::end(VkCommandBuffer commands, const SampleReader& reader, std::size_t layers) const {
   const auto width = static_cast<std::uint32_t>(shape_.width);
   const auto height = static_cast<std::uint32_t>(shape_.height);
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Part& part = parts_[i];
+  for (const Part& part : parts_) {
     barrier(commands, part, Change::read);
-    if (shape_.samples > 1) {
-      reader.record(commands, bindings_.sets[i],
+    if (resolves(part)) resolve(commands, part, layers);
+    if (has_samples_read(part)) {
+      reader.record(commands, part.set,
                     {width, height, static_cast<std::uint32_t>(shape_.samples),
                      static_cast<std::uint32_t>(part.components)},
                     layers);
@@ -230,7 +289,8 @@ void Target::end(VkCommandBuffer commands, const SampleReader& reader, std::size
     copy.bufferOffset = part.begin;
     copy.imageSubresource = {aspect(part.is_depth), 0, 0, static_cast<std::uint32_t>(layers)};
     copy.imageExtent = {width, height, 1};
-    vkCmdCopyImageToBuffer(commands, part.image.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+    const DeviceImage& from = resolves(part) ? part.resolved : part.image;
+    vkCmdCopyImageToBuffer(commands, from.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            buffer_.buffer.get(), 1, &copy);
   }
   VkMemoryBarrier barrier{};
@@ -274,6 +334,24 @@ std::vector<float> Target::depths(std::size_t layer) const {
 
 std::span<const float> Target::slot(std::size_t slot, std::size_t layer) const {
   return read(parts_[1 + slot], layer);
+}
+
+std::vector<float> Target::colors(std::size_t slot, std::size_t layer) const {
+  const Part& part = parts_[1 + slot];
+  const std::size_t samples = resolves(part) ? static_cast<std::size_t>(shape_.samples) : 1;
+  const std::size_t count = shape_.layer_samples() / samples * part.components;
+  const std::byte* const begin = buffer_.bytes.data() + part.begin;
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(begin) + layer * count;
+  const auto* const floats = reinterpret_cast<const float*>(begin) + layer * count;
+  if (shape_.slot_format != kByteFormat) return {floats, floats + count};
+  std::vector<float> colors(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    // A shader fetches k/255 with an error of a few units in the last place.
+    const float k =
+        has_samples_read(part) ? std::round(floats[i] * 255) : static_cast<float>(bytes[i]);
+    colors[i] = k / 255;
+  }
+  return colors;
 }
 
 }  // namespace rastercheck::backends::vulkan

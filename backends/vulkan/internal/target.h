@@ -19,7 +19,9 @@ struct TargetShape {
   std::size_t slots = 0;
   std::size_t layers = 1;
   cases::DepthFormat depth = cases::DepthFormat::float32;  ///< one that the device has
-  bool has_numbers = true;  ///< if false, there is no image of triangle numbers
+  bool has_numbers = true;             ///< if false, there is no image of triangle numbers
+  VkFormat slot_format = kSlotFormat;  ///< or kByteFormat
+  bool resolves = false;               ///< if true, the mean of a pixel's samples is read of slots
   bool operator==(const TargetShape&) const = default;
 
   std::size_t layer_samples() const {
@@ -58,12 +60,17 @@ class Target {
   std::vector<float> depths(std::size_t layer) const;
   /// [y][x][sample][kSlotSize].
   std::span<const float> slot(std::size_t slot, std::size_t layer) const;
+  /// Likewise, of a slot in any format: a byte k is the float nearest to k/255. If the target
+  /// resolves, there is one sample per pixel.
+  std::vector<float> colors(std::size_t slot, std::size_t layer) const;
 
  private:
   struct Part {
     DeviceImage image;
     std::vector<ImageView> views;  ///< one for each layer
     ImageView whole;               ///< all layers, for reading samples
+    DeviceImage resolved;          ///< the mean of samples, if it is read instead of samples
+    VkDescriptorSet set = VK_NULL_HANDLE;  ///< for reading samples; owned by bindings_
     bool is_depth = false;
     bool has_stencil = false;
     std::size_t components = 1;
@@ -72,6 +79,10 @@ class Target {
 
   Target() = default;
   Result<void> add_part(const Device& device, VkFormat format, std::size_t components);
+  Result<void> bind_samples(const Device& device, const SampleReader& reader);
+  bool resolves(const Part& part) const;
+  bool has_samples_read(const Part& part) const;
+  void resolve(VkCommandBuffer commands, const Part& part, std::size_t layers) const;
   enum class Change { discard, reuse, read };
   void barrier(VkCommandBuffer commands, const Part& part, Change change) const;
   std::span<const float> read(const Part& part, std::size_t layer) const;

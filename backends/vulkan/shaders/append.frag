@@ -1,34 +1,14 @@
 // Appends a record of each fragment to a buffer (backends/appended_drawing.h). Writes nothing else,
-// because lavapipe loses records if colours are written as well. SLOTS vectors are interpolated,
-// with qualifiers as in case.frag.
+// because lavapipe loses records if colours are written as well.
 #version 450
+#extension GL_GOOGLE_include_directive : require
+#include "slots.glsl"
 layout(location = 7) flat in float number;
 layout(set = 0, binding = 0) buffer Records {
   uint count;  // number of fragments, including those without a record
   uint words[];
 };
 layout(push_constant) uniform Room { uint room; };  // number of records that fit
-#if SLOTS > 0
-layout(location = 0) noperspective sample in vec4 slot_0;
-#endif
-#if SLOTS > 1
-layout(location = 1) noperspective sample in vec4 slot_1;
-#endif
-#if SLOTS > 2
-layout(location = 2) noperspective sample in vec4 slot_2;
-#endif
-#if SLOTS > 3
-layout(location = 3) noperspective sample in vec4 slot_3;
-#endif
-#if SLOTS > 4
-layout(location = 4) noperspective sample in vec4 slot_4;
-#endif
-#if SLOTS > 5
-layout(location = 5) noperspective sample in vec4 slot_5;
-#endif
-#if SLOTS > 6
-layout(location = 6) noperspective sample in vec4 slot_6;
-#endif
 
 #define PUT(index, slot)                                       \
   {                                                            \
