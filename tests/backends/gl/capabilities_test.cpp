@@ -133,7 +133,7 @@ TEST(Capabilities, NameWhatAPictureLacks) {
   has.clears_beyond_one = false;
   expect(has, "cannot be cleared to 2");
   pipeline = {};
-  pipeline.texturing = cases::Texturing{{.width = 16384, .height = 1, .texels = {}}};
+  pipeline.texturing.emplace().texture = {16384, 1, {}};
   has = all_there();
   has.max_size = 4096;
   expect(has, "texture of 16384 x 1 texels");
