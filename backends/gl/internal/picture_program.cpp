@@ -18,7 +18,7 @@ std::string channel_of(const Capabilities& has, const PictureShading& shading,
     const Varying& varying = shading.pass[i];
     for (std::size_t k = 0; k < varying.count; ++k) {
       if (varying.attributes[k] != attribute) continue;
-      const std::string value =
+      std::string value =
           fmt::format("{}[{}]", value_of(has, varying.varies, i, shading.is_multisampled), k);
       const bool is_along_x = shading.shading == cases::Shading::differences_along_x;
       const bool is_along_y = shading.shading == cases::Shading::differences_along_y;
