@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -20,8 +19,10 @@
 #include "backends/gl/internal/case_program.h"
 #include "backends/gl/internal/case_state.h"
 #include "backends/gl/internal/fragment_buffer.h"
+#include "backends/gl/internal/layer_store.h"
 #include "backends/gl/internal/layers.h"
 #include "backends/gl/internal/objects.h"
+#include "backends/gl/internal/picture_drawing.h"
 #include "backends/gl/internal/varyings.h"
 #include "backends/unorm_depth.h"
 #include "backends/upright_viewport.h"
@@ -30,10 +31,8 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// The most driver memory for layers: for all layers that are drawn before they are read, and for a
-/// single layer.
+/// The most driver memory for all layers that are drawn before they are read.
 constexpr std::size_t kBytesOfBatch = std::size_t{16} << 20U;
-constexpr std::size_t kMostBytesOfLayer = std::size_t{1} << 30U;
 constexpr int kMostLayers = 64;
 /// The depth where nothing is drawn, which is greater than that of any fragment.
 constexpr float kFarthest = 2;
@@ -86,7 +85,7 @@ void append(const LayerFragments& some, const cases::Case& c, cases::Fragments& 
 }  // namespace
 
 struct CaseDrawer::Impl {
-  Impl() : has(read_capabilities()), programs(has), copies(has) {
+  Impl() : has(read_capabilities()), programs(has), store(has), pictures(has, store) {
     listen();
     if (has.has_appending) buffer.emplace(has, programs);
   }
@@ -101,8 +100,6 @@ struct CaseDrawer::Impl {
 
   Result<void> prepare();
   Result<Batches> plan(const cases::Case& c);
-  Result<Layers*> layers_for(const LayerShape& shape);
-  Result<DepthReading> depth_reading(const cases::Case& c);
   Result<void> draw_pass(const Batches& plan, const Pass& pass, std::size_t first, int layer_count,
                          Layers& layers);
   Result<void> draw_batch(const Batches& plan, std::size_t first, cases::Fragments& drawn);
@@ -119,15 +116,12 @@ struct CaseDrawer::Impl {
   bool listens = false;   ///< whether the driver reports errors as text
   std::string complaint;  ///< the driver's first message on the current case
   CasePrograms programs;
-  CopyPrograms copies;
+  LayerStore store;
   Object vertex_array;
   Object vertices;
-  std::vector<Layers> recent;  ///< most recently used last
-  std::map<int, std::vector<std::size_t>> sample_orders;
-  /// How shaders convert unorm depths, by bits and samples.
-  std::map<std::pair<int, int>, std::optional<UnormFetch>> fetches;
   LayerContent content;
   std::optional<FragmentBuffer> buffer;
+  PictureDrawing pictures;
 };
 
 CaseDrawer::CaseDrawer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -172,7 +166,7 @@ Result<void> CaseDrawer::Impl::prepare() {
   }
   vertex_array = generate_vertex_array();
   vertices = generate_buffer();
-  const Result<Layers*> layers = layers_for({{1, 1, 1}, 1, 1});
+  const Result<Layers*> layers = store.get({{1, 1, 1}, 1, 1});
   if (!layers) return tl::unexpected(layers.error());
   glBindFramebuffer(GL_FRAMEBUFFER, (*layers)->framebuffer(0));
   const std::array<GLfloat, 4> one = {1, 0, 0, 0};
@@ -186,59 +180,9 @@ Result<void> CaseDrawer::Impl::prepare() {
   return {};
 }
 
-/// Targets of that shape. Keeps the most recently used ones.
-Result<Layers*> CaseDrawer::Impl::layers_for(const LayerShape& shape) {
-  constexpr std::size_t kMostKept = 4;
-  const auto found = std::find_if(recent.begin(), recent.end(),
-                                  [&](const Layers& layers) { return layers.shape() == shape; });
-  if (found != recent.end()) {
-    std::rotate(found, found + 1, recent.end());
-    return &recent.back();
-  }
-  if (recent.size() == kMostKept) recent.erase(recent.begin());
-  Result<Layers> made = Layers::create(has, copies, shape);
-  if (!made) return tl::unexpected(made.error());
-  recent.push_back(*std::move(made));
-  return &recent.back();
-}
-
-/// Finds out how the depths of a case are to be read, on the first such case by clearing layers of
-/// one pixel to known depths.
-Result<DepthReading> CaseDrawer::Impl::depth_reading(const cases::Case& c) {
-  const int bits = cases::unorm_bits(c.depth_format);
-  const int samples = c.framebuffer.samples;
-  if (bits == 0 || (samples == 1 && !has.is_es)) return DepthReading{bits, std::nullopt};
-  const auto [known, is_new] = fetches.try_emplace({bits, samples});
-  if (is_new) {
-    const std::vector<std::uint32_t> depths = telling_depths(bits);
-    const Result<Layers*> layers =
-        layers_for({{1, 1, samples}, static_cast<int>(depths.size()), 0, c.depth_format});
-    if (!layers) {
-      fetches.erase(known);
-      return tl::unexpected(layers.error());
-    }
-    std::vector<float> fetched;
-    fetched.reserve(depths.size());
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-      const GLfloat cleared = unorm_depth(depths[i], bits);
-      glBindFramebuffer(GL_FRAMEBUFFER, (*layers)->framebuffer(i));
-      glDisable(GL_SCISSOR_TEST);
-      glDepthMask(GL_TRUE);
-      glClearBufferfv(GL_DEPTH, 0, &cleared);
-      if (auto read = (*layers)->read(i, {}, content); !read) return tl::unexpected(read.error());
-      fetched.push_back(content.depth[0]);
-    }
-    known->second = fetch_of(fetched, bits);
-  }
-  if (known->second) return DepthReading{bits, known->second};
-  return tl::unexpected(
-      Error{"gl", "", fmt::format("its shaders do not fetch depths of {} bits exactly", bits),
-            Failure::unsupported});
-}
-
 Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
   if (const std::string what = lacks(has, c); !what.empty()) {
-    return tl::unexpected(Error{"gl", "", what, Failure::unsupported});
+    return unsupported(what);
   }
   Batches plan;
   plan.c = &c;
@@ -248,27 +192,19 @@ Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
   const LayerShape one{c.framebuffer, 1, plan.passes.front().size(), c.depth_format};
   const std::size_t bytes = one.bytes_of_layer();
   if (bytes > kMostBytesOfLayer) {
-    return tl::unexpected(Error{"gl", "",
-                                fmt::format("a triangle needs {} MiB; the limit is {} MiB",
-                                            bytes >> 20U, kMostBytesOfLayer >> 20U),
-                                Failure::unsupported});
+    return unsupported(fmt::format("a triangle needs {} MiB; the limit is {} MiB", bytes >> 20U,
+                                   kMostBytesOfLayer >> 20U));
   }
   const std::size_t most =
       std::min({static_cast<std::size_t>(std::min(kMostLayers, has.max_layers)),
                 std::max(kBytesOfBatch / bytes, std::size_t{1}), c.triangles.size()});
   plan.layers = is_together ? 1 : static_cast<int>(most);
-  const Result<DepthReading> depth = depth_reading(c);
+  const Result<DepthReading> depth = store.depth_reading(c);
   if (!depth) return tl::unexpected(depth.error());
   plan.depth = *depth;
-  if (const auto known = sample_orders.find(c.framebuffer.samples); known != sample_orders.end()) {
-    plan.order = known->second;
-    return plan;
-  }
-  const Result<Layers*> layers = layers_for(one);
-  if (!layers) return tl::unexpected(layers.error());
-  Result<std::vector<std::size_t>> order = (*layers)->sample_order();
+  Result<std::vector<std::size_t>> order = store.sample_order(one);
   if (!order) return tl::unexpected(order.error());
-  plan.order = sample_orders[c.framebuffer.samples] = *std::move(order);
+  plan.order = *std::move(order);
   return plan;
 }
 
@@ -381,7 +317,7 @@ Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first
     const LayerShape shape{plan.c->framebuffer, plan.layers, pass.size(), plan.c->depth_format};
     std::vector<bool> wanted;
     for (const Varying& varying : pass) wanted.push_back(varying.count > 0);
-    const Result<Layers*> layers = layers_for(shape);
+    const Result<Layers*> layers = store.get(shape);
     if (!layers) return tl::unexpected(layers.error());
     if (auto done = draw_pass(plan, pass, first, layer_count, **layers); !done) return done;
     for (std::size_t layer = 0; layer < found.size(); ++layer) {
@@ -423,7 +359,7 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool
   std::string what = lacks_of_appending(c);
   if (!buffer) what = has.api + " has no storage buffers for fragments";
   if (what.empty()) what = lacks(has, c);
-  if (!what.empty()) return tl::unexpected(Error{"gl", "", what, Failure::unsupported});
+  if (!what.empty()) return unsupported(std::move(what));
   std::vector<Pass> passes = pack(c.attributes, c.framebuffer.samples, has.has_noperspective);
   std::vector<RecordLayout> layouts;
   for (Pass& pass : passes) {
@@ -466,6 +402,18 @@ Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c, std::optional<ca
   const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
   Result<cases::Fragments> drawn =
       appends ? impl_->append_all(c, !way, go_on) : impl_->draw_layers(c, go_on);
+  if (!drawn) return drawn;
+  if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
+  return drawn;
+}
+
+Result<cases::Picture> CaseDrawer::draw_picture(const cases::Case& c,
+                                                const cases::Pipeline& pipeline) {
+  if (const auto upright = with_upright_viewport(c, NegativeSizes::none)) {
+    return draw_picture(*upright, pipeline);
+  }
+  impl_->complaint.clear();
+  Result<cases::Picture> drawn = impl_->pictures.draw(c, pipeline);
   if (!drawn) return drawn;
   if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
   return drawn;

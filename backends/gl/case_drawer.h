@@ -13,6 +13,7 @@
 #include "cases/draw_by.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends::gl {
 
@@ -44,6 +45,9 @@ class CaseDrawer {
   Result<cases::Fragments> draw(
       const cases::Case& c, std::optional<cases::DrawBy> way = std::nullopt,
       const std::function<void()>& go_on = [] {});
+
+  /// Draws all triangles of a case in one draw call, as PictureDrawer::draw_picture() does.
+  Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline);
 
  private:
   struct Impl;

@@ -31,7 +31,7 @@ bool is_software(std::string_view renderer) {
   });
 }
 
-class GlBackend : public Backend, public WaysOfDrawing {
+class GlBackend : public Backend, public WaysOfDrawing, public PictureDrawer {
  public:
   GlBackend(gl::Context context, gl::CaseDrawer drawer)
       : context_(std::move(context)), drawer_(std::move(drawer)) {}
@@ -43,7 +43,13 @@ class GlBackend : public Backend, public WaysOfDrawing {
                              drawer_.viewport_subpixel_bits()},
             .has_limits = true,
             .capabilities = drawer_.capabilities(),
-            .ways = ways()};
+            .ways = ways(),
+            .draws_pictures = true};
+  }
+  PictureDrawer* picture_drawer() override { return this; }
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    return drawer_.draw_picture(c, pipeline);
   }
   WaysOfDrawing* ways_of_drawing() override { return this; }
   std::vector<cases::DrawBy> ways() const override { return drawer_.ways(); }

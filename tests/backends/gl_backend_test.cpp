@@ -16,6 +16,7 @@
 #include "tests/backends/drivers.h"
 #include "tests/backends/stored_depth.h"
 #include "tests/backends/ways.h"
+#include "tests/backends/window_cases.h"
 
 // LeakSanitizer's tracer sometimes crashes, because Mesa's threads end while it inspects them.
 extern "C" int __lsan_is_turned_off() { return 1; }
@@ -30,40 +31,6 @@ using testing::HasSubstr;
 /// Attributes have values up to 16 here. The errors of planes in float32 stay far below this
 /// tolerance, while a wrong corner, row or qualifier causes a larger difference.
 constexpr float kTolerance = 0x1p-10F;
-
-constexpr float kSide = 16;
-
-/// A vertex at a window position, in pixels.
-cases::ClipVertex at(float u, float v, float z = 0, float w = 1) {
-  return {(u / (kSide / 2) - 1) * w, (v / (kSide / 2) - 1) * w, z * w, w};
-}
-
-/// A case of 16 × 16 pixels without triangles.
-cases::Case empty_case(cases::Rules rules = cases::Rules::opengl) {
-  cases::Case c;
-  c.rules = rules;
-  c.framebuffer = {16, 16, 1};
-  c.viewport = {0, 0, kSide, kSide, 0, 1};
-  return c;
-}
-
-/// Adds a triangle. `values` are its attributes, [vertex][attribute].
-void add(cases::Case& c, const std::vector<cases::ClipVertex>& corners,
-         const std::vector<float>& values = {}) {
-  const auto first = static_cast<std::uint32_t>(c.positions.size());
-  c.positions.insert(c.positions.end(), corners.begin(), corners.end());
-  c.attribute_values.insert(c.attribute_values.end(), values.begin(), values.end());
-  c.triangles.push_back({first, first + 1, first + 2});
-}
-
-/// A triangle that covers the whole window and more.
-std::vector<cases::ClipVertex> everything(float z = 0) {
-  return {at(0, 0, z), at(2 * kSide, 0, z), at(0, 2 * kSide, z)};
-}
-
-/// A triangle that covers everything to the left of a vertical line. It is counter-clockwise if
-/// window y points up.
-std::vector<cases::ClipVertex> left_of(float u) { return {at(u, -24), at(u, 40), at(-100, 8)}; }
 
 using Pixels = std::set<std::pair<int, int>>;
 Pixels pixels_where(const std::function<bool(int, int)>& is_there) {

@@ -103,6 +103,19 @@ std::string lacks_of_target(const Capabilities& has, const cases::FramebufferSiz
   return "";
 }
 
+std::string lacks_of_shading(const Capabilities& has, const cases::Pipeline& pipeline) {
+  if (pipeline.texturing) {
+    const cases::Texture& texture = pipeline.texturing->texture;
+    if (texture.width <= has.max_size && texture.height <= has.max_size) return "";
+    return fmt::format("the texture of {} x {} texels exceeds the limit of {} per side",
+                       texture.width, texture.height, has.max_size);
+  }
+  const bool has_differences = pipeline.shading == cases::Shading::differences_along_x ||
+                               pipeline.shading == cases::Shading::differences_along_y;
+  if (!has_differences || has.has_fine_derivatives) return "";
+  return has.api + " has no dFdxFine() and dFdyFine() (GL_ARB_derivative_control)";
+}
+
 std::string lacks_of_depth(const Capabilities& has, const cases::Case& c) {
   if (c.depth_clamp && !has.has_depth_clamp) return has.api + " has no depth clamp";
   const bool has_clamp = !c.depth_bias.is_none() && c.depth_bias.clamp != 0;
@@ -140,6 +153,9 @@ Capabilities read_capabilities() {
   has.has_noperspective = !has.is_es || es(kNever, "GL_NV_shader_noperspective_interpolation");
   has.has_sample_qualifier = desktop(40, "GL_ARB_gpu_shader5") || es(32, "");
   has.has_sample_targets = !has.is_es || has.version >= 32;
+  // Shaders declare an older version, in which these functions need the extension.
+  has.has_fine_derivatives = desktop(kNever, "GL_ARB_derivative_control");
+  has.has_float_blend = !has.is_es || es(kNever, "GL_EXT_float_blend");
   has.has_appending = desktop(43, "GL_ARB_shader_storage_buffer_object") &&
                       desktop(43, "GL_ARB_framebuffer_no_attachments") &&
                       integer(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) > 0;
@@ -202,6 +218,25 @@ std::string lacks(const Capabilities& has, const cases::Case& c) {
                        has.max_clip_distances, c.clip_distance_count);
   }
   return "";
+}
+
+std::string lacks(const Capabilities& has, const cases::Case& c, const cases::Pipeline& pipeline,
+                  std::size_t channels) {
+  if (const std::string what = lacks(has, c); !what.empty()) return what;
+  if (const std::string what = lacks_of_shading(has, pipeline); !what.empty()) return what;
+  const bool is_float = pipeline.format == cases::ColorFormat::float32;
+  if (is_float && pipeline.blend != cases::Blend::off && !has.has_float_blend) {
+    return has.api + " does not blend into float32 targets (no GL_EXT_float_blend)";
+  }
+  const bool is_within = pipeline.clear_depth >= 0 && pipeline.clear_depth <= 1;
+  if (!is_within && !has.clears_beyond_one) {
+    return fmt::format("its depth cannot be cleared to {}", pipeline.clear_depth);
+  }
+  // A copy, through which OpenGL ES and several samples are read, has one target more.
+  const bool has_copy = has.is_es || c.framebuffer.samples > 1;
+  const std::size_t most = 4 * static_cast<std::size_t>(has.max_draw_buffers - (has_copy ? 1 : 0));
+  if (channels <= most) return "";
+  return fmt::format("a picture has at most {} channels here; the case needs {}", most, channels);
 }
 
 }  // namespace rastercheck::backends::gl

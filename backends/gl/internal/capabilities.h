@@ -9,6 +9,7 @@
 
 #include "cases/capabilities.h"
 #include "cases/case.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends::gl {
 
@@ -25,6 +26,8 @@ struct Capabilities {
   bool has_noperspective = false;
   bool has_sample_qualifier = false;  ///< the `sample` qualifier and interpolateAtOffset()
   bool has_sample_targets = false;    ///< arrays of multisampled images
+  bool has_fine_derivatives = false;  ///< dFdxFine() and dFdyFine()
+  bool has_float_blend = false;       ///< blending into float32 targets
   bool has_viewport_fractions = false;
   bool has_appending = false;      ///< storage buffers for fragments, and targets without images
   bool clears_beyond_one = false;  ///< clears float depth to values above 1
@@ -55,5 +58,10 @@ cases::Capabilities drawable(const Capabilities& has);
 /// Names the feature of a case that the context lacks; empty if it lacks none. Only a drawing shows
 /// how many samples the context really gives, and where they are.
 std::string lacks(const Capabilities& has, const cases::Case& c);
+
+/// Names the feature of a picture's pipeline that the context lacks; empty if it lacks none. The
+/// picture has `channels` channels.
+std::string lacks(const Capabilities& has, const cases::Case& c, const cases::Pipeline& pipeline,
+                  std::size_t channels);
 
 }  // namespace rastercheck::backends::gl

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "backends/gl/internal/capabilities.h"
@@ -45,5 +47,14 @@ class CasePrograms {
 
 /// Returns "#version …" and the other lines at the start of a shader.
 std::string shader_head(const Capabilities& has);
+
+/// A vertex shader with the inputs of CasePrograms. It hands on varying i as `value`i, and the
+/// number as `number`.
+std::string case_vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings);
+
+/// The declaration of varying i as a fragment shader's input, and the expression for its value.
+std::string input_of(const VaryingClass& varies, std::size_t i);
+std::string value_of(const Capabilities& has, const VaryingClass& varies, std::size_t i,
+                     bool is_multisampled);
 
 }  // namespace rastercheck::backends::gl

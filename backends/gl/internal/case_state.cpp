@@ -72,6 +72,10 @@ void set_depth_bias(const Capabilities& has, const cases::DepthBias& bias) {
 
 }  // namespace
 
+std::size_t inputs_of(const Capabilities& has, const Pass& pass) {
+  return vectors_of(has, pass) + 1;
+}
+
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass) {
   const std::size_t stride = 4 * vectors_of(has, pass) + 1;
@@ -110,7 +114,6 @@ void hand_over_vertices(const Capabilities& has, const cases::Case& c,
                values.data(), GL_STREAM_DRAW);
   const auto vectors = static_cast<GLuint>(vectors_of(has, pass));
   const auto stride = static_cast<GLsizei>((4 * vectors + 1) * sizeof(float));
-  constexpr GLuint kMostInputs = 16;
   for (GLuint i = 0; i < kMostInputs; ++i) {
     if (i > vectors) {
       glDisableVertexAttribArray(i);
@@ -152,6 +155,8 @@ void reset_case_state(const Capabilities& has) {
   }
   if (has.has_depth_clamp) glDisable(GL_DEPTH_CLAMP);
   glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
 }
 
 }  // namespace rastercheck::backends::gl

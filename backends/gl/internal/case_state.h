@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,12 @@
 #include "cases/case.h"
 
 namespace rastercheck::backends::gl {
+
+/// The most vertex inputs of a program.
+inline constexpr std::size_t kMostInputs = 16;
+
+/// The number of vertex inputs of a pass.
+std::size_t inputs_of(const Capabilities& has, const Pass& pass);
 
 /// The vertex data of a pass, three vertices per triangle. Each vertex has its position, varyings
 /// and clip distances as vectors of four floats, then the triangle's number in the span, counted

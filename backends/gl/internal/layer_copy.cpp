@@ -110,8 +110,10 @@ Result<void> LayerCopy::read(std::span<const GLuint> images, GLint layer,
     content.numbers[i] = pixels[i][0];
     content.depth[i] = pixels[i][1];
   }
-  content.is_empty = std::all_of(content.numbers.begin(), content.numbers.end(),
-                                 [](float number) { return number == 0; });
+  if (!shape_.has_numbers) content.numbers.clear();
+  content.is_empty =
+      shape_.has_numbers && std::all_of(content.numbers.begin(), content.numbers.end(),
+                                        [](float number) { return number == 0; });
   for (GLenum i = 0; i < shape_.varyings && !content.is_empty; ++i) {
     if (!varyings[i]) continue;
     read_copy(i + 1);

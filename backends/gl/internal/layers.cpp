@@ -14,16 +14,12 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-tl::unexpected<Error> unsupported(std::string reason) {
-  return tl::unexpected(Error{"gl", "", std::move(reason), Failure::unsupported});
-}
-
 std::string to_string(const LayerShape& shape) {
   const std::string depth =
       cases::unorm_bits(shape.depth) == 0 ? "" : fmt::format(", {}", cases::name_of(shape.depth));
-  return fmt::format("{} targets of {} x {}, {} samples, {} varyings{}", shape.layers,
+  return fmt::format("{} targets of {} x {}, {} samples, {} varyings{}{}", shape.layers,
                      shape.size.width, shape.size.height, shape.size.samples, shape.varyings,
-                     depth);
+                     shape.format == cases::ColorFormat::rgba8 ? " of rgba8" : "", depth);
 }
 
 void read_pixels(const LayerShape& shape, GLenum channels, void* to, GLenum type = GL_FLOAT) {
@@ -106,9 +102,11 @@ Result<void> Layers::make_depth() {
 }
 
 Result<void> Layers::make_images() {
-  numbers_ = make_image(GL_R32F, GL_RED);
+  if (shape_.has_numbers) numbers_ = make_image(GL_R32F, GL_RED);
   for (std::size_t i = 0; i < shape_.varyings; ++i) {
-    values_.push_back(make_image(GL_RGBA32F, GL_RGBA));
+    values_.push_back(shape_.format == cases::ColorFormat::rgba8
+                          ? make_image(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE)
+                          : make_image(GL_RGBA32F, GL_RGBA));
   }
   if (Result<void> made = make_depth(); !made) return made;
   if (!is_multisampled()) return {};
@@ -121,17 +119,20 @@ Result<void> Layers::make_images() {
 }
 
 Result<void> Layers::make_framebuffers() {
-  std::vector<GLenum> buffers;
-  for (GLenum i = 0; i <= shape_.varyings; ++i) buffers.push_back(GL_COLOR_ATTACHMENT0 + i);
+  std::vector<GLuint> images;
+  if (shape_.has_numbers) images.push_back(numbers_.name());
+  for (const Object& image : values_) images.push_back(image.name());
+  for (GLenum i = 0; i < images.size(); ++i) buffers_.push_back(GL_COLOR_ATTACHMENT0 + i);
   for (GLint layer = 0; layer < shape_.layers; ++layer) {
     framebuffers_.push_back(generate_framebuffer());
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_.back().name());
-    glFramebufferTextureLayer(GL_FRAMEBUFFER, buffers[0], numbers_.name(), 0, layer);
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      glFramebufferTextureLayer(GL_FRAMEBUFFER, buffers[i + 1], values_[i].name(), 0, layer);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, buffers_[i], images[i], 0, layer);
     }
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth_.name(), 0, layer);
-    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    glDrawBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+    // Framebuffers without colours are incomplete if a colour is to be read from them.
+    if (buffers_.empty()) glReadBuffer(GL_NONE);
   }
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
@@ -192,21 +193,27 @@ Result<void> Layers::read(std::size_t layer, const std::vector<bool>& varyings,
                           LayerContent& content) {
   content.values.resize(values_.size());
   if (copy_) {
-    std::vector<GLuint> images = {numbers_.name(), depth_.name()};
+    // Without numbers, the copy has depths in place of them.
+    std::vector<GLuint> images = {(shape_.has_numbers ? numbers_ : depth_).name(), depth_.name()};
     for (const Object& image : values_) images.push_back(image.name());
     return copy_->read(images, static_cast<GLint>(layer), varyings, content);
   }
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer(layer));
-  content.numbers.resize(shape_.samples());
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  read_pixels(shape_, GL_RED, content.numbers.data());
-  content.is_empty = has_no_number(content.numbers);
-  if (content.is_empty) return check("reading a layer");
+  content.numbers.clear();
+  content.is_empty = false;
+  if (shape_.has_numbers) {
+    content.numbers.resize(shape_.samples());
+    glReadBuffer(buffers_.front());
+    read_pixels(shape_, GL_RED, content.numbers.data());
+    content.is_empty = has_no_number(content.numbers);
+    if (content.is_empty) return check("reading a layer");
+  }
   read_depth(content.depth);
+  const std::size_t first = buffers_.size() - values_.size();
   for (GLenum i = 0; i < values_.size(); ++i) {
     if (!varyings[i]) continue;
     content.values[i].resize(shape_.samples());
-    glReadBuffer(GL_COLOR_ATTACHMENT0 + 1 + i);
+    glReadBuffer(buffers_[first + i]);
     read_pixels(shape_, GL_RGBA, content.values[i].data());
   }
   return check("reading a layer");

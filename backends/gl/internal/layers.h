@@ -1,7 +1,7 @@
 #pragma once
 
-// A set of layers of one size to draw triangles into, one triangle per layer, and what they
-// contain.
+// A set of layers of one size to draw into: one triangle per layer, or a picture, which is a single
+// layer.
 
 #include <epoxy/gl.h>
 
@@ -17,14 +17,20 @@
 #include "backends/gl/internal/objects.h"
 #include "cases/case.h"
 #include "cases/error.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends::gl {
+
+/// The most driver memory that a single layer may take.
+inline constexpr std::size_t kMostBytesOfLayer = std::size_t{1} << 30U;
 
 struct LayerShape {
   cases::FramebufferSize size;
   int layers = 1;
-  std::size_t varyings = 0;  ///< colour targets of four floats, besides the target for numbers
-  cases::DepthFormat depth = cases::DepthFormat::float32;  ///< one that a case may ask for
+  std::size_t varyings = 0;  ///< colour targets of four channels, besides the target for numbers
+  cases::DepthFormat depth = cases::DepthFormat::float32;   ///< one that a case may ask for
+  bool has_numbers = true;                                  ///< false for pictures
+  cases::ColorFormat format = cases::ColorFormat::float32;  ///< of the varyings
   bool operator==(const LayerShape&) const = default;
 
   /// The number of samples in one layer.
@@ -38,10 +44,11 @@ struct LayerShape {
 
 /// The content of a layer, [y][x][sample], with samples in the driver's order.
 struct LayerContent {
-  std::vector<float> numbers;  ///< of triangles in the draw, from 1; 0 where nothing was drawn
-  std::vector<float> depth;    ///< as stored, or as a shader fetches it (Layers::fetches_depth())
+  /// Of triangles in the draw, from 1; 0 where nothing was drawn. Empty if the layer has none.
+  std::vector<float> numbers;
+  std::vector<float> depth;  ///< as stored, or as a shader fetches it (Layers::fetches_depth())
   std::vector<std::vector<std::array<float, 4>>> values;  ///< [varying]
-  bool is_empty = true;  ///< the numbers are all 0, and nothing else was read
+  bool is_empty = true;  ///< there are numbers, all 0, and nothing else was read
 };
 
 /// A program that copies a layer.
@@ -64,8 +71,8 @@ class CopyPrograms {
 
 class LayerCopy;
 
-/// Layers that hold a number, a depth and varyings for each sample. All are float32, except that
-/// depth may have a unorm format.
+/// Layers that hold a number, if the shape has numbers, a depth and varyings for each sample. All
+/// are float32, except that depth may have a unorm format and varyings may be rgba8.
 class Layers {
  public:
   /// `has` and `programs` must outlive the layers. Fails with Failure::unsupported if the driver
@@ -78,6 +85,9 @@ class Layers {
   ~Layers();
 
   const LayerShape& shape() const { return shape_; }
+  /// The draw buffers of every framebuffer: one for the numbers, if there are any, then one per
+  /// varying.
+  const std::vector<GLenum>& buffers() const { return buffers_; }
   /// The GL name of a layer's framebuffer object.
   GLuint framebuffer(std::size_t layer) const { return framebuffers_[layer].name(); }
 
@@ -88,7 +98,8 @@ class Layers {
   /// True if a shader fetches the depths that read() returns.
   bool fetches_depth() const { return copy_ != nullptr; }
 
-  /// Reads a layer, with the values of the chosen varyings. Changes GL state.
+  /// Reads a layer, with the values of the chosen varyings; a byte k of rgba8 as a float that is
+  /// near k/255. Changes GL state.
   Result<void> read(std::size_t layer, const std::vector<bool>& varyings, LayerContent& content);
 
  private:
@@ -107,6 +118,7 @@ class Layers {
   Object numbers_;
   Object depth_;
   std::vector<Object> values_;
+  std::vector<GLenum> buffers_;
   std::vector<Object> framebuffers_;
   std::unique_ptr<LayerCopy> copy_;  ///< only if layers of this kind need copying
 };

@@ -110,6 +110,10 @@ tl::unexpected<Error> failure(std::string reason) {
   return tl::unexpected(Error{"gl", "", std::move(reason)});
 }
 
+tl::unexpected<Error> unsupported(std::string reason) {
+  return tl::unexpected(Error{"gl", "", std::move(reason), Failure::unsupported});
+}
+
 Result<void> check(const std::string& what) {
   const GLenum first = glGetError();
   if (first == GL_NO_ERROR) return {};

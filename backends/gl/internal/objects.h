@@ -56,6 +56,9 @@ Result<Object> make_program(const char* vertex_shader, const char* fragment_shad
 /// An error of the driver, in one line.
 tl::unexpected<Error> failure(std::string reason);
 
+/// Something that the driver does not support, in one line.
+tl::unexpected<Error> unsupported(std::string reason);
+
 /// Fails with the first error that GL recorded since the last call: "`what` failed (GL error 0x…)".
 Result<void> check(const std::string& what);
 

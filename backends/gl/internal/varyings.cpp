@@ -73,4 +73,17 @@ std::vector<Pass> pack(const std::vector<cases::Attribute>& attributes, int samp
   return passes;
 }
 
+Pass pack_together(std::span<const cases::Attribute> attributes, int samples) {
+  Pass pass;
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const VaryingClass varies = class_of(attributes[i], samples);
+    auto varying = std::find_if(pass.begin(), pass.end(), [&](const Varying& candidate) {
+      return candidate.varies == varies && candidate.count < candidate.attributes.size();
+    });
+    if (varying == pass.end()) varying = pass.insert(pass.end(), Varying{varies, {}, 0});
+    varying->attributes[varying->count++] = i;
+  }
+  return pass;
+}
+
 }  // namespace rastercheck::backends::gl

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "cases/case.h"
@@ -38,5 +39,9 @@ using Pass = std::vector<Varying>;
 /// Returns at least one pass. The passes have noperspective vectors only if `has_noperspective`.
 std::vector<Pass> pack(const std::vector<cases::Attribute>& attributes, int samples,
                        bool has_noperspective);
+
+/// Returns a single pass with all of the attributes, for drawings that cannot be split. It has only
+/// the vectors that these attributes need.
+Pass pack_together(std::span<const cases::Attribute> attributes, int samples);
 
 }  // namespace rastercheck::backends::gl

@@ -34,6 +34,7 @@ Capabilities all_there() {
   has.has_bias_clamp = has.has_unorm_depth = true;
   has.has_noperspective = has.has_sample_qualifier = has.has_sample_targets = true;
   has.has_viewport_fractions = has.clears_beyond_one = true;
+  has.has_fine_derivatives = has.has_float_blend = true;
   has.viewport_subpixel_bits = 8;
   has.max_clip_distances = 8;
   has.max_draw_buffers = 8;
@@ -105,6 +106,47 @@ TEST(Capabilities, NameWhatThisContextLacks) {
   c = small_case();
   c.viewport.x = 0.5F;
   expect(&Capabilities::has_viewport_fractions, c, "does not support fractional viewports");
+}
+
+TEST(Capabilities, NameWhatAPictureLacks) {
+  const cases::Case c = small_case();
+  cases::Pipeline pipeline;
+  const auto expect = [&](const Capabilities& has, const std::string& what) {
+    EXPECT_EQ(lacks(all_there(), c, pipeline, 4), "");
+    EXPECT_THAT(lacks(has, c, pipeline, 4), HasSubstr(what));
+  };
+  Capabilities has = all_there();
+  has.has_float_blend = false;
+  EXPECT_EQ(lacks(has, c, pipeline, 4), "");
+  pipeline.blend = cases::Blend::additive;
+  expect(has, "does not blend into float32 targets");
+  pipeline.format = cases::ColorFormat::rgba8;
+  EXPECT_EQ(lacks(has, c, pipeline, 4), "");
+  pipeline = {};
+  pipeline.shading = cases::Shading::differences_along_y;
+  has = all_there();
+  has.has_fine_derivatives = false;
+  expect(has, "no dFdxFine() and dFdyFine()");
+  pipeline = {};
+  pipeline.clear_depth = 2;
+  has = all_there();
+  has.clears_beyond_one = false;
+  expect(has, "cannot be cleared to 2");
+  pipeline = {};
+  pipeline.texturing.emplace().texture = {16384, 1, {}};
+  has = all_there();
+  has.max_size = 4096;
+  expect(has, "texture of 16384 x 1 texels");
+}
+
+TEST(Capabilities, CountThePicturesChannels) {
+  const Capabilities has = all_there();
+  cases::Case c = small_case();
+  EXPECT_EQ(lacks(has, c, {}, 32), "");
+  EXPECT_THAT(lacks(has, c, {}, 33), HasSubstr("at most 32 channels here; the case needs 33"));
+  c.framebuffer.samples = 4;
+  EXPECT_EQ(lacks(has, c, {}, 28), "");
+  EXPECT_THAT(lacks(has, c, {}, 29), HasSubstr("at most 28 channels"));
 }
 
 TEST(Capabilities, CountSamplesAndClipDistances) {

@@ -80,6 +80,26 @@ TEST(Varyings, KeepSamplesApartFromPixels) {
   EXPECT_EQ(pack(both, 1, true).size(), 1U);
 }
 
+TEST(Varyings, MayAllBeInOnePass) {
+  std::vector<cases::Attribute> all;
+  for (int i = 0; i < 5; ++i) {
+    all.push_back(attribute(Interpolation::smooth, Location::sample));
+    all.push_back(attribute(Interpolation::smooth, Location::centroid));
+    all.push_back(attribute(Interpolation::flat, Location::sample));
+  }
+  for (const int samples : {1, 4}) {
+    const std::vector<Pass> passes = {pack_together(all, samples)};
+    // With one sample, the ten smooth attributes are alike and take three vectors; with several,
+    // five of each kind take two. Five flat attributes always take two.
+    EXPECT_EQ(passes.front().size(), samples == 1 ? 5U : 6U);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const VaryingClass& varies = find(passes, i).varying->varies;
+      EXPECT_EQ(varies.interpolation, all[i].interpolation);
+    }
+  }
+  EXPECT_TRUE(pack_together({}, 1).empty());
+}
+
 TEST(Varyings, OfNoAttributesAreOnePass) {
   EXPECT_EQ(pack({}, 1, true).size(), 1U);
   // smooth, noperspective and flat, so that programs are few.
