@@ -35,11 +35,10 @@ struct Driver {
 
 /// The properties of an OpenGL or Vulkan driver that its promises depend on.
 struct ApiLimits {
-  int subpixel_bits = 4;              ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
-  bool is_software = false;           ///< draws on the processor
-  int viewport_subpixel_bits = 0;     ///< GL_VIEWPORT_SUBPIXEL_BITS, viewportSubPixelBits
-  int subtexel_bits = 4;              ///< subTexelPrecisionBits
-  bool has_fine_differences = false;  ///< dFdxFine and dFdyFine
+  int subpixel_bits = 4;           ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
+  bool is_software = false;        ///< draws on the processor
+  int viewport_subpixel_bits = 0;  ///< GL_VIEWPORT_SUBPIXEL_BITS, viewportSubPixelBits
+  int subtexel_bits = 4;           ///< subTexelPrecisionBits
   bool operator==(const ApiLimits&) const = default;
 
   /// The promise that the driver is held to unless the user chooses another.

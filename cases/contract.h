@@ -101,9 +101,6 @@ struct PictureBounds {
   /// True if a resolved colour is the mean of a pixel's samples; else it is anywhere between the
   /// least and the greatest of them.
   bool resolves_to_mean = true;
-  /// True if a difference across a quad is of the fragment's own row or column (dFdxFine,
-  /// dFdyFine); else of either of the quad's.
-  bool has_fine_differences = true;
   /// The largest error of a colour that is blended into float32, in units of 2^-24 of the summed
   /// sizes of the products that are added; of a mean of float32 colours and of a difference across
   /// a quad likewise; and of a texel's colour k/255, in units of 2^-24.

@@ -31,16 +31,23 @@ bool is_software(std::string_view renderer) {
   });
 }
 
+/// OpenGL does not say how many bits it rounds places in textures to; Vulkan demands at least four.
+/// Mesa's drivers that draw on the processor have eight.
+constexpr int kSubtexelBits = 4;
+constexpr int kSubtexelBitsOfMesa = 8;
+
 class GlBackend : public Backend, public WaysOfDrawing, public PictureDrawer {
  public:
   GlBackend(gl::Context context, gl::CaseDrawer drawer)
       : context_(std::move(context)), drawer_(std::move(drawer)) {}
 
   About about() const override {
+    const bool draws_on_processor = is_software(context_.renderer_name());
     return {.description = context_.renderer(),
             .driver = gl::driver_of(context_.renderer_name(), context_.version()),
-            .api = ApiLimits{drawer_.subpixel_bits(), is_software(context_.renderer_name()),
-                             drawer_.viewport_subpixel_bits()},
+            .api = ApiLimits{drawer_.subpixel_bits(), draws_on_processor,
+                             drawer_.viewport_subpixel_bits(),
+                             draws_on_processor ? kSubtexelBitsOfMesa : kSubtexelBits},
             .has_limits = true,
             .capabilities = drawer_.capabilities(),
             .ways = ways(),

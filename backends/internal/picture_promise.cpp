@@ -73,7 +73,6 @@ void promise_pictures(const cases::Case& c, const ApiLimits& limits, cases::Driv
   contract.picture_bounds = {
       .keeps_fragments = is_ieee && !has_open_centroids(c),
       .resolves_to_mean = is_ieee,
-      .has_fine_differences = limits.has_fine_differences,
       .float_error = no_less(kRest * operations * operation * kUnit),
       .byte_store = byte_store,
       .byte_blend = is_ieee ? 2.0F : 4.0F,

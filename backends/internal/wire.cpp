@@ -95,8 +95,8 @@ void members(Archive& archive, T& b) {
 }
 template <typename Archive, cases::Either<cases::PictureBounds> T>
 void members(Archive& archive, T& b) {
-  archive(b.keeps_fragments, b.resolves_to_mean, b.has_fine_differences, b.float_error,
-          b.byte_store, b.byte_blend, b.byte_mean, b.texel_share, b.texel_distance);
+  archive(b.keeps_fragments, b.resolves_to_mean, b.float_error, b.byte_store, b.byte_blend,
+          b.byte_mean, b.texel_share, b.texel_distance);
 }
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
@@ -139,8 +139,7 @@ void members(Archive& archive, T& d) {
 }
 template <typename Archive, cases::Either<ApiLimits> T>
 void members(Archive& archive, T& l) {
-  archive(l.subpixel_bits, l.is_software, l.viewport_subpixel_bits, l.subtexel_bits,
-          l.has_fine_differences);
+  archive(l.subpixel_bits, l.is_software, l.viewport_subpixel_bits, l.subtexel_bits);
 }
 template <typename Archive, cases::Either<cases::Capabilities> T>
 void members(Archive& archive, T& c) {

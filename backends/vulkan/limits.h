@@ -21,6 +21,7 @@ struct Limits {
   std::array<float, 2> viewport_bounds{};  ///< least and greatest x and y of a viewport's sides
   int viewport_subpixel_bits = 0;
   int subpixel_bits = 4;
+  int subtexel_bits = 4;
   int clip_distances = 0;
   bool sample_rate_shading = false;
   bool depth_clamp = false;

@@ -43,14 +43,15 @@ class VulkanBackend : public Backend, public WaysOfDrawing, public PictureDrawer
         picture_drawing_(*resources_) {}
 
   About about() const override {
-    return {.description = device_->description(),
-            .driver = device_->driver(),
-            .api = ApiLimits{device_->limits().subpixel_bits, device_->is_software(),
-                             device_->limits().viewport_subpixel_bits},
-            .has_limits = true,
-            .capabilities = vulkan::drawable(device_->limits()),
-            .ways = ways(),
-            .draws_pictures = true};
+    return {
+        .description = device_->description(),
+        .driver = device_->driver(),
+        .api = ApiLimits{device_->limits().subpixel_bits, device_->is_software(),
+                         device_->limits().viewport_subpixel_bits, device_->limits().subtexel_bits},
+        .has_limits = true,
+        .capabilities = vulkan::drawable(device_->limits()),
+        .ways = ways(),
+        .draws_pictures = true};
   }
   WaysOfDrawing* ways_of_drawing() override { return this; }
   std::vector<cases::DrawBy> ways() const override { return drawing_.ways(); }

@@ -100,24 +100,28 @@ TEST(ApiPromise, BoundsPicturesAsTheSpecificationsDo) {
   const cases::PictureBounds spec = api_promise(c, {8, true}, kSpec).picture_bounds.value();
   EXPECT_FALSE(spec.keeps_fragments);
   EXPECT_FALSE(spec.resolves_to_mean);
-  EXPECT_FALSE(spec.has_fine_differences);
   EXPECT_EQ(spec.byte_store, 1);  // either neighbour
   EXPECT_EQ(spec.byte_blend, 4);
   EXPECT_EQ(spec.texel_distance, 0x1p-4F);
   EXPECT_NEAR(spec.float_error, 3.03e-5 * 0x1p24, 1);
 
-  const ApiLimits limits{.is_software = true, .subtexel_bits = 8, .has_fine_differences = true};
+  const ApiLimits limits{.is_software = true, .subtexel_bits = 8};
   constexpr auto kIeee = cases::DriverPromise::ieee;
   const cases::PictureBounds ieee = api_promise(c, limits, kIeee).picture_bounds.value();
   EXPECT_TRUE(ieee.keeps_fragments);
   EXPECT_TRUE(ieee.resolves_to_mean);
-  EXPECT_TRUE(ieee.has_fine_differences);
   EXPECT_EQ(ieee.byte_store, 0.6F);
   EXPECT_EQ(ieee.byte_blend, 2);
+  EXPECT_EQ(ieee.byte_mean, 0.6F);
   EXPECT_EQ(ieee.texel_distance, 0x1p-8F);
   EXPECT_NEAR(ieee.float_error, 3.03, 1e-5);
   c.framebuffer.samples = 8;  // seven sums and a product
-  EXPECT_NEAR(api_promise(c, limits, kIeee).picture_bounds->float_error, 8.08, 1e-5);
+  const cases::PictureBounds eight = api_promise(c, limits, kIeee).picture_bounds.value();
+  EXPECT_NEAR(eight.float_error, 8.08, 1e-5);
+  EXPECT_EQ(eight.byte_mean, 1.5F);  // three means, each off by half a byte
+  EXPECT_TRUE(eight.keeps_fragments);
+  c.attributes = {{"a", cases::Interpolation::smooth, cases::Location::centroid}};
+  EXPECT_FALSE(api_promise(c, limits, kIeee).picture_bounds->keeps_fragments);
 }
 
 TEST(ApiPromise, DepthBoundFollowsFromThePlaneError) {

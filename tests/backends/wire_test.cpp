@@ -76,7 +76,7 @@ cases::Contract full_contract() {
   contract.normal_bound = 3.0F;
   contract.quad_share = 4.0F;
   contract.texture_bounds = cases::TextureBounds{1, 2, 3, 4, 5};
-  contract.picture_bounds = cases::PictureBounds{false, false, false, 1, 2, 3, 4, 5, 6};
+  contract.picture_bounds = cases::PictureBounds{false, false, 1, 2, 3, 4, 5, 6};
   contract.numbers = {0.25F, 4};
   return contract;
 }

@@ -238,6 +238,7 @@ Limits limits_of(VkPhysicalDevice physical, const Features& features) {
   limits.viewport_bounds = {device.viewportBoundsRange[0], device.viewportBoundsRange[1]};
   limits.viewport_subpixel_bits = static_cast<int>(device.viewportSubPixelBits);
   limits.subpixel_bits = static_cast<int>(device.subPixelPrecisionBits);
+  limits.subtexel_bits = static_cast<int>(device.subTexelPrecisionBits);
   limits.clip_distances =
       core.shaderClipDistance == VK_TRUE ? static_cast<int>(device.maxClipDistances) : 0;
   limits.sample_rate_shading = core.sampleRateShading == VK_TRUE;

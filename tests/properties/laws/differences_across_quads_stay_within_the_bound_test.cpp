@@ -136,8 +136,6 @@ TEST(QuadDifferences, OfADriverAreThoseOfTheValuesThatItDraws) {
     }
   };
   EXPECT_GT(broken(backend), 10);
-  backend.picture_bounds->has_fine_differences = false;
-  EXPECT_EQ(broken(backend), 0);
   backend.picture_bounds->keeps_fragments = false;
   EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
 }
