@@ -37,11 +37,20 @@ std::vector<std::string> command_of(const std::string& specification, const Isol
   return command;
 }
 
-/// The most bytes of a drawing in which each triangle covers each sample, plus a reserve.
-std::uint64_t most_bytes(const cases::Case& c) {
+/// The most bytes of the answer to a request: of a drawing in which each triangle covers each
+/// sample, or of a picture, plus a reserve.
+std::uint64_t most_bytes(const Request& request) {
   constexpr double kMost = 0x1p40;
+  const cases::Case& c = request.source;
   const double samples =
       static_cast<double>(c.framebuffer.width) * c.framebuffer.height * c.framebuffer.samples;
+  if (request.question == Question::picture) {
+    // A depth and the channels: one for each attribute, or a colour.
+    const double sample =
+        4 + 4 * static_cast<double>(std::max<std::size_t>(c.attributes.size(), 4));
+    return static_cast<std::uint64_t>(std::min(samples * sample, kMost)) + kMostMessageBytes;
+  }
+  if (request.question != Question::drawing) return kMostMessageBytes;
   const double fragments = samples * static_cast<double>(c.triangles.size());
   // A triangle number, x, y, sample and depth; for each attribute, its value and two derivatives.
   const double fragment = 13 + 12 * static_cast<double>(c.attributes.size());
@@ -113,13 +122,14 @@ Result<std::string> WorkerProcess::ask(const Request& request) {
   log_.read();
   if (process_.has_ended_within({})) return tl::unexpected(loss("after its last answer"));
   log_.forget();
-  const bool is_drawing = request.question == Question::drawing;
+  const bool is_drawing =
+      request.question == Question::drawing || request.question == Question::picture;
   const std::string_view doing = is_drawing ? kWhileDrawing : "while giving its contract";
   deadline_ = deadline();
   if (!channel_.send(pack(request), [this] { return wait(); })) {
     return tl::unexpected(loss(doing));
   }
-  return receive(doing, is_drawing ? most_bytes(request.source) : kMostMessageBytes);
+  return receive(doing, most_bytes(request));
 }
 
 Result<std::string> WorkerProcess::receive(std::string_view doing, std::uint64_t most) {

@@ -109,6 +109,9 @@ TEST(Isolation, DrawsPicturesAlike) {
     ++drawn;
   }
   EXPECT_GT(drawn, 20);
+  cases::Case large = corpus().front();  // an answer longer than any contract
+  large.framebuffer = {512, 512, 1};
+  EXPECT_TRUE(isolated->picture_drawer()->draw_picture(large, pipeline));
   const auto method = make_isolated_backend("method:rational-linear", isolation()).value();
   EXPECT_EQ(method->picture_drawer(), nullptr);
 }

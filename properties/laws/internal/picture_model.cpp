@@ -147,8 +147,9 @@ class Model {
       return {nearest_whole(std::min(least, kMostByte)),
               nearest_whole(std::min(greatest, kMostByte))};
     }
-    return {std::clamp(std::ceil(least - reach), 0.0, kMostByte),
-            std::clamp(std::floor(greatest + reach), 0.0, kMostByte)};
+    // The sum takes the sign from a zero.
+    return {std::clamp(std::ceil(least - reach), 0.0, kMostByte) + 0.0,
+            std::clamp(std::floor(greatest + reach), 0.0, kMostByte) + 0.0};
   }
 
   /// A driver may take numbers below the least normal float for 0.
