@@ -82,14 +82,14 @@ constexpr int kMostAcross = 4;
 
 /// The wrapped indices of the texels along an axis that coordinates of a range may fall into, each
 /// off by at most `share` of the distance from 0 and `distance` texels; empty if they are too many.
-std::vector<int> indices_within(const records::FloatRange& range, int size, cases::Wrap wrap,
+std::vector<int> indices_within(const ValueRange& range, int size, cases::Wrap wrap,
                                 const cases::PictureBounds& bounds) {
   const auto reach = [&](const Field& texels) {
     return Field(exact_field(bounds.texel_share) * magnitude(texels) +
                  exact_field(bounds.texel_distance));
   };
-  const Field least = exact_field(range.least) * Field(size);
-  const Field greatest = exact_field(range.greatest) * Field(size);
+  const Field least = to_field(range.lo) * Field(size);
+  const Field greatest = to_field(range.hi) * Field(size);
   const Field first = floor_of(least - reach(least));
   const Field last = floor_of(greatest + reach(greatest));
   std::vector<int> indices;
@@ -100,9 +100,9 @@ std::vector<int> indices_within(const records::FloatRange& range, int size, case
 
 /// Coordinates between which a bilinear colour is a polynomial: the ends of a range, and within it
 /// the middles of texels. Empty if they are too many.
-std::vector<Field> pieces_of(const records::FloatRange& range, int size) {
-  const Field least = exact_field(range.least);
-  const Field greatest = exact_field(range.greatest);
+std::vector<Field> pieces_of(const ValueRange& range, int size) {
+  const Field least = to_field(range.lo);
+  const Field greatest = to_field(range.hi);
   const Field half(1, 2);
   std::vector<Field> ends{least};
   Field middle = floor_of(least * Field(size) - half) + Field(1) + half;

@@ -28,7 +28,6 @@
 #include "oracle/rational.h"
 #include "oracle/triangle_truth.h"
 #include "records/enclosure.h"
-#include "records/float_range.h"
 
 namespace rastercheck::oracle {
 
@@ -53,10 +52,9 @@ struct CoordinateSizes {
   Rational t = Rational();
 };
 
-/// Ranges of finite coordinates.
 struct CoordinateRanges {
-  records::FloatRange s;
-  records::FloatRange t;
+  ValueRange s;
+  ValueRange t;
 };
 
 class TextureTruth {

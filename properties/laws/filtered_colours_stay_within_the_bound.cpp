@@ -119,8 +119,9 @@ class FilterCheck {
     for (std::uint32_t channel = 0; channel < filtered->size(); ++channel) {
       const float actual = picture_->color[at * filtered->size() + channel];
       compare(place, channel, (*filtered)[channel], actual,
-              fmt::format("s from {} to {}, t from {} to {}", permitted->s.least,
-                          permitted->s.greatest, permitted->t.least, permitted->t.greatest));
+              fmt::format("s from {} to {}, t from {} to {}", permitted->s.lo.nearest_double(),
+                          permitted->s.hi.nearest_double(), permitted->t.lo.nearest_double(),
+                          permitted->t.hi.nearest_double()));
     }
   }
 

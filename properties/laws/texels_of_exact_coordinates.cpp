@@ -127,8 +127,8 @@ class TexelCheck {
         place, class_of_wrong(drawn[0], FragmentClass::beyond_bound), text_of(colors.front()),
         fmt::format("or {} others; a {}×{} texture, s from {} to {}, t from {} to {}",
                     colors.size() - 1, texturing_->texture.width, texturing_->texture.height,
-                    permitted->s.least, permitted->s.greatest, permitted->t.least,
-                    permitted->t.greatest),
+                    permitted->s.lo.nearest_double(), permitted->s.hi.nearest_double(),
+                    permitted->t.lo.nearest_double(), permitted->t.hi.nearest_double()),
         {kind_of(*case_, 0), 0, drawn[0]});
     violation.actual = fmt::format("{}, {} of 255", value_text(drawn[0]), drawn[0] * 255);
     tally_.report(violation);

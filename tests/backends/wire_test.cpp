@@ -211,17 +211,17 @@ TEST(Wire, RefusesEveryPart) {
   }
 }
 
-// Sets each byte to 255 in turn. 33 of the refused bytes are flags and enumerators: whether there
+// Sets each byte to 255 in turn. 36 of the refused bytes are flags and enumerators: whether there
 // is a coverage, its roundings and whether there are two, basis, tie rule, grid, claim, what is
 // culled and whether instead of clipping, depth format, how depths are stored, three of the bias,
-// depth function, side of depths, five promises, whether each of five optional bounds, a guard band
-// about the viewport and a sample position exist; whether coverage is conservative, its kind, its
-// corners, and whether triangles without area are covered. Four are the bytes of subpixel_bits,
-// three of odd_steps (255 is possible), 11 of the sample position (in 255 parts, it is possible).
-// 35 are the last bytes of numbers, which become negative: position error, error and growth of
-// conservative coverage, two guard bands, least area, clip tolerance, clip error, viewport error,
-// 15 numbers of bounds, four optional bounds, five numbers for textures, and two magnitudes. Eight
-// are the bytes of the number of per-triangle promises.
+// depth function, side of depths, five promises, two of pictures, whether each of six optional
+// bounds, a guard band about the viewport and a sample position exist; whether coverage is
+// conservative, its kind, its corners, and whether triangles without area are covered. Four are the
+// bytes of subpixel_bits, three of odd_steps (255 is possible), 11 of the sample position (in 255
+// parts, it is possible). 41 are the last bytes of numbers, which become negative: position error,
+// error and growth of conservative coverage, two guard bands, least area, clip tolerance, clip
+// error, viewport error, 15 numbers of bounds, four optional bounds, five numbers for textures, six
+// for pictures, and two magnitudes. Eight are the bytes of the number of per-triangle promises.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -230,7 +230,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 33 + 4 + 3 + 11 + 35 + 8);
+  EXPECT_EQ(refused, 36 + 4 + 3 + 11 + 41 + 8);
 }
 
 // Kills: a comparison that is true for NaN.

@@ -89,6 +89,8 @@ TEST(TextureTruth, BoundsGrowWithCoordinates) {
 
 // Five texels become two: each takes 0.4 of the third texel, 254 · 0.4 = 101.6. A single row stays
 // as it is.
+ValueRange range(double least, double greatest) { return {Rational(least), Rational(greatest)}; }
+
 std::vector<int> texels_within(const TextureTruth& truth, const CoordinateRanges& at,
                                const cases::PictureBounds& bounds = {}) {
   std::vector<int> values;
@@ -100,37 +102,38 @@ std::vector<int> texels_within(const TextureTruth& truth, const CoordinateRanges
 
 TEST(TextureTruth, TakesInTheTexelsOfARange) {
   const TextureTruth truth(gray(4, 2, {1, 2, 3, 4, 5, 6, 7, 8}, Filter::nearest));
-  const records::FloatRange low{0.25F, 0.25F};  // row 0
-  EXPECT_EQ(texels_within(truth, {{0.25F, 0.25F}, low}), (std::vector<int>{2}));
-  EXPECT_EQ(texels_within(truth, {{0.24F, 0.26F}, low}), (std::vector<int>{1, 2}));
-  EXPECT_EQ(texels_within(truth, {{0.1F, 0.1F}, {0.4F, 0.6F}}), (std::vector<int>{1, 5}));
-  EXPECT_EQ(texels_within(truth, {{0.9F, 1.1F}, low}), (std::vector<int>{4, 1}));
-  EXPECT_TRUE(texels_within(truth, {{0, 1}, low}).empty());  // columns 0 to 4
+  const ValueRange low = range(0.25, 0.25);  // row 0
+  EXPECT_EQ(texels_within(truth, {range(0.25, 0.25), low}), (std::vector<int>{2}));
+  EXPECT_EQ(texels_within(truth, {range(0.24, 0.26), low}), (std::vector<int>{1, 2}));
+  EXPECT_EQ(texels_within(truth, {range(0.1, 0.1), range(0.4, 0.6)}), (std::vector<int>{1, 5}));
+  EXPECT_EQ(texels_within(truth, {range(0.9, 1.1), low}), (std::vector<int>{4, 1}));
+  EXPECT_TRUE(texels_within(truth, {range(0, 1), low}).empty());  // columns 0 to 4
   cases::PictureBounds bounds;
   bounds.texel_distance = 0x1p-4F;
-  EXPECT_EQ(texels_within(truth, {{0.25F, 0.25F}, low}, bounds), (std::vector<int>{1, 2}));
-  EXPECT_EQ(texels_within(truth, {{0.27F, 0.27F}, low}, bounds), (std::vector<int>{2}));
+  EXPECT_EQ(texels_within(truth, {range(0.25, 0.25), low}, bounds), (std::vector<int>{1, 2}));
+  EXPECT_EQ(texels_within(truth, {range(0.27, 0.27), low}, bounds), (std::vector<int>{2}));
   bounds.texel_distance = 0;
   bounds.texel_share = 0.25F;  // 1.75 texels are 1.3125 to 2.1875
-  EXPECT_EQ(texels_within(truth, {{0.4375F, 0.4375F}, {0, 0}}, bounds), (std::vector<int>{2, 3}));
+  EXPECT_EQ(texels_within(truth, {range(0.4375, 0.4375), range(0, 0)}, bounds),
+            (std::vector<int>{2, 3}));
 }
 
 TEST(TextureTruth, FindsTheExtremesOfABilinearRange) {
   // Along s: 0 up to 1/8, then up to 255 at 3/8, down to 51 at 5/8.
   const TextureTruth truth(gray(4, 1, {0, 255, 51, 51}, Filter::bilinear));
-  const records::FloatRange row{0.5F, 0.5F};
-  const auto within = [&](float least, float greatest) {
-    return truth.bilinear_within({{least, greatest}, row}, {}, units(0));
+  const ValueRange row = range(0.5, 0.5);
+  const auto within = [&](double least, double greatest) {
+    return truth.bilinear_within({range(least, greatest), row}, {}, units(0));
   };
-  const auto around = within(0.25F, 0.5F);
+  const auto around = within(0.25, 0.5);
   ASSERT_TRUE(around);
   EXPECT_EQ((*around)[0].allowed.lo, Rational(0.5));
   EXPECT_EQ((*around)[0].allowed.hi, Rational(1));
-  const auto one = within(0.25F, 0.25F);
+  const auto one = within(0.25, 0.25);
   ASSERT_TRUE(one);
   EXPECT_EQ((*one)[1].allowed.lo, Rational(0.5));
   EXPECT_EQ((*one)[1].allowed.hi, Rational(0.5));
-  const auto wider = truth.bilinear_within({{0.25F, 0.25F}, row}, {}, units(0x1p22F));
+  const auto wider = truth.bilinear_within({range(0.25, 0.25), row}, {}, units(0x1p22F));
   EXPECT_EQ((*wider)[0].allowed.hi, Rational(0.75));
   EXPECT_FALSE(within(-2, 2));
 }

@@ -55,11 +55,18 @@ std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
 
 std::optional<oracle::CoordinateRanges> permitted_coordinates(const oracle::TriangleTruth& truth,
                                                               const cases::SamplePlace& place) {
-  const auto range_of = [&](std::size_t attribute) {
-    auto range = truth.permitted_numbers(attribute, static_cast<int>(place.x),
-                                         static_cast<int>(place.y), static_cast<int>(place.sample));
-    const bool is_finite = range && std::isfinite(range->least) && std::isfinite(range->greatest);
-    return is_finite ? range : std::nullopt;
+  const auto range_of = [&](std::size_t attribute) -> std::optional<oracle::ValueRange> {
+    const auto x = static_cast<int>(place.x);
+    const auto y = static_cast<int>(place.y);
+    const auto sample = static_cast<int>(place.sample);
+    const auto exact = truth.attribute(attribute, x, y, sample);
+    const auto numbers = truth.permitted_numbers(attribute, x, y, sample);
+    const bool is_finite =
+        numbers && std::isfinite(numbers->least) && std::isfinite(numbers->greatest);
+    if (!exact || !is_finite) return std::nullopt;
+    // Backends may look up texels at coordinates that they have not rounded to float32.
+    return oracle::ValueRange{std::min(exact->lo, oracle::Rational(double{numbers->least})),
+                              std::max(exact->hi, oracle::Rational(double{numbers->greatest}))};
   };
   const auto s = range_of(0);
   const auto t = range_of(1);
