@@ -48,7 +48,7 @@ class Terminal(unittest.TestCase):
 
     def test_probe_erases_its_bar(self):
         text = self.shown(["probe", "cpu", "--seconds", "86400"])
-        self.assertIn("3 of 10 measures: planes and division", text)
+        self.assertRegex(text, r"3 of \d+ measures: planes and division")
         self.assertNotIn(" measures: ", text[text.rindex(ERASE):])
 
     def test_the_verdict_has_colours_unless_refused(self):
