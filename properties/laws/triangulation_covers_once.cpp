@@ -50,6 +50,7 @@
 #include "properties/laws/internal/triangulations.h"
 #include "properties/laws/internal/verdicts.h"
 #include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::triangulation_covers_once_law {
 namespace {
