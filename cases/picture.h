@@ -55,8 +55,17 @@ enum class Shading {
   /// minus even row), both evaluated on the fragment's own triangle and sample, even where the
   /// triangle does not cover the neighbour.
   differences_along_x,
-  differences_along_y
+  differences_along_y,
+  facing,  ///< 1 on front faces and 0 on back faces in channels 0 to 2; alpha is 1
+  /// Window x and y of the fragment's sample, the fragment's depth, and 1/w.
+  window_coordinates
 };
+
+/// True if a picture of this shading has four channels, whatever the case's attributes.
+constexpr bool has_four_channels(Shading shading) {
+  return shading == Shading::vertex_colors || shading == Shading::facing ||
+         shading == Shading::window_coordinates;
+}
 
 /// A texture looked up at the first two attributes.
 struct Texturing {
@@ -64,7 +73,6 @@ struct Texturing {
   Wrap wrap_s = Wrap::repeat;
   Wrap wrap_t = Wrap::repeat;
   Filter filter = Filter::nearest;
-  std::optional<float> discard_below;  ///< fragments with less alpha are not drawn
   bool operator==(const Texturing&) const = default;
 };
 
@@ -77,13 +85,16 @@ struct Pipeline {
   ColorFormat format = ColorFormat::float32;
   Shading shading = Shading::attributes;
   std::optional<Texturing> texturing;  ///< replaces the shading, if present
-  bool resolves = false;               ///< true if the picture is the mean of the samples
+  /// Fragments are not drawn if the texture's alpha or, without a texture, the value of the case's
+  /// last attribute is less. Differences across quads are taken before.
+  std::optional<float> discard_below;
+  bool resolves = false;  ///< true if the picture is the mean of the samples
   bool operator==(const Pipeline&) const = default;
 };
 
 struct Picture {
   FramebufferSize size;      ///< one sample if resolved
-  std::size_t channels = 0;  ///< one per attribute of the case, or four for a colour
+  std::size_t channels = 0;  ///< one per attribute of the case, or four (has_four_channels())
   std::vector<float> color;  ///< [y][x][sample][channel]; a byte k as the float nearest to k/255
   std::vector<float> depth;  ///< [y][x][sample]
 };

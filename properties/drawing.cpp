@@ -22,7 +22,7 @@ bool is_well_formed(const backends::Drawn& drawn, const cases::Case& c) {
 }
 
 /// True if the picture has the size and the number of channels that case and pipeline require: four
-/// channels if it is textured or vertex-coloured, else one per attribute.
+/// channels if it is textured or its shading has four, else one per attribute.
 bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
                     const cases::Pipeline& pipeline) {
   cases::FramebufferSize size = c.framebuffer;
@@ -30,7 +30,7 @@ bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
   const std::size_t samples = static_cast<std::size_t>(size.width) *
                               static_cast<std::size_t>(size.height) *
                               static_cast<std::size_t>(size.samples);
-  const bool has_four = pipeline.texturing || pipeline.shading == cases::Shading::vertex_colors;
+  const bool has_four = pipeline.texturing || cases::has_four_channels(pipeline.shading);
   const std::size_t channels = has_four ? 4 : c.attributes.size();
   return picture.size == size && picture.channels == channels && picture.depth.size() == samples &&
          picture.color.size() == samples * picture.channels;

@@ -24,7 +24,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// Gives exact values of a batch's attributes, for cases that double cannot decide.
+/// Answers questions about a batch's lanes that few shaders ask, by evaluating single lanes.
 class ExactAttributes {
  public:
   virtual ~ExactAttributes() = default;
@@ -33,6 +33,12 @@ class ExactAttributes {
   /// multiple of `period`. `period` must be a whole number below 2^51, or infinite. If `period` is
   /// infinite, returns ⌊scale · r⌋ itself or, beyond 2^53, a neighbouring double.
   virtual double floor(std::size_t attribute, std::size_t lane, double scale, double period) = 0;
+  /// True if the lane's triangle is a front face (State::front_face).
+  virtual bool is_front(std::size_t lane) = 0;
+  /// The depth of a covered lane, as it is stored.
+  virtual float depth(std::size_t lane) = 0;
+  /// 1/w at a covered lane's sample, with a relative error of at most 2^-50.
+  virtual double reciprocal_w(std::size_t lane) = 0;
 };
 
 /// Samples that are shaded together, in cells of 8×2 pixels. All samples of a cell have the same

@@ -1,12 +1,15 @@
 #include "backends/cpu/picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "backends/cpu/case_state.h"
+#include "cases/sample_pattern.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/texture.h"
@@ -35,6 +38,64 @@ struct QuadDifferences {
   }
 };
 
+/// A shader that shows the fragment's facing (cases::Shading::facing).
+struct FacingShader {
+  std::size_t outputs() const { return 4; }
+  bool discards() const { return false; }
+  void operator()(const ras::FragmentBatch& in, ras::ShadedBatch& out) const {
+    std::fill_n(out.color[3], in.lanes, 1.0F);
+    constexpr std::size_t kLanes = ras::FragmentBatch::kCellLanes;
+    for (std::size_t first = 0; first < in.lanes; first += kLanes) {
+      const float shown = in.exact->is_front(first) ? 1 : 0;
+      for (std::size_t k = 0; k < 3; ++k) std::fill_n(out.color[k] + first, kLanes, shown);
+    }
+  }
+};
+
+/// A shader that shows window coordinates (cases::Shading::window_coordinates).
+struct CoordinatesShader {
+  std::span<const cases::SamplePosition> pattern;
+
+  std::size_t outputs() const { return 4; }
+  bool discards() const { return false; }
+  void operator()(const ras::FragmentBatch& in, ras::ShadedBatch& out) const {
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      const ras::FragmentBatch::Cell& cell = in.cells[lane / ras::FragmentBatch::kCellLanes];
+      const std::size_t at = lane % ras::FragmentBatch::kCellLanes;
+      const bool is_covered = (cell.covered >> at & 1) != 0;
+      if (!is_covered) continue;
+      const cases::SamplePosition& sample = pattern[cell.sample];
+      out.color[0][lane] = coordinate(cell.x + at % ras::FragmentBatch::kCellWidth, sample.x);
+      out.color[1][lane] = coordinate(cell.y + at / ras::FragmentBatch::kCellWidth, sample.y);
+      out.color[2][lane] = in.exact->depth(lane);
+      out.color[3][lane] = static_cast<float>(in.exact->reciprocal_w(lane));
+    }
+  }
+
+ private:
+  static float coordinate(std::size_t pixel, int sixteenths) {
+    return static_cast<float>(pixel) + static_cast<float>(sixteenths) / 16;
+  }
+};
+
+/// Shades as another shader does, and discards fragments of which an attribute is less than a
+/// limit.
+template <typename Shader>
+struct Discarding {
+  const Shader& shader;
+  std::size_t attribute = 0;
+  float limit = 0;
+
+  std::size_t outputs() const { return shader.outputs(); }
+  bool discards() const { return true; }
+  void operator()(const ras::FragmentBatch& in, ras::ShadedBatch& out) const {
+    shader(in, out);
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      if (static_cast<float>(in.values[attribute][lane]) < limit) out.discard(lane);
+    }
+  }
+};
+
 /// A draw into a framebuffer, which may be cleared first.
 struct FrameDraw {
   const cases::Case& source;
@@ -44,6 +105,15 @@ struct FrameDraw {
   ras::Picture& framebuffer;
   unsigned threads;
 
+  /// Draws by a shader, and discards if the pipeline, which has no texture, does.
+  template <typename Shader>
+  std::optional<ras::Error> by(const Shader& shader, const cases::Pipeline& pipeline) const {
+    if (!pipeline.discard_below) return by(shader);
+    const std::size_t attributes = source.attributes.size();
+    if (attributes == 0) return ras::Error::attribute_count;
+    return by(Discarding<Shader>{shader, attributes - 1, *pipeline.discard_below});
+  }
+
   template <typename... Shader>  // one or none
   std::optional<ras::Error> by(const Shader&... shader) const {
     if (!clear_depth) return draw(state, mesh, shader..., framebuffer, threads).error;
@@ -52,22 +122,28 @@ struct FrameDraw {
   }
 };
 
-std::optional<ras::Error> draw_untextured(const FrameDraw& draw, cases::Shading shading) {
+std::optional<ras::Error> draw_untextured(const FrameDraw& draw, const cases::Pipeline& pipeline) {
   const std::size_t attributes = draw.source.attributes.size();
-  switch (shading) {
+  switch (pipeline.shading) {
     case cases::Shading::vertex_colors:
       if (attributes < 3) return ras::Error::attribute_count;
-      return draw.by(ras::GouraudShader());
+      return draw.by(ras::GouraudShader(), pipeline);
     case cases::Shading::differences_along_x:
-      return draw.by(QuadDifferences{attributes, 1, false});
+      return draw.by(QuadDifferences{attributes, 1, false}, pipeline);
     case cases::Shading::differences_along_y:
       // Shaders that never discard take another code path. Using one shader of each kind for the
       // two axes covers the quads of both paths.
-      return draw.by(QuadDifferences{attributes, ras::FragmentBatch::kCellWidth, true});
+      return draw.by(QuadDifferences{attributes, ras::FragmentBatch::kCellWidth, true}, pipeline);
+    case cases::Shading::facing:
+      return draw.by(FacingShader(), pipeline);
+    case cases::Shading::window_coordinates:
+      return draw.by(CoordinatesShader{cases::standard_pattern(draw.source.framebuffer.samples)},
+                     pipeline);
     case cases::Shading::attributes:
       break;
   }
-  return draw.by();
+  if (!pipeline.discard_below) return draw.by();
+  return draw.by(ras::AttributesShader{attributes}, pipeline);
 }
 
 std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline& pipeline,
@@ -80,7 +156,7 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
   const CaseMesh memory(c);
   const ras::Mesh mesh = memory.mesh();
   const FrameDraw draw{c, state, mesh, clear_depth, framebuffer, options.threads};
-  if (!pipeline.texturing) return draw_untextured(draw, pipeline.shading);
+  if (!pipeline.texturing) return draw_untextured(draw, pipeline);
   if (c.attributes.size() < 2) return ras::Error::attribute_count;
   const cases::Texturing& texturing = *pipeline.texturing;
   ras::Texture texture;
@@ -90,7 +166,7 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
   ras::TexturedShader shader;
   shader.texture = &texture;
   shader.sampler = {wrap(texturing.wrap_s), wrap(texturing.wrap_t), filter(texturing.filter)};
-  shader.discard_below = texturing.discard_below;
+  shader.discard_below = pipeline.discard_below;
   return draw.by(shader);
 }
 

@@ -25,7 +25,7 @@ constexpr std::size_t count_of(Failure /*type*/) { return 5; }
 constexpr std::size_t count_of(Question /*type*/) { return 4; }
 constexpr std::size_t count_of(cases::DepthFunction /*type*/) { return 8; }
 constexpr std::size_t count_of(cases::ColorFormat /*type*/) { return 2; }
-constexpr std::size_t count_of(cases::Shading /*type*/) { return 4; }
+constexpr std::size_t count_of(cases::Shading /*type*/) { return 6; }
 constexpr std::size_t count_of(cases::Wrap /*type*/) { return 3; }
 constexpr std::size_t count_of(cases::Filter /*type*/) { return 3; }
 
@@ -118,12 +118,12 @@ void members(Archive& archive, T& t) {
 }
 template <typename Archive, cases::Either<cases::Texturing> T>
 void members(Archive& archive, T& t) {
-  archive(t.texture, t.wrap_s, t.wrap_t, t.filter, t.discard_below);
+  archive(t.texture, t.wrap_s, t.wrap_t, t.filter);
 }
 template <typename Archive, cases::Either<cases::Pipeline> T>
 void members(Archive& archive, T& p) {
   archive(p.depth_function, p.writes_depth, p.clear_depth, p.blend, p.format, p.shading,
-          p.texturing, p.resolves);
+          p.texturing, p.discard_below, p.resolves);
 }
 template <typename Archive, cases::Either<cases::Picture> T>
 void members(Archive& archive, T& p) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -51,11 +52,15 @@ std::vector<Slot> in_slots(std::span<const Qualifier> qualifiers, const std::vec
 
 }  // namespace
 
-std::vector<Slot> slots_of(const cases::Case& c) { return slots_of(c, 0, c.attributes.size()); }
+std::vector<Slot> slots_of(const cases::Case& c) {
+  std::vector<std::size_t> all(c.attributes.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return slots_of(c, all);
+}
 
-std::vector<Slot> slots_of(const cases::Case& c, std::size_t first, std::size_t count) {
+std::vector<Slot> slots_of(const cases::Case& c, std::span<const std::size_t> attributes) {
   std::map<Qualifier, std::vector<std::size_t>> groups;
-  for (std::size_t i = first; i < first + count; ++i) {
+  for (const std::size_t i : attributes) {
     const cases::Attribute& a = c.attributes[i];
     const bool is_everywhere_alike =
         c.framebuffer.samples == 1 || a.interpolation == cases::Interpolation::flat;
@@ -63,10 +68,10 @@ std::vector<Slot> slots_of(const cases::Case& c, std::size_t first, std::size_t 
         i);
   }
   std::vector<Slot> slots;
-  for (const auto& [qualifier, attributes] : groups) {
-    for (std::size_t i = 0; i < attributes.size(); ++i) {
+  for (const auto& [qualifier, alike] : groups) {
+    for (std::size_t i = 0; i < alike.size(); ++i) {
       if (i % kSlotSize == 0) slots.push_back({qualifier, {}});
-      slots.back().attributes.push_back(attributes[i]);
+      slots.back().attributes.push_back(alike[i]);
     }
   }
   return slots;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "cases/case.h"
@@ -30,8 +31,8 @@ struct Slot {
 /// qualifier, so that cases whose attributes differ only in order share shaders. With one sample
 /// per pixel, every location counts as the centre.
 std::vector<Slot> slots_of(const cases::Case& c);
-/// Likewise, but packs only `count` attributes from index `first` on.
-std::vector<Slot> slots_of(const cases::Case& c, std::size_t first, std::size_t count);
+/// Likewise, but packs only these attributes.
+std::vector<Slot> slots_of(const cases::Case& c, std::span<const std::size_t> attributes);
 
 /// Adds slots without attributes, so that most cases use one of a few shaders. Drivers that draw on
 /// the CPU take longer to compile one shader than to draw a hundred cases. Returns the slots

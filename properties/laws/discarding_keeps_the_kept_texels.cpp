@@ -1,4 +1,4 @@
-// Discarded fragments leave no trace: with Texturing::discard_below, the picture is the same as if
+// Discarded fragments leave no trace: with Pipeline::discard_below, the picture is the same as if
 // fragments whose texel has an alpha below the limit did not exist. They affect neither colour nor
 // depth.
 //
@@ -57,7 +57,7 @@ cases::Pipeline pipeline_of(const cases::Case& c) {
   const auto byte = static_cast<float>(choices.below(256));
   const float limit = choices.pick(std::array{byte / 255, byte / 255, 0.5F, 0x1p-20F, 1.0F});
   pipeline.texturing = texturing_of(choices, &noise_byte);
-  pipeline.texturing->discard_below = limit;
+  pipeline.discard_below = limit;
   return pipeline;
 }
 
@@ -129,7 +129,7 @@ class DiscardCheck {
     for (std::size_t k = 0; k < fragments.size(); ++k) {
       tally_.see(fragments_->triangle[fragments[k]]);
       const float alpha = static_cast<float>(colors[k].back()) / 255;
-      const float limit = *pipeline_->texturing->discard_below;
+      const float limit = *pipeline_->discard_below;
       tally_.label(alpha < limit ? "discarded" : "kept");
       if (alpha == limit) tally_.label("exactly the limit");
       if (alpha >= limit) add_kept(fragments[k], colors[k]);
@@ -151,7 +151,7 @@ class DiscardCheck {
     const std::vector<TextureTruth::Color> colors = truth_.nearest_within(*permitted, *bounds_);
     if (colors.size() != 1) return std::nullopt;
     const double alpha = colors.front().back() / 255.0;
-    const double limit{*pipeline_->texturing->discard_below};
+    const double limit{*pipeline_->discard_below};
     if (std::abs(alpha - limit) <= color_error()) return std::nullopt;
     return colors.front();
   }
@@ -175,6 +175,7 @@ class DiscardCheck {
     colored.attributes.assign(kChannels, {});
     cases::Pipeline untextured = *pipeline_;
     untextured.texturing.reset();
+    untextured.discard_below.reset();
     PictureRange expected = range_of(colored, kept_, untextured, bounds_);
     if (bounds_ && pipeline_->format == cases::ColorFormat::float32) widen(expected);
     for (const std::size_t at : judged) {
@@ -220,7 +221,7 @@ class DiscardCheck {
         place_at(*picture_, at), class_of_wrong(actual, FragmentClass::beyond_bound),
         value_text(expected),
         fmt::format("{} with a {}×{} texture, alpha below {} discarded", what,
-                    texturing.texture.width, texturing.texture.height, *texturing.discard_below),
+                    texturing.texture.width, texturing.texture.height, *pipeline_->discard_below),
         {kind, attribute, actual}));
   }
 

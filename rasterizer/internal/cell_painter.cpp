@@ -194,11 +194,27 @@ void CellPainter::flush(const Merging& merging) {
   batch_.count = 0;
 }
 
-double CellPainter::floor(std::size_t attribute, std::size_t lane, double scale, double period) {
+/// Only drawn triangles have lanes, so the fallback draws the lane's triangle.
+LanePlace CellPainter::begin_lane(std::size_t lane) {
   const FragmentBatch::Cell& cell = batch_.cells[lane / FragmentBatch::kCellLanes];
-  if (!fallback_.begin(cell.triangle)) return 0;  // never: only drawn triangles have lanes
-  const LanePlace place = place_of(cell, lane % FragmentBatch::kCellLanes);
+  fallback_.begin(cell.triangle);
+  return place_of(cell, lane % FragmentBatch::kCellLanes);
+}
+
+double CellPainter::floor(std::size_t attribute, std::size_t lane, double scale, double period) {
+  const LanePlace place = begin_lane(lane);
   return fallback_.floor(place, attribute, scale, period);
+}
+
+bool CellPainter::is_front(std::size_t lane) {
+  begin_lane(lane);
+  return fallback_.is_front();
+}
+
+float CellPainter::depth(std::size_t lane) { return fallback_.depth(begin_lane(lane)); }
+
+double CellPainter::reciprocal_w(std::size_t lane) {
+  return fallback_.reciprocal_w(begin_lane(lane));
 }
 
 }  // namespace rastercheck::rasterizer

@@ -56,8 +56,13 @@ class CellPainter : public ExactAttributes {
   void end();
 
   double floor(std::size_t attribute, std::size_t lane, double scale, double period) override;
+  bool is_front(std::size_t lane) override;
+  float depth(std::size_t lane) override;
+  double reciprocal_w(std::size_t lane) override;
 
  private:
+  /// Makes the lane's triangle the fallback's current one; returns the lane's sample.
+  LanePlace begin_lane(std::size_t lane);
   /// Draws the cells in `cells_` or, if `marks_all_`, marks their samples.
   void draw_cells(const KernelSetting& kernel, const double* planes, std::uint32_t triangle,
                   std::size_t sample);

@@ -37,6 +37,7 @@
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/clip_functionals.h"
 #include "rasterizer/internal/coverage.h"
+#include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/edge_functions.h"
 #include "rasterizer/internal/pixel_cut.h"
@@ -61,6 +62,10 @@ class ConservativeCoverage {
   CoveredBlock cover(std::size_t sample, int y, int first, int count, BlockWeights& weights);
   static Mask part_mask(const CoveredBlock& block, std::size_t /*part*/) { return block.covered; }
   static std::size_t part_at(double /*u*/, double /*v*/) { return 0; }
+  /// Triangles without area count as back faces, as they do for culling.
+  bool is_front() const {
+    return !is_flat_ && is_front_face(setting_.state, setting_.frame.displayed(turn_));
+  }
   static const GridPolygon* polygon() { return nullptr; }
   static PieceCorners corners_at(double /*u*/, double /*v*/) { return {}; }
 

@@ -16,6 +16,7 @@
 //   kLeavesWeights              true if cover() leaves the weights of the only part in `weights`
 //   part_mask(block, part)      returns the samples of the last block that belong to a part
 //   part_at(u, v)               returns the part that a window position belongs to
+//   is_front()                  true if the triangle is a front face
 //   polygon()                   returns the drawn polygon of grid points, or nullptr
 //   corners_at(u, v)            returns the polygon's three corners around a window position
 //

@@ -42,12 +42,15 @@ void count(Fate fate, DrawCounts& counts) {
   counts.discarded_degenerate += fate == Fate::degenerate ? 1U : 0U;
 }
 
-bool is_culled(const State& state, int orientation) {
-  if (state.cull == Cull::none) return false;
+bool is_front_face(const State& state, int orientation) {
   // Turning from u to v is counter-clockwise where v points up.
   const bool is_ccw = (orientation > 0) == (state.convention == Convention::opengl);
-  const bool is_front = is_ccw == (state.front_face == FrontFace::ccw);
-  return is_front == (state.cull == Cull::front);
+  return is_ccw == (state.front_face == FrontFace::ccw);
+}
+
+bool is_culled(const State& state, int orientation) {
+  if (state.cull == Cull::none) return false;
+  return is_front_face(state, orientation) == (state.cull == Cull::front);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -20,8 +20,11 @@ std::optional<InputTriangle> input_triangle(const State& state, const Mesh& mesh
 /// Counts a triangle in `counts` if its fate is one that DrawCounts reports.
 void count(Fate fate, DrawCounts& counts);
 
-/// True if a triangle with this orientation is culled: 1 if the triangle turns from window u to v,
-/// else −1.
+// An orientation is 1 if a triangle turns from window u to v, else −1.
+
+/// True if a triangle with this orientation is a front face.
+bool is_front_face(const State& state, int orientation);
+/// True if a triangle with this orientation is culled.
 bool is_culled(const State& state, int orientation);
 
 }  // namespace rastercheck::rasterizer

@@ -15,6 +15,7 @@
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/clip_functionals.h"
 #include "rasterizer/internal/coverage.h"
+#include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/edge_functions.h"
 
@@ -34,6 +35,7 @@ class ExactCoverage {
   CoveredBlock cover(std::size_t sample, int y, int first, int count, BlockWeights& weights) const;
   static Mask part_mask(const CoveredBlock& block, std::size_t /*part*/) { return block.covered; }
   static std::size_t part_at(double /*u*/, double /*v*/) { return 0; }
+  bool is_front() const { return is_front_face(setting_.state, setting_.frame.displayed(turn_)); }
   static const GridPolygon* polygon() { return nullptr; }
   static PieceCorners corners_at(double /*u*/, double /*v*/) { return {}; }
 

@@ -286,6 +286,10 @@ double value_at(const ValueLine& line, const TriangleValues& triangle, const Wei
   return exact_value_at(line, weights, u, v);
 }
 
+double exact_reciprocal_w_at(const Weights& weights, double u, double v) {
+  return combine(weights.exact_at(u, v), {1, 1, 1}).nearest() / weights.exact_det_t();
+}
+
 double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {
   const DepthLine& line = triangle.depth;
   if (triangle.has_constant_depth) return held_depth(line, line.plane.c);

@@ -132,6 +132,8 @@ double exact_value_at(const ValueLine& line, const Weights& weights, double u, d
 /// double.
 double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                       double u, double v, double scale, double period);
+/// Returns 1/w = Σ E_i / Σ w_i E_i from exact sums: relative error at most 2^-50.
+double exact_reciprocal_w_at(const Weights& weights, double u, double v);
 /// Returns the biased depth, clamped to its range but not stored, from exact sums.
 double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v);
 

@@ -77,6 +77,19 @@ class FallbackDrawingBy : public FallbackDrawing {
     }
   }
 
+  bool is_front() const override { return coverage_.is_front(); }
+
+  float depth(const LanePlace& place) override { return depth_of(sample_in_part(place)); }
+
+  double reciprocal_w(const LanePlace& place) override {
+    const DrawnPart& part = parts_[part_of(place)];
+    if (part.is_flat) {
+      return 1 / double{part.source.positions[provoking_vertex(setting_.state)].w};
+    }
+    const WindowPlace at = sample_at(place);
+    return exact_reciprocal_w_at(part.weights, at.u, at.v);
+  }
+
   double floor(const LanePlace& place, std::size_t attribute, double scale,
                double period) override {
     const WindowPlace at = place_of(place, attribute);

@@ -48,6 +48,11 @@ class FallbackDrawing {
   virtual Mask cover(std::size_t sample, int y, int first) = 0;
   /// Evaluates a sample, covered or not.
   virtual void evaluate(const LanePlace& place, const LaneOutput& out) = 0;
+  /// True if the current triangle is a front face.
+  virtual bool is_front() const = 0;
+  /// Returns the depth and 1/w of a sample, covered or not.
+  virtual float depth(const LanePlace& place) = 0;
+  virtual double reciprocal_w(const LanePlace& place) = 0;
   /// Returns ⌊scale · r⌋ without rounding (exact_floor_at() in exact_values.h).
   virtual double floor(const LanePlace& place, std::size_t attribute, double scale,
                        double period) = 0;

@@ -24,7 +24,8 @@ Fate GridCoverage::locate(const InputTriangle& triangle) {
   whole_turn_ = snapped_turn != 0 ? snapped_turn : ideal_turn;
   if (whole_turn_ == 0) return Fate::degenerate;
   const bool has_ideal_facing = state.basis == Basis::ideal && ideal_turn != 0;
-  if (is_culled(state, has_ideal_facing ? ideal_turn : whole_turn_)) return Fate::hidden;
+  facing_turn_ = has_ideal_facing ? ideal_turn : whole_turn_;
+  if (is_culled(state, facing_turn_)) return Fate::hidden;
 
   box_ = touched_pixels(polygon_.corners, bits_, {setting_.bounds.columns, setting_.bounds.rows});
   return box_.columns.empty() || box_.rows.empty() ? Fate::hidden : Fate::drawn;

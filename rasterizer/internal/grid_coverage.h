@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "rasterizer/internal/coverage.h"
+#include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/grid_piece.h"
 #include "rasterizer/internal/grid_polygon.h"
@@ -41,6 +42,7 @@ class GridCoverage {
   CoveredBlock cover(std::size_t sample, int y, int first, int count, BlockWeights& weights);
   Mask part_mask(const CoveredBlock& block, std::size_t part) const;
   std::size_t part_at(double u, double v) const;
+  bool is_front() const { return is_front_face(setting_.state, facing_turn_); }
   const GridPolygon* polygon() const { return &polygon_; }
   PieceCorners corners_at(double u, double v) const;
 
@@ -57,8 +59,9 @@ class GridCoverage {
   SampleFrame frame_;
 
   // The current triangle.
-  int turn_ = 0;        ///< the orientation of the clip positions
-  int whole_turn_ = 0;  ///< the orientation of the snapped polygon, as displayed
+  int turn_ = 0;         ///< the orientation of the clip positions
+  int whole_turn_ = 0;   ///< the orientation of the snapped polygon, as displayed
+  int facing_turn_ = 0;  ///< the orientation that faces are told apart by, as displayed
   GridPolygon polygon_;
   std::vector<GridPiece> pieces_;  ///< first those that turn like the whole polygon
   std::size_t drawn_pieces_ = 0;   ///< number of pieces that turn like the whole polygon

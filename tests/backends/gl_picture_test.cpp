@@ -364,6 +364,50 @@ TEST_P(GlPicture, HasDifferencesAcrossQuads) {
   }
 }
 
+TEST_P(GlPicture, HasFacingAndWindowCoordinates) {
+  cases::Case c = flat_case(0);
+  // w is 2 and 1/w is 1/2; the second triangle is seen from behind.
+  add(c, {at(0, 0, 0, 2), at(kSide, 0, 0, 2), at(0, kSide, 0, 2)}, {});
+  add(c, {at(kSide, kSide, 0, 2), at(0, kSide, 0, 2), at(kSide, 0, 0, 2)}, {});
+  std::swap(c.triangles[1][1], c.triangles[1][2]);
+  Pipeline pipeline;
+  pipeline.shading = Shading::facing;
+  const Picture facing = draw(c, pipeline);
+  pipeline.shading = Shading::window_coordinates;
+  const Picture coordinates = draw(c, pipeline);
+  for (const auto& [x, y] : {std::array{2, 3}, {3, 0}, {12, 10}, {15, 14}}) {
+    EXPECT_EQ(color_at(facing, x, y), x + y < 15 ? Color({1, 1, 1, 1}) : Color({0, 0, 0, 1}));
+    const Color place = color_at(coordinates, x, y);
+    EXPECT_EQ(place[0], static_cast<float>(x) + 0.5F);
+    EXPECT_EQ(place[1], static_cast<float>(y) + 0.5F);
+    EXPECT_NEAR(place[2], depth_at(coordinates, x, y), 0x1p-20F);
+    EXPECT_NEAR(place[3], 0.5F, 0x1p-20F);
+  }
+}
+
+// Kills: another attribute than the last, and differences that are taken after discarding.
+TEST_P(GlPicture, DiscardsByTheLastAttribute) {
+  cases::Case c = smooth_case(3);
+  add(c, everything(),
+      {0, 0, 0, 32, 0, 2, 0, 32, 0});  // x, y, and x/16 as the window has 16 pixels
+  Pipeline pipeline;
+  pipeline.discard_below = 0.4375F;  // 7/16, between two centres
+  const Picture values = draw(c, pipeline);
+  for (int x = 0; x < 16; ++x) {
+    EXPECT_EQ(depth_at(values, x, 5), x < 7 ? 1.0F : 0.5F) << x;
+    EXPECT_NEAR(color_at(values, x, 5)[0], x < 7 ? 0 : static_cast<float>(x) + 0.5F, kTolerance);
+  }
+  pipeline.shading = Shading::differences_along_x;
+  if (is_es()) return expect_refused(c, pipeline, "GL_ARB_derivative_control");
+  const Picture differences = draw(c, pipeline);
+  for (int x = 0; x < 16; ++x) {
+    EXPECT_NEAR(color_at(differences, x, 5)[0], x < 7 ? 0 : 1, kTolerance) << x;
+  }
+  c.attributes.clear();
+  c.attribute_values.clear();
+  expect_refused(c, pipeline, "discarding needs a texture or an attribute", Failure::refused);
+}
+
 /// Texture coordinates from −1 to 3 along both axes of the window: at pixel i, texel ⌊i/2⌋ − 2 of
 /// two.
 cases::Case textured_case() {
@@ -403,7 +447,7 @@ TEST_P(GlPicture, DiscardsBelow) {
   const cases::Case c = textured_case();
   Pipeline pipeline;
   pipeline.texturing = four_texels({0, 100, 200, 255});
-  pipeline.texturing->discard_below = 0.5F;
+  pipeline.discard_below = 0.5F;
   const Picture picture = draw(c, pipeline);
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 16; ++x) {

@@ -321,6 +321,47 @@ TEST_P(VulkanPictures, ShowDifferences) {
   }
 }
 
+TEST_P(VulkanPictures, ShowFacingAndWindowCoordinates) {
+  cases::Case c = plane({});
+  for (cases::ClipVertex& p : c.positions) p = {2 * p.x, 2 * p.y, 2 * p.z, 2};
+  cases::Pipeline pipeline;
+  pipeline.shading = Shading::window_coordinates;
+  const cases::Picture coordinates = draw(c, pipeline);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      EXPECT_THAT(color_at(coordinates, x, y),
+                  ElementsAre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
+                              FloatNear(0.5F, 1e-6F), FloatNear(0.5F, 1e-6F)));
+    }
+  }
+  // The vertices turn clockwise where y points down.
+  pipeline.shading = Shading::facing;
+  for (const bool is_clockwise : {false, true}) {
+    c.front_face = is_clockwise ? cases::FrontFace::cw : cases::FrontFace::ccw;
+    const float front = is_clockwise ? 1 : 0;
+    EXPECT_THAT(color_at(draw(c, pipeline), 3, 2), ElementsAre(front, front, front, 1));
+  }
+}
+
+// Kills: another attribute than the last; differences taken after discarding; a later group of
+// channels without the attribute that discards.
+TEST_P(VulkanPictures, DiscardByTheLastAttribute) {
+  const cases::Case c = plane({{1, 2, 0}, {0, 0, 1}, {0, 0, 0}, {4, 0, 0}, {5, 0, 0}, {0, 1, 0}});
+  cases::Pipeline pipeline;
+  pipeline.discard_below = 3;
+  const cases::Picture values = draw(c, pipeline);
+  pipeline.shading = Shading::differences_along_x;
+  const cases::Picture differences = draw(c, pipeline);
+  for (int x = 0; x < kWidth; ++x) {
+    const bool is_drawn = x >= 3;
+    EXPECT_EQ(depth_at(values, x, 1), is_drawn ? 0.5F : 1);
+    EXPECT_NEAR(color_at(values, x, 1)[4], is_drawn ? 5 : 0, 1e-4F);
+    EXPECT_NEAR(color_at(differences, x, 1)[0], is_drawn ? 2 : 0, 1e-4F);
+    EXPECT_NEAR(color_at(differences, x, 1)[5], is_drawn ? 1 : 0, 1e-4F);
+  }
+  EXPECT_THAT(refusal(plane({}), pipeline), HasSubstr("discarding needs"));
+}
+
 /// Two by two texels. Alpha is 0 in the second column.
 cases::Texture small_texture() {
   return {2, 2, {10, 20, 30, 255, 40, 50, 60, 0, 70, 80, 90, 255, 100, 110, 120, 0}};
@@ -412,7 +453,7 @@ TEST_P(VulkanPictures, DiscardWhatIsTransparent) {
   cases::Pipeline pipeline;
   cases::Texturing& texturing = pipeline.texturing.emplace();
   texturing.texture = small_texture();
-  texturing.discard_below = 0.5F;
+  pipeline.discard_below = 0.5F;
   const cases::Picture picture = draw(c, pipeline);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
@@ -421,7 +462,7 @@ TEST_P(VulkanPictures, DiscardWhatIsTransparent) {
     }
   }
   // An alpha equal to the limit is drawn.
-  texturing.discard_below = 0.0F;
+  pipeline.discard_below = 0.0F;
   EXPECT_THAT(draw(c, pipeline).depth, Each(0.5F));
 }
 

@@ -132,12 +132,12 @@ TEST(Wire, BringsPipelinesAndPictures) {
   pipeline.clear_depth = 0.25F;
   pipeline.blend = cases::Blend::additive;
   pipeline.format = cases::ColorFormat::rgba8;
-  pipeline.shading = cases::Shading::differences_along_y;
+  pipeline.shading = cases::Shading::window_coordinates;
   pipeline.texturing = cases::Texturing{{1, 2, {1, 2, 3, 4, 5, 6, 7, 8}},
                                         cases::Wrap::mirror,
                                         cases::Wrap::clamp,
-                                        cases::Filter::trilinear,
-                                        0.5F};
+                                        cases::Filter::trilinear};
+  pipeline.discard_below = 0.5F;
   pipeline.resolves = true;
   const auto request = unpack_request(
       pack(Request{.question = Question::picture, .source = full_case(), .pipeline = pipeline}));

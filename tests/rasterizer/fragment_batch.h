@@ -53,6 +53,10 @@ class KnownBatch : public ExactAttributes {
     return mpz_class(index % whole).get_d();
   }
 
+  bool is_front(std::size_t /*lane*/) override { return true; }
+  float depth(std::size_t /*lane*/) override { return 0; }
+  double reciprocal_w(std::size_t /*lane*/) override { return 1; }
+
   /// The batch, valid until this object changes.
   FragmentBatch batch() {
     values_.clear();

@@ -254,6 +254,54 @@ TEST(Shade, DiscardsAndSaysWhereLanesAre) {
   }
 }
 
+/// Paints facing, depth, 1/w, and the first value.
+struct AskingPainter {
+  std::size_t outputs() const { return 4; }
+  bool discards() const { return false; }
+  void operator()(const FragmentBatch& in, ShadedBatch& out) const {
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      const FragmentBatch::Cell& cell = in.cells[lane / FragmentBatch::kCellLanes];
+      if ((cell.covered >> lane % FragmentBatch::kCellLanes & 1) == 0) continue;
+      out.color[0][lane] = in.exact->is_front(lane) ? 1 : -1;
+      out.color[1][lane] = in.exact->depth(lane);
+      out.color[2][lane] = static_cast<float>(in.exact->reciprocal_w(lane));
+      out.color[3][lane] = static_cast<float>(in.values[0][lane]);
+    }
+  }
+};
+
+// Kills: facing, depth or 1/w of another triangle or lane; w in place of 1/w; facing that is not
+// the one that culling goes by.
+TEST(Shade, TellsFacingDepthAndReciprocalW) {
+  Random random(17);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size{random.pick({40, 100}), random.pick({30, 70}), random.pick({1, 4})};
+    State state = small_state(size.width, size.height);
+    state.attributes = {{.interpolation = Interpolation::noperspective}};
+    state.cull = random.pick({Cull::back, Cull::front});
+    state.front_face = random.pick({FrontFace::ccw, FrontFace::cw});
+    if (random.one_in(3)) state.snapping = Snapping{};
+    SmallMesh mesh;
+    for (std::uint32_t v = 0; v < 30; ++v) {
+      const float w = random.pick({0.5F, 1.0F, 2.0F, 4.0F});
+      mesh.positions.push_back(at(state, between(random, 0, size.width),
+                                  between(random, 0, size.height), w, between(random, 0, 1)));
+      mesh.attributes.push_back(1 / w);
+      if (v % 3 == 0) mesh.triangles.emplace_back(v, v + 1, v + 2);
+    }
+    Picture drawn;
+    ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), AskingPainter(), size, 2, drawn).error);
+    for (std::size_t at_sample = 0; at_sample < drawn.depth.size(); ++at_sample) {
+      if (drawn.depth[at_sample] == 2) continue;
+      const float* const shown = &drawn.attributes[4 * at_sample];
+      EXPECT_EQ(shown[0], state.cull == Cull::back ? 1 : -1);
+      EXPECT_EQ(shown[1], drawn.depth[at_sample]);
+      EXPECT_NEAR(shown[2], shown[3], 0x1p-20F * std::max(1.0F, std::abs(shown[3])));
+    }
+  }
+}
+
 /// Paints the differences within quads and the derivatives, both along x.
 struct SlopePainter {
   std::size_t outputs() const { return 2; }

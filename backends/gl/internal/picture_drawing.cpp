@@ -16,12 +16,13 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// The number of attributes that the colours depend on: the first of them.
+/// The number of attributes that the shaders use: the first of them.
 std::size_t attributes_used(const cases::Case& c, const cases::Pipeline& pipeline) {
   const std::size_t count = c.attributes.size();
   if (pipeline.texturing) return 2;
-  return pipeline.shading == cases::Shading::vertex_colors ? std::min<std::size_t>(count, 4)
-                                                           : count;
+  if (pipeline.discard_below) return count;  // it depends on the last
+  if (pipeline.shading == cases::Shading::vertex_colors) return std::min<std::size_t>(count, 4);
+  return cases::has_four_channels(pipeline.shading) ? 0 : count;
 }
 
 GLenum function_of(cases::DepthFunction function) {
@@ -99,8 +100,8 @@ float color_of(float read, cases::ColorFormat format) {
 }  // namespace
 
 std::size_t channels_of(const cases::Case& c, const cases::Pipeline& pipeline) {
-  const bool is_color = pipeline.texturing || pipeline.shading == cases::Shading::vertex_colors;
-  return is_color ? 4 : c.attributes.size();
+  const bool has_four = pipeline.texturing || cases::has_four_channels(pipeline.shading);
+  return has_four ? 4 : c.attributes.size();
 }
 
 std::string fault_of(const cases::Case& c, const cases::Pipeline& pipeline) {
@@ -119,6 +120,8 @@ std::string fault_of(const cases::Case& c, const cases::Pipeline& pipeline) {
     }
   } else if (pipeline.shading == cases::Shading::vertex_colors && attributes < 3) {
     return fmt::format("vertex colours need three attributes; the case has {}", attributes);
+  } else if (pipeline.discard_below && attributes == 0) {
+    return "discarding needs a texture or an attribute; the case has neither";
   }
   const std::size_t channels = channels_of(c, pipeline);
   if (channels == 4) return "";
@@ -175,7 +178,8 @@ Result<void> PictureDrawing::draw_into(const Layers& layers, const cases::Case& 
   shading.shading = pipeline.texturing ? cases::Shading::attributes : pipeline.shading;
   shading.is_textured = pipeline.texturing.has_value();
   shading.has_levels = pipeline.texturing && pipeline.texturing->filter == cases::Filter::trilinear;
-  shading.discards = pipeline.texturing && pipeline.texturing->discard_below;
+  shading.discards = pipeline.discard_below.has_value();
+  shading.discarding_attribute = c.attributes.empty() ? 0 : c.attributes.size() - 1;
   shading.is_multisampled = c.framebuffer.samples > 1;
   shading.channels = channels_of(c, pipeline);
   const Result<PictureProgram> program = programs_.get(shading);
@@ -188,8 +192,8 @@ Result<void> PictureDrawing::draw_into(const Layers& layers, const cases::Case& 
   if (pipeline.texturing) {
     texture = make_picture_texture(*pipeline.texturing);
     glUniform1i(program->image, 0);
-    if (shading.discards) glUniform1f(program->least_alpha, *pipeline.texturing->discard_below);
   }
+  if (shading.discards) glUniform1f(program->least_alpha, *pipeline.discard_below);
   set_case_state(*has_, c);
   clear(layers, pipeline.clear_depth);
   set_pipeline_state(pipeline);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,24 +12,55 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-/// The expression for an attribute, or for its difference across the quad.
-std::string channel_of(const Capabilities& has, const PictureShading& shading,
-                       std::size_t attribute) {
+/// An expression, and how it varies.
+struct Value {
+  std::string text;
+  cases::Interpolation interpolation = cases::Interpolation::smooth;
+};
+
+/// The expression for an attribute; empty if the pass has no such attribute.
+std::optional<Value> attribute_value(const Capabilities& has, const PictureShading& shading,
+                                     std::size_t attribute) {
   for (std::size_t i = 0; i < shading.pass.size(); ++i) {
     const Varying& varying = shading.pass[i];
     for (std::size_t k = 0; k < varying.count; ++k) {
       if (varying.attributes[k] != attribute) continue;
-      std::string value =
-          fmt::format("{}[{}]", value_of(has, varying.varies, i, shading.is_multisampled), k);
-      const bool is_along_x = shading.shading == cases::Shading::differences_along_x;
-      const bool is_along_y = shading.shading == cases::Shading::differences_along_y;
-      if (!is_along_x && !is_along_y) return value;
-      if (varying.varies.interpolation == cases::Interpolation::flat) return "0.0";
-      return fmt::format("{}({})", is_along_x ? "dFdxFine" : "dFdyFine", value);
+      return Value{
+          fmt::format("{}[{}]", value_of(has, varying.varies, i, shading.is_multisampled), k),
+          varying.varies.interpolation};
     }
   }
+  return std::nullopt;
+}
+
+/// The expression for a channel: an attribute, its difference across the quad, or what else the
+/// shading shows.
+std::string channel_of(const Capabilities& has, const PictureShading& shading,
+                       std::size_t channel) {
+  if (shading.shading == cases::Shading::window_coordinates) {
+    return fmt::format("gl_FragCoord[{}]", channel);
+  }
+  if (shading.shading == cases::Shading::facing) {
+    return channel < 3 ? "(gl_FrontFacing ? 1.0 : 0.0)" : "1.0";
+  }
+  const std::optional<Value> value = attribute_value(has, shading, channel);
   // Colours of three attributes have alpha 1; other channels without attributes are unused.
-  return shading.shading == cases::Shading::vertex_colors ? "1.0" : "0.0";
+  if (!value) return shading.shading == cases::Shading::vertex_colors ? "1.0" : "0.0";
+  const bool is_along_x = shading.shading == cases::Shading::differences_along_x;
+  const bool is_along_y = shading.shading == cases::Shading::differences_along_y;
+  if (!is_along_x && !is_along_y) return value->text;
+  if (value->interpolation == cases::Interpolation::flat) return "0.0";
+  return fmt::format("{}({})", is_along_x ? "dFdxFine" : "dFdyFine", value->text);
+}
+
+/// The statement that discards. Derivatives are undefined after it in the fragment's quad, so it
+/// comes last.
+std::string discarding(const Capabilities& has, const PictureShading& shading) {
+  if (!shading.discards) return "";
+  const std::string value = shading.is_textured
+                                ? "out0.a"
+                                : attribute_value(has, shading, shading.discarding_attribute)->text;
+  return fmt::format("  if ({} < least_alpha) discard;\n", value);
 }
 
 /// Statements that look up the colour `out0`. Without levels, the level of detail is explicit, so
@@ -38,7 +70,6 @@ std::string lookup(const Capabilities& has, const PictureShading& shading) {
                                  channel_of(has, shading, 1));
   text += shading.has_levels ? "  out0 = texture(image, place);\n"
                              : "  out0 = textureLod(image, place, 0.0);\n";
-  if (shading.discards) text += "  if (out0.a < least_alpha) discard;\n";
   return text;
 }
 
@@ -65,6 +96,7 @@ std::string picture_fragment_shader(const Capabilities& has, const PictureShadin
     inside += ");\n";
   }
   if (shading.is_textured) inside += lookup(has, shading);
+  inside += discarding(has, shading);
   return outside + "void main() {\n" + inside + "}\n";
 }
 

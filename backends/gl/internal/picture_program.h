@@ -19,6 +19,8 @@ struct PictureShading {
   bool is_textured = false;
   bool has_levels = false;  ///< the texture is filtered trilinearly
   bool discards = false;
+  /// The attribute that discarding depends on, if there is no texture.
+  std::size_t discarding_attribute = 0;
   bool is_multisampled = false;
   std::size_t channels = 0;
 };
@@ -28,7 +30,7 @@ struct PictureShading {
 struct PictureProgram {
   GLuint name = 0;
   GLint image = -1;        ///< location of the uniform with the texture's unit
-  GLint least_alpha = -1;  ///< location of the uniform with the least alpha that is drawn
+  GLint least_alpha = -1;  ///< location of the uniform with the least alpha or value that is drawn
 };
 
 /// The programs of the most recent pictures.

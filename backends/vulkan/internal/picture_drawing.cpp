@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ constexpr std::size_t kColorChannels = 4;
 constexpr std::size_t kMaxVertexFloats = std::size_t{1} << 28U;
 
 bool has_four_channels(const cases::Case& c, const cases::Pipeline& pipeline) {
-  return pipeline.texturing || pipeline.shading == cases::Shading::vertex_colors ||
+  return pipeline.texturing || cases::has_four_channels(pipeline.shading) ||
          c.attributes.size() == kColorChannels;
 }
 
@@ -48,6 +49,8 @@ std::string problem_with(const cases::Case& c, const cases::Pipeline& pipeline) 
   } else if (pipeline.shading == cases::Shading::vertex_colors && attributes < 3) {
     return fmt::format("vertex colours need at least three attributes, the case has {}",
                        attributes);
+  } else if (pipeline.discard_below && attributes == 0) {
+    return "discarding needs a texture or an attribute, the case has neither";
   }
   if (has_four_channels(c, pipeline)) return "";
   if (pipeline.format == cases::ColorFormat::rgba8) {
@@ -94,8 +97,35 @@ std::int32_t source_of(std::size_t attribute, const std::vector<Slot>& slots) {
 
 std::int32_t shows_of(const cases::Pipeline& pipeline) {
   if (pipeline.texturing) return pipeline.texturing->filter == cases::Filter::trilinear ? 3 : 0;
-  if (pipeline.shading == cases::Shading::differences_along_x) return 1;
-  return pipeline.shading == cases::Shading::differences_along_y ? 2 : 0;
+  switch (pipeline.shading) {
+    case cases::Shading::attributes:
+    case cases::Shading::vertex_colors:
+      break;
+    case cases::Shading::differences_along_x:
+      return 1;
+    case cases::Shading::differences_along_y:
+      return 2;
+    case cases::Shading::facing:
+      return 4;
+    case cases::Shading::window_coordinates:
+      return 5;
+  }
+  return 0;
+}
+
+/// The attributes that a draw of `channels` channels from index `first` on shows.
+std::vector<std::size_t> shown_attributes(const cases::Case& c, const cases::Pipeline& pipeline,
+                                          std::size_t first, std::size_t channels) {
+  std::size_t count = std::min(channels, c.attributes.size() - first);
+  if (pipeline.texturing) {
+    count = 2;
+  } else if (pipeline.shading == cases::Shading::facing ||
+             pipeline.shading == cases::Shading::window_coordinates) {
+    count = 0;
+  }
+  std::vector<std::size_t> shown(count);
+  std::iota(shown.begin(), shown.end(), first);
+  return shown;
 }
 
 }  // namespace
@@ -108,16 +138,19 @@ struct PictureDrawing::Group {
 
   Group(const cases::Case& c, const cases::Pipeline& pipeline, std::size_t first, std::size_t count)
       : channels(count) {
-    const std::size_t sources =
-        std::min(pipeline.texturing ? 2 : count, c.attributes.size() - first);
-    slots = widened(slots_of(c, first, sources), c.framebuffer.samples);
+    const std::vector<std::size_t> shown = shown_attributes(c, pipeline, first, count);
+    std::vector<std::size_t> used = shown;
+    const bool discards_by_value = pipeline.discard_below && !pipeline.texturing;
+    const std::size_t last = c.attributes.size() - 1;
+    const bool needs_last = discards_by_value && (used.empty() || used.back() != last);
+    if (needs_last) used.push_back(last);
+    slots = widened(slots_of(c, used), c.framebuffer.samples);
     for (std::size_t k = 0; k < kColorChannels; ++k) {
-      constants.sources[k] = k < sources ? source_of(first + k, slots) : -1;
+      constants.sources[k] = k < shown.size() ? source_of(shown[k], slots) : -1;
     }
     constants.shows = shows_of(pipeline);
-    if (pipeline.texturing && pipeline.texturing->discard_below) {
-      constants.discard_below = *pipeline.texturing->discard_below;
-    }
+    if (pipeline.discard_below) constants.discard_below = *pipeline.discard_below;
+    if (discards_by_value) constants.discarding_source = source_of(last, slots);
   }
 };
 

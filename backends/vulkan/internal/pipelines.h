@@ -53,8 +53,13 @@ VertexLayout vertex_layout(const PipelineKind& kind);
 struct PictureConstants {
   /// 4 · slot + component of each channel's values. −1: the channel is 1.
   std::array<std::int32_t, 4> sources{};
-  std::int32_t shows = 0;  ///< 0: values; 1, 2: differences along x, y; 3: a texture's levels
+  /// 0: values; 1, 2: differences along x, y; 3: a texture's levels; 4: facing; 5: window
+  /// coordinates.
+  std::int32_t shows = 0;
   float discard_below = -std::numeric_limits<float>::infinity();
+  /// Without a texture, the source of the value that discarding depends on. −1: nothing is
+  /// discarded.
+  std::int32_t discarding_source = -1;
 };
 
 /// Makes pipelines and keeps them for later cases of the same kind.

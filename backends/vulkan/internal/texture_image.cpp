@@ -187,11 +187,7 @@ Result<TextureImage> TextureImage::create(const Device& device, VkDescriptorSetL
   return texture;
 }
 
-bool TextureImage::is_for(const cases::Texturing& texturing) const {
-  cases::Texturing same = source_;
-  same.discard_below = texturing.discard_below;
-  return same == texturing;
-}
+bool TextureImage::is_for(const cases::Texturing& texturing) const { return source_ == texturing; }
 
 /// Transitions the image for copying to it or, once it is filled, for reading by shaders.
 void TextureImage::barrier(VkCommandBuffer commands, bool is_filled) const {

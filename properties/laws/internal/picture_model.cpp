@@ -54,7 +54,7 @@ class Model {
     depth_.assign(samples, pipeline.clear_depth);
     held_.assign(samples * channels_, {});
     assert(pipeline.blend != cases::Blend::over || channels_ == kAlpha + 1);
-    assert(!pipeline.texturing);
+    assert(!pipeline.texturing && !pipeline.discard_below);
     assert(pipeline.shading == cases::Shading::attributes ||
            (pipeline.shading == cases::Shading::vertex_colors && c.attributes.size() >= kAlpha));
   }

@@ -30,7 +30,7 @@
 // the greatest that the bounds allow; a blend's range is that of all colours present.
 //
 // Colours are the attributes. Vertex colours are the first four attributes; if a case has three
-// attributes, the fourth channel is 1. Textures and differences are not modelled.
+// attributes, the fourth channel is 1. Textures, other shadings and discarding are not modelled.
 
 #include <optional>
 
@@ -45,9 +45,10 @@ namespace rastercheck::properties {
 bool passes(cases::DepthFunction function, float depth, float present);
 
 /// The picture that a case's fragments leave. Triangles are drawn in submission order; the
-/// fragments of one triangle may come in any order. The pipeline must have no texture and show no
-/// differences. The case must have at least three attributes for vertex colours; for other colours,
-/// exactly four if the pipeline blends `over`. Fragments outside the framebuffer are ignored.
+/// fragments of one triangle may come in any order. The pipeline must show attributes or vertex
+/// colours, without a texture, and discard nothing. The case must have at least three attributes
+/// for vertex colours; for other colours, exactly four if the pipeline blends `over`. Fragments
+/// outside the framebuffer are ignored.
 cases::Picture picture_of(const cases::Case& c, const cases::Fragments& fragments,
                           const cases::Pipeline& pipeline);
 

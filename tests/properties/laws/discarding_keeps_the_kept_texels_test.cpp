@@ -43,10 +43,10 @@ TEST(Discarding, SaysNothingOfCasesWithoutCoordinates) {
 
 TEST(Discarding, ShowsWhatIsKeptOrLost) {
   EXPECT_EQ(broken_by([](Pipeline&) {}), 0);
-  EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.texturing->discard_below.reset(); }), 30);
+  EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.discard_below.reset(); }), 30);
   // Discards if "less or equal" instead of "less".
   EXPECT_GT(broken_by([](Pipeline& pipeline) {
-              float& limit = *pipeline.texturing->discard_below;
+              float& limit = *pipeline.discard_below;
               limit = std::nextafter(limit, 2.0F);
             }),
             5);
@@ -69,7 +69,7 @@ TEST(Discarding, OfADriverKeepsItsBounds) {
   const FoundInOwnCases found = check_own_cases(kLaw, backend, 100);
   EXPECT_EQ(found.violated, 0);
   EXPECT_GT(found.required, 300U);
-  backend.pipeline_damage = [](Pipeline& pipeline) { pipeline.texturing->discard_below.reset(); };
+  backend.pipeline_damage = [](Pipeline& pipeline) { pipeline.discard_below.reset(); };
   EXPECT_GT(check_own_cases(kLaw, backend, 100).violated, 30);
   backend.pipeline_damage = {};
   backend.picture_bounds->keeps_fragments = false;
