@@ -206,24 +206,9 @@ class DrawnDifferencesCheck {
     return pixel;
   }
 
-  /// True if a vertex is outside the view volume or a clip plane.
-  bool may_be_cut(std::uint32_t triangle) const {
-    const auto is_outside = [&](std::uint32_t vertex) {
-      const cases::ClipVertex& p = case_->positions[vertex];
-      const float nearest = case_->rules == cases::Rules::opengl ? -p.w : 0;
-      const bool is_inside =
-          p.w > 0 && std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && p.z >= nearest && p.z <= p.w;
-      const auto distances = case_->clip_distances_of(vertex);
-      return !is_inside ||
-             std::any_of(distances.begin(), distances.end(), [](float d) { return !(d >= 0); });
-    };
-    const cases::Triangle& corners = case_->triangles[triangle];
-    return std::any_of(corners.begin(), corners.end(), is_outside);
-  }
-
   void check_fragment(std::size_t i) {
     const cases::SamplePlace place = fragments_->place_of(i);
-    if (may_be_cut(place.triangle)) return tally_.label("may be clipped");
+    if (may_be_cut(*case_, place.triangle)) return tally_.label("may be clipped");
     tally_.pass_required(place.triangle);
     for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
       check_difference(place, a);
@@ -268,17 +253,6 @@ class DrawnDifferencesCheck {
   Tally tally_;
 };
 
-/// True if the backend's differences are held against the values that it draws.
-bool are_of_drawn_values(backends::Backend& backend) {
-  const cases::Contract contract = backend.contract({});
-  return contract.picture_bounds && keeps_fragments_in_pictures(contract);
-}
-
-bool is_promised(backends::Backend& backend) {
-  return backend.picture_drawer() != nullptr &&
-         (backend.contract({}).quad_share.has_value() || are_of_drawn_values(backend));
-}
-
 Result<Check> check_drawn(const cases::ClipCase& clip, WindowAxis axis,
                           backends::Backend& backend) {
   if (clip.framebuffer.samples > 1) return not_applicable("a driver's pixels have one sample");
@@ -294,13 +268,13 @@ Result<Check> check_drawn(const cases::ClipCase& clip, WindowAxis axis,
 
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
-  if (!is_promised(backend) || clip.attributes.empty())
+  if (!draws_differences(backend) || clip.attributes.empty())
     return not_applicable(
         "the backend promises no differences across quads, or the case has no attributes");
   clip.depth_test = cases::DepthTest::none;
   Choices choices(choices_of(clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
-  if (are_of_drawn_values(backend)) return check_drawn(clip, axis, backend);
+  if (draws_differences_of_values(backend)) return check_drawn(clip, axis, backend);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline_of(axis));
   if (!picture) return tl::unexpected(picture.error());
   return DifferencesCheck(clip, backend.contract(clip), axis, *picture).run();
@@ -332,7 +306,7 @@ const LawRegistration kRegistration(
                    "noperspective values with some w <= 0; backends that promise none",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised,
+     .is_promised = &draws_differences,
      .unpromised =
          "the backend draws no pictures or promises no bound for differences across quads",
      .covers = {cover(25, "along x"), cover(24, "along y"), cover(35, "beyond the triangle"),

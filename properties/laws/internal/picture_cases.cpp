@@ -1,6 +1,8 @@
 #include "properties/laws/internal/picture_cases.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "properties/random_state.h"
@@ -155,6 +157,30 @@ bool keeps_fragments_in_pictures(backends::Backend& backend) {
 
 bool keeps_fragments_in_pictures(const cases::Contract& contract) {
   return !contract.picture_bounds || contract.picture_bounds->keeps_fragments;
+}
+
+bool draws_differences(backends::Backend& backend) {
+  return draws_pictures(backend) &&
+         (backend.contract({}).quad_share.has_value() || draws_differences_of_values(backend));
+}
+
+bool draws_differences_of_values(backends::Backend& backend) {
+  const cases::Contract contract = backend.contract({});
+  return contract.picture_bounds && keeps_fragments_in_pictures(contract);
+}
+
+bool may_be_cut(const cases::Case& c, std::uint32_t triangle) {
+  const auto is_outside = [&](std::uint32_t vertex) {
+    const cases::ClipVertex& p = c.positions[vertex];
+    const float nearest = c.rules == cases::Rules::opengl ? -p.w : 0;
+    const bool is_inside =
+        p.w > 0 && std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && p.z >= nearest && p.z <= p.w;
+    const auto distances = c.clip_distances_of(vertex);
+    return !is_inside ||
+           std::any_of(distances.begin(), distances.end(), [](float d) { return !(d >= 0); });
+  };
+  const cases::Triangle& corners = c.triangles[triangle];
+  return std::any_of(corners.begin(), corners.end(), is_outside);
 }
 
 }  // namespace rastercheck::properties
