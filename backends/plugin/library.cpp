@@ -114,7 +114,7 @@ std::string contradiction_in(const rastercheck_contract& contract) {
 std::vector<Limited> members_of_pictures(const rastercheck_contract& contract) {
   constexpr double kAllPictures = 2 * RASTERCHECK_PICTURES_ROUNDED_COORDINATES - 1;
   constexpr double kMostByte = 255;
-  return {{"pictures", double{contract.pictures}, kAllPictures},
+  return {{"pictures", static_cast<double>(contract.pictures), kAllPictures},
           {"float_error", double{contract.float_error}, kAnyNumber},
           {"byte_store", double{contract.byte_store}, kMostByte},
           {"byte_blend", double{contract.byte_blend}, kMostByte},

@@ -40,6 +40,13 @@ cases::Picture shape_of(const cases::Case& c, const cases::Pipeline& pipeline) {
   return shape;
 }
 
+/// Says that a case has too few attributes for a pipeline's colours; empty if it has enough.
+std::string missing_attributes(const cases::Case& c, const cases::Pipeline& pipeline) {
+  if (pipeline.texturing) return c.attributes.size() < 2 ? "textures need 2 attributes" : "";
+  const bool has_colors = pipeline.shading == cases::Shading::vertex_colors;
+  return has_colors && c.attributes.size() < 3 ? "vertex colours need 3 attributes" : "";
+}
+
 std::uint32_t compare_of(cases::DepthFunction function) {
   switch (function) {
     case cases::DepthFunction::always:
@@ -221,6 +228,9 @@ Result<cases::Picture> PictureDrawing::draw(const Plugin& plugin, const cases::C
   untested.depth_test = cases::DepthTest::none;
   if (const std::string what = lacks(plugin.contract, untested); !what.empty()) {
     return foreign.fail("its contract lacks " + what, Failure::unsupported);
+  }
+  if (const std::string what = missing_attributes(c, pipeline); !what.empty()) {
+    return foreign.fail(what, Failure::unsupported);
   }
   const cases::Picture shape = shape_of(c, pipeline);
   if (!hand_over(untested, pipeline, shape)) {
