@@ -362,7 +362,8 @@ typedef struct rastercheck_contract {
   float texel_share;
   float texel_distance;
   /* Differences across quads are off by at most quad_share times the sizes that cases/contract.h
-   * defines. 0 promises nothing; plugins that do not draw them leave it 0. */
+   * defines; 0 promises nothing. If one of the seven above is not 0, they are held instead against
+   * the values that draw() draws, within float_error. */
   float quad_share;
   /* Filtered colours of a texture of W times H texels are off by at most
    *   W (filter_share max|s| + filter_constant) + H (filter_share max|t| + filter_constant)
