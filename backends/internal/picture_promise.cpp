@@ -34,25 +34,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "backends/internal/rounded_up.h"
 
 namespace rastercheck::backends {
 namespace {
 
-constexpr double kRest = 1.01;
 constexpr double kBlending = 3;
-constexpr double kSteps = 255;
+constexpr double kByteSteps = 255;
 constexpr float kNearestOfDirect3D = 0.6F;
 /// In units of 2^-24.
 constexpr double kUnit = 0x1p24;
-
-/// The float32 that is no less than a number.
-float no_less(double number) {
-  const auto nearest = static_cast<float>(number);
-  return double{nearest} >= number
-             ? nearest
-             : std::nextafter(nearest, std::numeric_limits<float>::infinity());
-}
 
 bool has_open_centroids(const cases::Case& c) {
   return c.framebuffer.samples > 1 &&
@@ -81,7 +73,7 @@ void promise_pictures(const cases::Case& c, const ApiLimits& limits, cases::Driv
       .texel_distance = no_less(texel)};
   contract.texture_bounds = {
       .coordinate_share = no_less(kRest * operation),
-      .bilinear = no_less(kRest * (2 * texel + 3 / kSteps + 2 * operation) * kUnit)};
+      .bilinear = no_less(kRest * (2 * texel + 3 / kByteSteps + 2 * operation) * kUnit)};
 }
 
 }  // namespace rastercheck::backends

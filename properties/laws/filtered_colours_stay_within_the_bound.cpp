@@ -166,8 +166,8 @@ class FilterCheck {
     tally_.report(violation_at(
         place, class_of_wrong(actual, FragmentClass::beyond_bound),
         oracle::to_string(filtered.exact),
-        fmt::format("channel {} of a {}×{} texture, {}, at {}; allowed is {} to {}", channel,
-                    texturing_->texture.width, texturing_->texture.height,
+        fmt::format("channel {} of a {}×{} texture, {}, {}, at {}; allowed is {} to {}", channel,
+                    texturing_->texture.width, texturing_->texture.height, wrap_words(*texturing_),
                     texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear", where,
                     filtered.allowed.lo.enclosure().lo, filtered.allowed.hi.enclosure().hi),
         {kind_of(*case_, attribute), attribute, actual}));

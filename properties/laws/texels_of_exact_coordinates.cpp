@@ -23,10 +23,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "oracle/texture_truth.h"
@@ -46,8 +44,6 @@ using records::FragmentClass;
 
 /// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 64;
-
-constexpr std::array<std::string_view, 3> kWrapWords{"repeat", "clamp", "mirror"};
 
 /// Red encodes the column, green the row; no byte is 0.
 std::uint8_t naming_byte(int i, int j, std::size_t channel) {
@@ -133,10 +129,11 @@ class TexelCheck {
     const std::uint32_t attribute = farther_coordinate(*permitted);
     records::Violation violation = violation_at(
         place, class_of_wrong(drawn[0], FragmentClass::beyond_bound), text_of(colors.front()),
-        fmt::format("or {} others; a {}×{} texture, s from {} to {}, t from {} to {}",
+        fmt::format("or {} others; a {}×{} texture, {}, s from {} to {}, t from {} to {}",
                     colors.size() - 1, texturing_->texture.width, texturing_->texture.height,
-                    permitted->s.lo.nearest_double(), permitted->s.hi.nearest_double(),
-                    permitted->t.lo.nearest_double(), permitted->t.hi.nearest_double()),
+                    wrap_words(*texturing_), permitted->s.lo.nearest_double(),
+                    permitted->s.hi.nearest_double(), permitted->t.lo.nearest_double(),
+                    permitted->t.hi.nearest_double()),
         {kind_of(*case_, attribute), attribute, drawn[0]});
     violation.actual = fmt::format("{}, {} of 255", value_text(drawn[0]), drawn[0] * 255);
     tally_.report(violation);
@@ -154,7 +151,7 @@ class TexelCheck {
     const oracle::TexelIndex index = oracle::texel_index(coordinate, size, wrap);
     if (index.is_on_border) tally_.label("texel border");
     if (index.is_beyond) tally_.label("beyond 0 to 1");
-    tally_.label(kWrapWords[static_cast<std::size_t>(wrap)]);
+    tally_.label(to_word(wrap));
   }
 
   void compare(std::size_t at, const cases::SamplePlace& place, const Coordinates& exact) {
@@ -172,11 +169,9 @@ class TexelCheck {
               const TextureTruth::Color& color, const Coordinates& exact, float actual) {
     records::Violation violation =
         violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), text_of(color),
-                     fmt::format("channel {} of a {}×{} texture, {} and {}, at s = {}, t = {}",
-                                 channel, texturing_->texture.width, texturing_->texture.height,
-                                 kWrapWords[static_cast<std::size_t>(texturing_->wrap_s)],
-                                 kWrapWords[static_cast<std::size_t>(texturing_->wrap_t)],
-                                 exact.s.to_string(), exact.t.to_string()),
+                     fmt::format("channel {} of a {}×{} texture, {}, at s = {}, t = {}", channel,
+                                 texturing_->texture.width, texturing_->texture.height,
+                                 wrap_words(*texturing_), exact.s.to_string(), exact.t.to_string()),
                      {kind_of(*case_, channel % 2), channel % 2, actual});
     violation.actual = fmt::format("{}, {} of 255", value_text(actual), actual * 255);
     tally_.report(violation);

@@ -30,8 +30,7 @@ std::optional<oracle::CoordinateRanges> LookupCoordinates::drawn_at(
     has_asked_ = true;
     cases::Case each_alone = *case_;  // a picture's depth test is its pipeline's
     each_alone.depth_test = cases::DepthTest::none;
-    Result<cases::Fragments> fragments =
-        backends::fragments_of(draw(each_alone, *backend_));
+    Result<cases::Fragments> fragments = backends::fragments_of(draw(each_alone, *backend_));
     if (fragments) {
       FragmentMap by_place = fragments_by_place(*fragments);
       drawn_ = Drawn{std::move(*fragments), std::move(by_place)};
