@@ -21,9 +21,9 @@
 // Texels. OpenGL 4.6, 8.14, and Vulkan 1.3, "Texel Coordinate Systems": s W takes one operation and
 // may be rounded to a fixed-point number of the implementation's bits, at least 4 in Vulkan
 // (subTexelPrecisionBits). Colours k/255 take one operation. A bilinear filter's weights are the
-// fractions of the same coordinates, so that each axis adds the same distance, in texels, to a
-// colour, as neighbouring texels differ by at most 1. Three interpolations follow, each in at least
-// the precision of the texture's 8 bits: three steps.
+// fractions of s W − 1/2, which takes two, both of numbers as large as s W; each axis adds its
+// error, in texels, to a colour, as neighbouring texels differ by at most 1. Three interpolations
+// follow, each in at least the precision of the texture's 8 bits: three steps.
 //
 // Fragments. That a picture shows the values that a program with other outputs draws, and that
 // differences across quads are those of these values, follows from no specification. Drivers that
@@ -72,7 +72,7 @@ void promise_pictures(const cases::Case& c, const ApiLimits& limits, cases::Driv
       .texel_share = no_less(kRest * operation),
       .texel_distance = no_less(texel)};
   contract.texture_bounds = {
-      .coordinate_share = no_less(kRest * operation),
+      .coordinate_share = no_less(kRest * 2 * operation),
       .bilinear = no_less(kRest * (2 * texel + 3 / kByteSteps + 2 * operation) * kUnit)};
 }
 

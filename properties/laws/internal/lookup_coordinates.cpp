@@ -13,6 +13,10 @@ double magnitude(const oracle::ValueRange& range) {
   return std::max(std::abs(range.lo.nearest_double()), std::abs(range.hi.nearest_double()));
 }
 
+bool is_within(const oracle::ValueRange& inner, const oracle::ValueRange& outer) {
+  return outer.lo <= inner.lo && inner.hi <= outer.hi;
+}
+
 }  // namespace
 
 LookupCoordinates::LookupCoordinates(const cases::Case& c, backends::Backend& backend,
@@ -21,7 +25,12 @@ LookupCoordinates::LookupCoordinates(const cases::Case& c, backends::Backend& ba
 
 std::optional<oracle::CoordinateRanges> LookupCoordinates::find(const oracle::TriangleTruth& truth,
                                                                 const cases::SamplePlace& place) {
-  return are_drawn_ ? drawn_at(place) : permitted_coordinates(truth, place);
+  const auto drawn = drawn_at(place);
+  if (!drawn || are_drawn_) return drawn;
+  const auto permitted = permitted_coordinates(truth, place);
+  const bool is_permitted =
+      permitted && is_within(drawn->s, permitted->s) && is_within(drawn->t, permitted->t);
+  return is_permitted ? permitted : std::nullopt;
 }
 
 std::optional<oracle::CoordinateRanges> LookupCoordinates::drawn_at(

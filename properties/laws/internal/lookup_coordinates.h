@@ -20,9 +20,9 @@ class LookupCoordinates {
                     const cases::Contract& contract);
 
   /// The coordinates of a fragment. If pictures have the fragments that the backend draws
-  /// (cases::PictureBounds), those that it draws itself: how good these are is for other laws to
-  /// judge. Otherwise all that the contract permits. Empty if they may be any. Draws the case's
-  /// fragments when first called.
+  /// (cases::PictureBounds), those that it draws itself. Otherwise all that the contract permits;
+  /// empty if they may be any, or if the backend draws others as a fragment. How good drawn
+  /// coordinates are is for other laws to judge. Draws the case's fragments when first called.
   std::optional<oracle::CoordinateRanges> find(const oracle::TriangleTruth& truth,
                                                const cases::SamplePlace& place);
 
