@@ -104,12 +104,11 @@
 #include "backends/internal/affine_condition.h"
 #include "backends/internal/picture_promise.h"
 #include "backends/internal/plane_error.h"
+#include "backends/internal/rounded_up.h"
 #include "backends/internal/view_clipping.h"
 
 namespace rastercheck::backends {
 namespace {
-
-constexpr double kRest = 1.01;
 
 // Numbers of operations, except where noted.
 constexpr double kPosition = 4;
@@ -252,11 +251,6 @@ OneTriangle::OneTriangle(const cases::Case& c, const ApiLimits& limits,
   if (!is_before_the_eye()) arithmetic_ = kSpecified;
   viewport_error_ = viewport_error(c.viewport, limits.viewport_subpixel_bits);
   if (viewport_error_ > 0) grown_ = cases::most_growth(c.viewport, viewport_error_);
-}
-
-/// A float32 that is at least the bound.
-float no_less(double bound) {
-  return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::max());
 }
 
 /// Converts an error, given as a share of the largest value, to ulps of that value.

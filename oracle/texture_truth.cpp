@@ -90,8 +90,12 @@ std::vector<int> indices_within(const ValueRange& range, int size, cases::Wrap w
   };
   const Field least = to_field(range.lo) * Field(size);
   const Field greatest = to_field(range.hi) * Field(size);
-  const Field first = floor_of(least - reach(least));
-  const Field last = floor_of(greatest + reach(greatest));
+  Field first = floor_of(least - reach(least));
+  Field last = floor_of(greatest + reach(greatest));
+  if (wrap == cases::Wrap::clamp) {  // all beyond an end is one texel
+    first = std::clamp(first, Field(0), Field(size - 1));
+    last = std::clamp(last, Field(0), Field(size - 1));
+  }
   std::vector<int> indices;
   if (last - first >= Field(kMostAcross)) return indices;
   for (Field i = first; i <= last; i = i + Field(1)) indices.push_back(wrapped(i, size, wrap));

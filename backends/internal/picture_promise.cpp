@@ -21,9 +21,9 @@
 // Texels. OpenGL 4.6, 8.14, and Vulkan 1.3, "Texel Coordinate Systems": s W takes one operation and
 // may be rounded to a fixed-point number of the implementation's bits, at least 4 in Vulkan
 // (subTexelPrecisionBits). Colours k/255 take one operation. A bilinear filter's weights are the
-// fractions of the same coordinates, so that each axis adds the same distance, in texels, to a
-// colour, as neighbouring texels differ by at most 1. Three interpolations follow, each in at least
-// the precision of the texture's 8 bits: three steps.
+// fractions of s W − 1/2, which takes two, both of numbers as large as s W; each axis adds its
+// error, in texels, to a colour, as neighbouring texels differ by at most 1. Three interpolations
+// follow, each in at least the precision of the texture's 8 bits: three steps.
 //
 // Fragments. That a picture shows the values that a program with other outputs draws, and that
 // differences across quads are those of these values, follows from no specification. Drivers that
@@ -34,25 +34,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "backends/internal/rounded_up.h"
 
 namespace rastercheck::backends {
 namespace {
 
-constexpr double kRest = 1.01;
 constexpr double kBlending = 3;
-constexpr double kSteps = 255;
+constexpr double kByteSteps = 255;
 constexpr float kNearestOfDirect3D = 0.6F;
 /// In units of 2^-24.
 constexpr double kUnit = 0x1p24;
-
-/// The float32 that is no less than a number.
-float no_less(double number) {
-  const auto nearest = static_cast<float>(number);
-  return double{nearest} >= number
-             ? nearest
-             : std::nextafter(nearest, std::numeric_limits<float>::infinity());
-}
 
 bool has_open_centroids(const cases::Case& c) {
   return c.framebuffer.samples > 1 &&
@@ -80,8 +72,8 @@ void promise_pictures(const cases::Case& c, const ApiLimits& limits, cases::Driv
       .texel_share = no_less(kRest * operation),
       .texel_distance = no_less(texel)};
   contract.texture_bounds = {
-      .coordinate_share = no_less(kRest * operation),
-      .bilinear = no_less(kRest * (2 * texel + 3 / kSteps + 2 * operation) * kUnit)};
+      .coordinate_share = no_less(kRest * 2 * operation),
+      .bilinear = no_less(kRest * (2 * texel + 3 / kByteSteps + 2 * operation) * kUnit)};
 }
 
 }  // namespace rastercheck::backends

@@ -27,17 +27,18 @@ struct Guarded {
   std::uintptr_t begin = 0;
   std::uintptr_t end = 0;  ///< end of the array and also of accessible memory
 };
-/// The arrays of the current plugin. A plugin has eleven.
-std::array<Guarded, 16> all_guarded;
+/// The arrays of the current plugin. A plugin has eleven for draws, six for queries and ten for
+/// pictures.
+std::array<Guarded, 32> all_guarded;
 
-void forget(const char* name) {
+/// Forgets the array with these pages. Arrays of several calls may have the same name.
+void forget(std::uintptr_t pages) {
   for (Guarded& one : all_guarded) {
-    if (one.name == name) one = {};
+    if (one.pages == pages) one = {};
   }
 }
 
 void remember(const Guarded& array) {
-  forget(array.name);
   const auto place = std::find_if(all_guarded.begin(), all_guarded.end(),
                                   [](const Guarded& one) { return one.name == nullptr; });
   if (place != all_guarded.end()) *place = array;
@@ -134,8 +135,11 @@ void report_wrong_accesses() {
 GuardedArray::~GuardedArray() { release(); }
 
 void GuardedArray::release() {
-  forget(name_);
-  if (pages_ != nullptr) ::munmap(pages_ - page_size(), touchable_ + 2 * page_size());
+  if (pages_ != nullptr) {
+    std::byte* const all = pages_ - page_size();
+    forget(reinterpret_cast<std::uintptr_t>(all));
+    ::munmap(all, touchable_ + 2 * page_size());
+  }
   pages_ = nullptr;
   data_ = nullptr;
   size_ = 0;

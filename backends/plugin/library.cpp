@@ -44,6 +44,9 @@ std::optional<std::string> line_of(const char* text) {
   return cases::one_line(std::string_view(text, ::strnlen(text, kLongestName)));
 }
 
+/// More than any float.
+constexpr double kAnyNumber = 3.5e38;
+
 /// A member of a contract whose value must be from 0 to `most`.
 struct Limited {
   std::string_view name;
@@ -107,12 +110,30 @@ std::string contradiction_in(const rastercheck_contract& contract) {
   return "";
 }
 
+/// The members that are about pictures.
+std::vector<Limited> members_of_pictures(const rastercheck_contract& contract) {
+  constexpr double kAllPictures = 2 * RASTERCHECK_PICTURES_ROUNDED_COORDINATES - 1;
+  constexpr double kMostByte = 255;
+  return {{"pictures", static_cast<double>(contract.pictures), kAllPictures},
+          {"float_error", double{contract.float_error}, kAnyNumber},
+          {"byte_store", double{contract.byte_store}, kMostByte},
+          {"byte_blend", double{contract.byte_blend}, kMostByte},
+          {"byte_mean", double{contract.byte_mean}, kMostByte},
+          {"texel_share", double{contract.texel_share}, kAnyNumber},
+          {"texel_distance", double{contract.texel_distance}, kAnyNumber},
+          {"quad_share", double{contract.quad_share}, kAnyNumber},
+          {"filter_share", double{contract.filter_share}, kAnyNumber},
+          {"filter_constant", double{contract.filter_constant}, kAnyNumber},
+          {"bilinear", double{contract.bilinear}, kAnyNumber},
+          {"trilinear", double{contract.trilinear}, kAnyNumber},
+          {"derivative_share", double{contract.derivative_share}, kAnyNumber}};
+}
+
 /// Describes an impossible value in a contract; empty if all values are possible.
 std::string fault_of(const rastercheck_contract& contract) {
   constexpr double kAllLacks = 2 * RASTERCHECK_LACKS_DEPTH - 1;
   constexpr double kAllKeeps = 2 * RASTERCHECK_KEEPS_SIGN_OF_ZERO - 1;
   constexpr double kAllSamples = 31;
-  constexpr double kAnyNumber = 3.5e38;
   const auto number = [](auto value) { return static_cast<double>(value); };
   std::vector<Limited> members{
       {"coverage", number(contract.coverage), RASTERCHECK_COVERAGE_SNAPPED},
@@ -165,6 +186,8 @@ std::string fault_of(const rastercheck_contract& contract) {
       members.push_back({name, number(share), kAnyNumber});
     }
   }
+  const std::vector<Limited> of_pictures = members_of_pictures(contract);
+  members.insert(members.end(), of_pictures.begin(), of_pictures.end());
   for (const Limited& member : members) {
     if (member.value >= 0 && member.value <= member.most) continue;  // false for NaN
     return fmt::format("its contract's {} is {}, but must be from 0 to {}", member.name,
@@ -217,13 +240,18 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
   if (const std::string fault = fault_of(*contract); !fault.empty()) {
     return tl::unexpected(unavailable(path, fault));
   }
+  if (all->draw_picture != nullptr && (contract->lacks & RASTERCHECK_LACKS_DEPTH) != 0) {
+    return tl::unexpected(unavailable(
+        path,
+        "its draw_picture contradicts its contract, which lacks DEPTH: pictures have depths"));
+  }
   rastercheck_contract promised = *contract;
   // A plugin that was compiled before rastercheck_draw had depth_clear, or bias and format, does
   // not read these members.
   constexpr std::size_t kWithDepthClear =
       offsetof(rastercheck_contract, depth_format) + sizeof(rastercheck_contract::depth_format);
   if (all->contract->size < kWithDepthClear) promised.lacks |= RASTERCHECK_LACKS_DEPTH_CLEAR;
-  return Plugin{*name, *version, promised, all->draw, all->query};
+  return Plugin{*name, *version, promised, all->draw, all->query, all->draw_picture};
 }
 
 namespace {
@@ -315,6 +343,39 @@ void add_depth_storage(const rastercheck_contract& contract, cases::Contract& pr
                                      : cases::BiasExponent::vertices;
 }
 
+/// The byte that is nearest is promised if a contract says nothing.
+float byte_bound(float of_contract) {
+  return of_contract == 0 ? cases::PictureBounds().byte_store : of_contract;
+}
+
+void add_pictures(const rastercheck_contract& contract, cases::Contract& promised) {
+  const std::array<float, 6> bounds{contract.float_error, contract.byte_store,
+                                    contract.byte_blend,  contract.byte_mean,
+                                    contract.texel_share, contract.texel_distance};
+  const bool leaves_open =
+      contract.pictures != 0 ||
+      std::any_of(bounds.begin(), bounds.end(), [](float bound) { return bound > 0; });
+  if (leaves_open) {
+    promised.picture_bounds = {
+        .keeps_fragments = (contract.pictures & RASTERCHECK_PICTURES_OTHER_FRAGMENTS) == 0,
+        .resolves_to_mean = (contract.pictures & RASTERCHECK_PICTURES_NO_MEAN) == 0,
+        .float_error = contract.float_error,
+        .byte_store = byte_bound(contract.byte_store),
+        .byte_blend = byte_bound(contract.byte_blend),
+        .byte_mean = byte_bound(contract.byte_mean),
+        .texel_share = contract.texel_share,
+        .texel_distance = contract.texel_distance};
+  }
+  if (contract.quad_share > 0) promised.quad_share = contract.quad_share;
+  if (contract.bilinear > 0 || contract.trilinear > 0) {
+    promised.texture_bounds = {.coordinate_share = contract.filter_share,
+                               .coordinate_constant = contract.filter_constant,
+                               .bilinear = contract.bilinear,
+                               .trilinear = contract.trilinear,
+                               .derivative_share = contract.derivative_share};
+  }
+}
+
 }  // namespace
 
 Result<Plugin> load_plugin(const std::string& path) {
@@ -398,6 +459,7 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
     promised.depth_format = kDepthFormats[contract.depth_format];
   }
   add_depth_storage(contract, promised);
+  add_pictures(contract, promised);
   return promised;
 }
 

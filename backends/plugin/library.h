@@ -17,6 +17,8 @@ struct Plugin {
   uint32_t (*draw)(const rastercheck_draw*, rastercheck_output*) = nullptr;
   uint32_t (*query)(const rastercheck_query*,
                     rastercheck_answer*) = nullptr;  ///< null if it has none
+  uint32_t (*draw_picture)(const rastercheck_draw*, const rastercheck_pipeline*,
+                           rastercheck_picture*) = nullptr;  ///< null if it has none
 };
 
 /// Loads a shared library and gets its plugin. Fails as `refused` if the file does not exist, and

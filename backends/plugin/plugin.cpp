@@ -18,6 +18,7 @@
 #include "backends/plugin/guarded_array.h"
 #include "backends/plugin/library.h"
 #include "backends/plugin/occlusion_query.h"
+#include "backends/plugin/picture_drawing.h"
 
 namespace rastercheck::backends::plugin_registration {
 namespace {
@@ -55,19 +56,23 @@ struct Rectangle {
   std::uint32_t max_y = 0;
 };
 
-class PluginBackend : public Backend, private OcclusionCuller {
+class PluginBackend : public Backend, private OcclusionCuller, private PictureDrawer {
  public:
   PluginBackend(std::string path, Plugin plugin)
-      : path_(std::move(path)), plugin_(std::move(plugin)), query_(path_) {}
+      : path_(std::move(path)), plugin_(std::move(plugin)), query_(path_), picture_(path_) {}
 
   About about() const override {
     // has_limits is set because the plugin may answer any draw with RASTERCHECK_UNSUPPORTED.
     return {.description = describe(plugin_),
             .has_limits = true,
             .capabilities = capabilities_of(plugin_.contract),
-            .answers_occlusion_queries = plugin_.query != nullptr};
+            .answers_occlusion_queries = plugin_.query != nullptr,
+            .draws_pictures = plugin_.draw_picture != nullptr};
   }
   OcclusionCuller* occlusion_culler() override { return plugin_.query != nullptr ? this : nullptr; }
+  PictureDrawer* picture_drawer() override {
+    return plugin_.draw_picture != nullptr ? this : nullptr;
+  }
   cases::Contract promise(const cases::Case& c) const override {
     return contract_of(plugin_.contract, c);
   }
@@ -76,6 +81,10 @@ class PluginBackend : public Backend, private OcclusionCuller {
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
   Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) override {
     return query_.ask(plugin_, c, occluders);
+  }
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    return picture_.draw(plugin_, c, pipeline);
   }
   Result<void> hand_over(const cases::Case& c);
   Result<void> append(std::uint32_t first, std::uint32_t count, cases::Fragments& drawn);
@@ -128,6 +137,7 @@ class PluginBackend : public Backend, private OcclusionCuller {
   std::string path_;
   Plugin plugin_;
   OcclusionQuery query_;
+  PictureDrawing picture_;
   Arrays arrays_;
   rastercheck_draw draw_{};
   rastercheck_output output_{};

@@ -4,7 +4,8 @@
  *
  * A plugin is a shared library that exports one function, rastercheck_plugin_get(). The function
  * returns what the rasterizer promises (rastercheck_contract) and a function that draws (from a
- * rastercheck_draw to a rastercheck_output); for occlusion cullers, also one that answers queries.
+ * rastercheck_draw to a rastercheck_output); for occlusion cullers, also one that answers queries;
+ * and, if it has more of a pipeline than fragments, one that draws pictures.
  *
  * Versions. Every struct begins with its size in bytes, as compiled by whoever fills it in, except
  * rastercheck_bound and rastercheck_attribute, which never grow. Members are only ever added at the
@@ -234,6 +235,18 @@ enum {
   RASTERCHECK_EXPONENT_OPEN = 1 /* of these, or of what is left of the triangle after clipping */
 };
 
+/* rastercheck_contract.pictures: what pictures may do otherwise. Add up the ones that apply. */
+enum {
+  /* Their fragments may have other depths and attributes than those of draw(). */
+  RASTERCHECK_PICTURES_OTHER_FRAGMENTS = 1 << 0,
+  /* A resolved colour need not be the mean of the samples, but lies between the least and the
+   * greatest of them. */
+  RASTERCHECK_PICTURES_NO_MEAN = 1 << 1,
+  /* Texture coordinates are rounded: each may be any value that the bounds of its attribute permit.
+   * The bounds of pictures permit that, too, if one of them is not 0. */
+  RASTERCHECK_PICTURES_ROUNDED_COORDINATES = 1 << 2
+};
+
 /* How far a value v may be off, in units of the float32 spacing at max(|v|, |values of the
  * vertices|):
  *
@@ -333,6 +346,34 @@ typedef struct rastercheck_contract {
   uint32_t bias_slope;    /* RASTERCHECK_SLOPE_… */
   uint32_t bias_unit;     /* RASTERCHECK_UNIT_… */
   uint32_t bias_exponent; /* RASTERCHECK_EXPONENT_… */
+
+  /* Of pictures (rastercheck_plugin.draw_picture). If the next seven are 0, a picture is to the bit
+   * what its fragments leave, and a texel is that of the exact coordinates. */
+  uint32_t pictures; /* RASTERCHECK_PICTURES_…, added */
+  /* How far a float32 colour may be off: if blended, in 2^-24 of the summed sizes of the products
+   * that are added; a mean or a difference likewise; a texel's k/255 in units of 2^-24. */
+  float float_error;
+  /* How far 255 times a colour may be from the byte that it is stored as: stored as it is, blended,
+   * or as the mean of samples; at most 255. 0 stands for 1/2: to nearest. */
+  float byte_store;
+  float byte_blend;
+  float byte_mean;
+  /* How far from its coordinates a texel may be: a share of their distance from 0, and texels. */
+  float texel_share;
+  float texel_distance;
+  /* Differences across quads are off by at most quad_share times the sizes that cases/contract.h
+   * defines; 0 promises nothing. If one of the seven above is not 0, they are held instead against
+   * the values that draw() draws, within float_error. */
+  float quad_share;
+  /* Filtered colours of a texture of W times H texels are off by at most
+   *   W (filter_share max|s| + filter_constant) + H (filter_share max|t| + filter_constant)
+   *   + units * 2^-24
+   * where units is `bilinear` or `trilinear`. If both are 0, nothing is promised. */
+  float filter_share;
+  float filter_constant;
+  float bilinear;
+  float trilinear;
+  float derivative_share; /* of derivatives that choose a trilinear level: cases/contract.h */
 } rastercheck_contract;
 
 /* ------------------------------------------------------------------------------------------------
@@ -515,6 +556,113 @@ typedef struct rastercheck_answer {
 } rastercheck_answer;
 
 /* ------------------------------------------------------------------------------------------------
+ * Pictures, for rasterizers that have more than fragments: depth functions, blending, formats,
+ * resolving, textures.
+ *
+ * Triangles are drawn in their order. A fragment that passes the depth test is blended over the
+ * colour of its sample, and the result is stored. Blending is done in double, products first, every
+ * operation rounded to nearest; for RGBA8, in units of bytes: with 255 s and with the byte that is
+ * there, while the factor a stays in 0…1. What is stored is the nearest float, or the nearest byte,
+ * ties to even. A mean is the samples' sum in double, in their order, divided by their number, and
+ * stored likewise. A contract may leave more open.
+ */
+
+/* rastercheck_pipeline.depth_function: fragments whose depth has this relation to the sample's are
+ * drawn. */
+enum {
+  RASTERCHECK_COMPARE_ALWAYS = 0,
+  RASTERCHECK_COMPARE_NEVER = 1,
+  RASTERCHECK_COMPARE_LESS = 2,
+  RASTERCHECK_COMPARE_EQUAL = 3,
+  RASTERCHECK_COMPARE_LESS_OR_EQUAL = 4,
+  RASTERCHECK_COMPARE_GREATER = 5,
+  RASTERCHECK_COMPARE_NOT_EQUAL = 6,
+  RASTERCHECK_COMPARE_GREATER_OR_EQUAL = 7
+};
+
+/* rastercheck_pipeline.blend: what a fragment's colour s, of alpha a, makes of the colour d that is
+ * there. Alpha is channel 3. */
+enum {
+  RASTERCHECK_BLEND_OFF = 0,     /* s */
+  RASTERCHECK_BLEND_OVER = 1,    /* a s + (1 - a) d; alpha: a + (1 - a) d. Four channels */
+  RASTERCHECK_BLEND_ADDITIVE = 2 /* s + d, of alpha too */
+};
+
+/* rastercheck_pipeline.format */
+enum {
+  RASTERCHECK_COLOR_FLOAT32 = 0, /* nothing is clamped */
+  /* Bytes k, which mean k/255. s is first clamped to 0…1, NaN to 0; bytes to at most 255. */
+  RASTERCHECK_COLOR_RGBA8 = 1
+};
+
+/* rastercheck_pipeline.shading: where colours come from if there is no texture. */
+enum {
+  RASTERCHECK_SHADING_ATTRIBUTES = 0, /* a channel for each attribute */
+  /* Red, green, blue, alpha: the first three or four attributes. Alpha is 1 if there are three. */
+  RASTERCHECK_SHADING_VERTEX_COLORS = 1,
+  /* The attributes' differences across quads: odd column minus even column, or odd row minus even
+   * row, also where the triangle does not cover the neighbour. */
+  RASTERCHECK_SHADING_DIFFERENCES_X = 2,
+  RASTERCHECK_SHADING_DIFFERENCES_Y = 3,
+  RASTERCHECK_SHADING_FACING = 4, /* red, green and blue: 1 on front faces, 0 on back faces; alpha: 1 */
+  /* Window x and y of the sample, the depth of the fragment, and 1/w. */
+  RASTERCHECK_SHADING_WINDOW_COORDINATES = 5
+};
+
+/* rastercheck_texture.wrap_s and wrap_t */
+enum { RASTERCHECK_WRAP_REPEAT = 0, RASTERCHECK_WRAP_CLAMP = 1, RASTERCHECK_WRAP_MIRROR = 2 };
+
+/* rastercheck_texture.filter */
+enum {
+  RASTERCHECK_FILTER_NEAREST = 0, /* the texel (floor(s width), floor(t height)), wrapped */
+  RASTERCHECK_FILTER_BILINEAR = 1,
+  RASTERCHECK_FILTER_TRILINEAR = 2
+};
+
+/* Looked up at the first two attributes, s and t. */
+typedef struct rastercheck_texture {
+  uint32_t size;
+  uint32_t width;
+  uint32_t height;
+  uint32_t wrap_s; /* RASTERCHECK_WRAP_… */
+  uint32_t wrap_t;
+  uint32_t filter;       /* RASTERCHECK_FILTER_… */
+  const uint8_t* texels; /* [height][width][4]: red, green, blue, alpha; k means k/255 */
+} rastercheck_texture;
+
+typedef struct rastercheck_pipeline {
+  uint32_t size;
+  uint32_t depth_function; /* RASTERCHECK_COMPARE_… */
+  uint32_t writes_depth;   /* 1: a fragment that is drawn leaves its depth; 0: depths stay */
+  float clear_depth;       /* the depth of all samples at first; their colours are 0 */
+  uint32_t blend;          /* RASTERCHECK_BLEND_… */
+  uint32_t format;         /* RASTERCHECK_COLOR_… */
+  uint32_t shading;        /* RASTERCHECK_SHADING_… */
+  /* 1: the picture has one sample a pixel, whose colour is the mean of the samples' colours, and
+   * whose depth is that of sample 0. */
+  uint32_t resolves;
+  /* Fragments leave no colour and no depth if the texture's alpha or, without a texture, the last
+   * attribute is less. Differences across quads are taken before. -infinity: none do. */
+  float discard_below;
+  const rastercheck_texture* texture; /* replaces the shading; null if there is none */
+} rastercheck_pipeline;
+
+/* Each array ends where accessible memory ends, as those of a rastercheck_output. */
+typedef struct rastercheck_picture {
+  uint32_t size;
+  uint32_t width;
+  uint32_t height;
+  uint32_t samples;  /* a pixel: 1 if the picture is resolved */
+  uint32_t channels; /* draw.attribute_count of attributes and differences, else 4 */
+  uint32_t message_size;
+  /* [height][width][samples][channels]. Every number must be written, also where nothing is drawn.
+   * A byte k is handed over as the float (float)k / 255. Null if there are no channels. */
+  float* color;
+  float* depth;  /* [height][width][samples]: likewise */
+  char* message; /* [message_size]: as rastercheck_output.message */
+} rastercheck_picture;
+
+/* ------------------------------------------------------------------------------------------------
  * What rastercheck_plugin_get() returns. The struct, its texts and its contract belong to the
  * plugin and must stay unchanged until the process ends.
  */
@@ -531,6 +679,12 @@ typedef struct rastercheck_plugin {
    * return, and keeps no state that changes a later answer. A culler that draws nothing has a
    * draw() that returns RASTERCHECK_UNSUPPORTED. */
   uint32_t (*query)(const rastercheck_query* query, rastercheck_answer* answer);
+  /* Draws a picture; may be null. No pointer is null. `draw` has all triangles of a case, and its
+   * depth_test is 0: the pipeline's depth function takes its place. Returns what draw() may return,
+   * UNSUPPORTED for pipelines that the plugin does not draw; the same call must give the same
+   * picture. */
+  uint32_t (*draw_picture)(const rastercheck_draw* draw, const rastercheck_pipeline* pipeline,
+                           rastercheck_picture* picture);
 } rastercheck_plugin;
 
 #if defined(_WIN32)

@@ -13,10 +13,12 @@
 // The coordinates are the first two attributes.
 //
 // Samples: some of those at which both coordinates of every fragment have a single exact value.
-// Depths and colours must agree to the bit. A driver's coordinates are in a range: all texels
-// within must have one colour, and an alpha that no permitted error takes across the limit; its
-// colours must be within its bounds (cases::PictureBounds). Only backends that draw pictures, of
-// the fragments that they draw, are judged.
+// Depths and colours must agree to the bit. A driver's coordinates are those that it draws itself,
+// and those far from 0 are left out: how good coordinates are, and how they are wrapped, is for
+// "texels are those of the exact coordinates" to judge. Near the border of a texel, all texels that
+// a driver may look up (cases::PictureBounds) must have one colour, with an alpha that no permitted
+// error takes across the limit. Its colours must be within its bounds. Only backends that draw
+// pictures, of the fragments that they draw, are judged.
 
 #include <fmt/format.h>
 
@@ -28,6 +30,7 @@
 #include "oracle/texture_truth.h"
 #include "properties/choices.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/lookup_coordinates.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/picture_model.h"
 #include "properties/laws/internal/seen_triangles.h"
@@ -44,6 +47,9 @@ using records::FragmentClass;
 /// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 24;
 constexpr std::size_t kChannels = 4;
+/// The greatest magnitude of a driver's coordinates that are judged. OpenGL 1.1, 2.1.1, promised no
+/// greater ones.
+constexpr float kMostCoordinate = 1024;
 
 cases::Pipeline pipeline_of(const cases::Case& c) {
   Choices choices(choices_of(c));
@@ -119,7 +125,7 @@ class DiscardCheck {
                                    .judge(static_cast<int>(place.x), static_cast<int>(place.y),
                                           static_cast<int>(place.sample))
                                    .verdict != records::Verdict::forbidden;
-      const auto color = is_required ? color_at(truth, place) : std::nullopt;
+      const auto color = is_required ? color_at(truth, i) : std::nullopt;
       if (!color) {
         tally_.label("no one coordinate");
         return false;
@@ -141,14 +147,18 @@ class DiscardCheck {
   /// The only colour that a fragment may have; empty if it may have several, or if its alpha may
   /// be on either side of the limit.
   std::optional<TextureTruth::Color> color_at(const oracle::TriangleTruth& truth,
-                                              const cases::SamplePlace& place) const {
+                                              std::size_t fragment) const {
     if (!bounds_) {
-      const auto exact = exact_coordinates(truth, place);
+      const auto exact = exact_coordinates(truth, fragments_->place_of(fragment));
       return exact ? std::optional(truth_.nearest(exact->s, exact->t)) : std::nullopt;
     }
-    const auto permitted = permitted_coordinates(truth, place);
-    if (!permitted) return std::nullopt;
-    const std::vector<TextureTruth::Color> colors = truth_.nearest_within(*permitted, *bounds_);
+    const auto values = fragments_->attributes_of(fragment);
+    const bool are_near =
+        std::abs(values[0]) <= kMostCoordinate && std::abs(values[1]) <= kMostCoordinate;
+    if (!are_near) return std::nullopt;
+    const auto at = ranges_of(values[0], values[1]);
+    if (!at) return std::nullopt;
+    const std::vector<TextureTruth::Color> colors = truth_.nearest_within(*at, *bounds_);
     if (colors.size() != 1) return std::nullopt;
     const double alpha = colors.front().back() / 255.0;
     const double limit{*pipeline_->discard_below};

@@ -8,7 +8,8 @@
 // contract allows. That gives an enclosure of the level and so a range of colours, to which the
 // bound is added.
 //
-// A driver's contract leaves its coordinates in a range: the colour may be that of any of them.
+// A driver's contract leaves its coordinates in a range: the colour may be that of any of them. If
+// its pictures have the fragments that it draws, its coordinates are those that it draws itself.
 // Drivers are asked for bilinear filtering only, as their levels of detail follow differences
 // across quads, which the APIs hardly bound.
 //
@@ -29,6 +30,7 @@
 #include "oracle/texture_truth.h"
 #include "properties/choices.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/lookup_coordinates.h"
 #include "properties/laws/internal/seen_triangles.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/laws/internal/textured_cases.h"
@@ -39,7 +41,6 @@ namespace {
 using cases::Filter;
 using oracle::Rational;
 using oracle::TextureTruth;
-using records::AttributeKind;
 using records::FragmentClass;
 
 /// The greatest number of samples of a case that are judged.
@@ -72,7 +73,7 @@ bool is_within(const oracle::ValueRange& allowed, float color) {
 
 class FilterCheck {
  public:
-  FilterCheck(const cases::Case& c, const cases::Contract& contract,
+  FilterCheck(const cases::Case& c, backends::Backend& backend, const cases::Contract& contract,
               const cases::Texturing& texturing, const cases::Picture& picture)
       : case_(&c),
         bounds_(*contract.texture_bounds),
@@ -82,6 +83,7 @@ class FilterCheck {
         truth_(texturing),
         picture_(&picture),
         greatest_{greatest(c, 0), greatest(c, 1)},
+        lookups_(c, backend, contract),
         tally_(c) {}
 
   Check run() {
@@ -104,14 +106,15 @@ class FilterCheck {
     for (std::uint32_t channel = 0; channel < filtered->size(); ++channel) {
       const float actual = picture_->color[at * filtered->size() + channel];
       compare(*place, channel, (*filtered)[channel], actual,
-              fmt::format("s = {}, t = {}", exact->s.to_string(), exact->t.to_string()));
+              fmt::format("s = {}, t = {}", exact->s.to_string(), exact->t.to_string()),
+              channel % 2);
     }
   }
 
   /// Checks a colour of a driver.
   void check_within(std::size_t at, const cases::SamplePlace& place,
                     const oracle::TriangleTruth& truth) {
-    const auto permitted = permitted_coordinates(truth, place);
+    const auto permitted = lookups_.find(truth, place);
     const auto filtered =
         permitted ? truth_.bilinear_within(*permitted, greatest_, bounds_) : std::nullopt;
     if (!filtered) return tally_.label("no one coordinate");
@@ -121,7 +124,8 @@ class FilterCheck {
       compare(place, channel, (*filtered)[channel], actual,
               fmt::format("s from {} to {}, t from {} to {}", permitted->s.lo.nearest_double(),
                           permitted->s.hi.nearest_double(), permitted->t.lo.nearest_double(),
-                          permitted->t.hi.nearest_double()));
+                          permitted->t.hi.nearest_double()),
+              farther_coordinate(*permitted));
     }
   }
 
@@ -154,18 +158,19 @@ class FilterCheck {
     }
   }
 
+  /// `attribute` is the coordinate that a violation is reported of.
   void compare(const cases::SamplePlace& place, std::uint32_t channel,
-               const oracle::FilteredChannel& filtered, float actual, const std::string& where) {
-    const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
-    if (is_within(filtered.allowed, actual)) return tally_.pass(kind);
+               const oracle::FilteredChannel& filtered, float actual, const std::string& where,
+               std::uint32_t attribute) {
+    if (is_within(filtered.allowed, actual)) return tally_.pass(kind_of(*case_, channel % 2));
     tally_.report(violation_at(
         place, class_of_wrong(actual, FragmentClass::beyond_bound),
         oracle::to_string(filtered.exact),
-        fmt::format("channel {} of a {}×{} texture, {}, at {}; allowed is {} to {}", channel,
-                    texturing_->texture.width, texturing_->texture.height,
+        fmt::format("channel {} of a {}×{} texture, {}, {}, at {}; allowed is {} to {}", channel,
+                    texturing_->texture.width, texturing_->texture.height, wrap_words(*texturing_),
                     texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear", where,
                     filtered.allowed.lo.enclosure().lo, filtered.allowed.hi.enclosure().hi),
-        {kind, channel % 2, actual}));
+        {kind_of(*case_, attribute), attribute, actual}));
   }
 
   const cases::Case* case_;
@@ -176,6 +181,7 @@ class FilterCheck {
   TextureTruth truth_;
   const cases::Picture* picture_;
   oracle::CoordinateSizes greatest_;
+  LookupCoordinates lookups_;
   Tally tally_;
 };
 
@@ -192,7 +198,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   const cases::Pipeline pipeline = pipeline_of(clip, !contract.picture_bounds.has_value());
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return FilterCheck(clip, contract, *pipeline.texturing, *picture).run();
+  return FilterCheck(clip, backend, contract, *pipeline.texturing, *picture).run();
 }
 
 const LawRegistration kRegistration(

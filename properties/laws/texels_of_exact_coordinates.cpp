@@ -12,7 +12,8 @@
 // the last triangle drawn is visible.
 //
 // A driver's contract leaves its coordinates in a range, and lets it look up texels somewhat off
-// (cases::PictureBounds). Its colour must be that of one of the texels within.
+// (cases::PictureBounds). If its pictures have the fragments that it draws, its coordinates are
+// those that it draws itself. Its colour must be that of one of the texels within.
 //
 // Samples: some of the drawn samples at which the last triangle is required and both coordinates
 // have a single exact value or, for a driver, permit few texels. That excludes noperspective
@@ -22,15 +23,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "oracle/texture_truth.h"
 #include "properties/choices.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/lookup_coordinates.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/seen_triangles.h"
 #include "properties/laws/internal/tally.h"
@@ -44,8 +44,6 @@ using records::FragmentClass;
 
 /// The greatest number of samples of a case that are judged.
 constexpr std::size_t kMostSamples = 64;
-
-constexpr std::array<std::string_view, 3> kWrapWords{"repeat", "clamp", "mirror"};
 
 /// Red encodes the column, green the row; no byte is 0.
 std::uint8_t naming_byte(int i, int j, std::size_t channel) {
@@ -76,16 +74,9 @@ std::string text_of(const TextureTruth::Color& color) {
 
 class TexelCheck {
  public:
-  TexelCheck(const cases::Case& c, const cases::Contract& contract, const cases::Pipeline& pipeline,
+  TexelCheck(const cases::Case& c, backends::Backend& backend, const cases::Pipeline& pipeline,
              const cases::Picture& picture)
-      : case_(&c),
-        bounds_(contract.picture_bounds),
-        color_error_(bounds_ ? color_error(*bounds_, pipeline.format) : 0),
-        seen_(c, contract),
-        texturing_(&*pipeline.texturing),
-        truth_(*pipeline.texturing),
-        picture_(&picture),
-        tally_(c) {}
+      : TexelCheck(c, backend, backend.contract(c), pipeline, picture) {}
 
   Check run() {
     for (const std::size_t at : some_drawn_samples(*picture_, kMostSamples)) check_sample(at);
@@ -93,6 +84,18 @@ class TexelCheck {
   }
 
  private:
+  TexelCheck(const cases::Case& c, backends::Backend& backend, const cases::Contract& contract,
+             const cases::Pipeline& pipeline, const cases::Picture& picture)
+      : case_(&c),
+        bounds_(contract.picture_bounds),
+        color_error_(bounds_ ? color_error(*bounds_, pipeline.format) : 0),
+        seen_(c, contract),
+        texturing_(&*pipeline.texturing),
+        truth_(*pipeline.texturing),
+        picture_(&picture),
+        lookups_(c, backend, contract),
+        tally_(c) {}
+
   void check_sample(std::size_t at) {
     const auto place = seen_.find(*picture_, at);
     if (!place) return;
@@ -109,7 +112,7 @@ class TexelCheck {
   /// Checks a colour of a driver.
   void check_within(std::size_t at, const cases::SamplePlace& place,
                     const oracle::TriangleTruth& truth) {
-    const auto permitted = permitted_coordinates(truth, place);
+    const auto permitted = lookups_.find(truth, place);
     if (!permitted) return tally_.label("no one coordinate");
     const std::vector<TextureTruth::Color> colors = truth_.nearest_within(*permitted, *bounds_);
     if (colors.empty()) return tally_.label("no one coordinate");
@@ -123,13 +126,15 @@ class TexelCheck {
           });
         });
     if (is_permitted) return tally_.pass(kind_of(*case_, 0));
+    const std::uint32_t attribute = farther_coordinate(*permitted);
     records::Violation violation = violation_at(
         place, class_of_wrong(drawn[0], FragmentClass::beyond_bound), text_of(colors.front()),
-        fmt::format("or {} others; a {}×{} texture, s from {} to {}, t from {} to {}",
+        fmt::format("or {} others; a {}×{} texture, {}, s from {} to {}, t from {} to {}",
                     colors.size() - 1, texturing_->texture.width, texturing_->texture.height,
-                    permitted->s.lo.nearest_double(), permitted->s.hi.nearest_double(),
-                    permitted->t.lo.nearest_double(), permitted->t.hi.nearest_double()),
-        {kind_of(*case_, 0), 0, drawn[0]});
+                    wrap_words(*texturing_), permitted->s.lo.nearest_double(),
+                    permitted->s.hi.nearest_double(), permitted->t.lo.nearest_double(),
+                    permitted->t.hi.nearest_double()),
+        {kind_of(*case_, attribute), attribute, drawn[0]});
     violation.actual = fmt::format("{}, {} of 255", value_text(drawn[0]), drawn[0] * 255);
     tally_.report(violation);
   }
@@ -146,7 +151,7 @@ class TexelCheck {
     const oracle::TexelIndex index = oracle::texel_index(coordinate, size, wrap);
     if (index.is_on_border) tally_.label("texel border");
     if (index.is_beyond) tally_.label("beyond 0 to 1");
-    tally_.label(kWrapWords[static_cast<std::size_t>(wrap)]);
+    tally_.label(to_word(wrap));
   }
 
   void compare(std::size_t at, const cases::SamplePlace& place, const Coordinates& exact) {
@@ -164,11 +169,9 @@ class TexelCheck {
               const TextureTruth::Color& color, const Coordinates& exact, float actual) {
     records::Violation violation =
         violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), text_of(color),
-                     fmt::format("channel {} of a {}×{} texture, {} and {}, at s = {}, t = {}",
-                                 channel, texturing_->texture.width, texturing_->texture.height,
-                                 kWrapWords[static_cast<std::size_t>(texturing_->wrap_s)],
-                                 kWrapWords[static_cast<std::size_t>(texturing_->wrap_t)],
-                                 exact.s.to_string(), exact.t.to_string()),
+                     fmt::format("channel {} of a {}×{} texture, {}, at s = {}, t = {}", channel,
+                                 texturing_->texture.width, texturing_->texture.height,
+                                 wrap_words(*texturing_), exact.s.to_string(), exact.t.to_string()),
                      {kind_of(*case_, channel % 2), channel % 2, actual});
     violation.actual = fmt::format("{}, {} of 255", value_text(actual), actual * 255);
     tally_.report(violation);
@@ -181,6 +184,7 @@ class TexelCheck {
   const cases::Texturing* texturing_;
   TextureTruth truth_;
   const cases::Picture* picture_;
+  LookupCoordinates lookups_;
   Tally tally_;
 };
 
@@ -191,7 +195,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return TexelCheck(clip, backend.contract(clip), pipeline, *picture).run();
+  return TexelCheck(clip, backend, pipeline, *picture).run();
 }
 
 const LawRegistration kRegistration(

@@ -100,6 +100,14 @@ std::vector<int> texels_within(const TextureTruth& truth, const CoordinateRanges
   return values;
 }
 
+TEST(TextureTruth, TakesInOneTexelOfARangeBeyondAClampedEnd) {
+  cases::Texturing texturing = gray(4, 2, {1, 2, 3, 4, 5, 6, 7, 8}, Filter::nearest);
+  texturing.wrap_s = texturing.wrap_t = cases::Wrap::clamp;
+  const TextureTruth truth(texturing);
+  EXPECT_EQ(texels_within(truth, {range(1e9, 2e9), range(-1e9, 0.25)}), (std::vector<int>{4}));
+  EXPECT_EQ(texels_within(truth, {range(-1e9, 0.3), range(1, 1e30)}), (std::vector<int>{5, 6}));
+}
+
 TEST(TextureTruth, TakesInTheTexelsOfARange) {
   const TextureTruth truth(gray(4, 2, {1, 2, 3, 4, 5, 6, 7, 8}, Filter::nearest));
   const ValueRange low = range(0.25, 0.25);  // row 0

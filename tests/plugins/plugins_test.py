@@ -22,6 +22,10 @@ SOURCE, RASTERCHECK, CMAKE, CC, CXX, PATCH, CASES = pathlib.Path(), "", "", "", 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 COVERAGE, VALUES = "coverage-obeys-the-contract", "values-stay-within-the-bound"
 OCCLUSION = "what-is-visible-is-not-called-occluded"
+PICTURE = "a-picture-is-what-its-fragments-leave"
+# The properties that judge the pictures of docs/examples/plugin/picture.c.
+PICTURES = [PICTURE, "additive-blending-counts-overdraw", "texels-are-those-of-the-exact-coordinates",
+            "discarding-draws-what-keeping-the-kept-texels-draws"]
 VERTEX_ORDER = "vertex-order-changes-nothing-beyond-the-bound"
 # A pattern that matches exactly these three laws.
 THREE_LAWS = "[cv]*-the-[bc]o*"
@@ -219,6 +223,59 @@ class Culler(PluginTest):
                 said = self.rastercheck(1, "run", "--backend", plugin, "--property", OCCLUSION, "--seed", 1,
                                         "--corpus", "corpus", "--cases", RANDOM_CASES, "--shrink-tries", 40,
                                         "--output", name)
+                self.assertIn(message, said)
+                self.assertIn(verdict, {one["verdict"] for one in self.counterexamples(name).values()})
+
+
+class Pictures(PluginTest):
+    SOURCE_FILE = "docs/examples/plugin/picture.c"
+
+    def test_holds_what_it_promises(self):
+        plugin = self.build(SOURCE / self.SOURCE_FILE, "picture")
+        table = self.rastercheck(0, "run", "--backend", plugin, "--seed", 1, "--cases", CASES, "--all")
+        self.assertNotIn("Not reached", table)
+        rows = self.rows("rastercheck-out")
+        for law in (COVERAGE, VALUES, *PICTURES):
+            self.assertGreater(rows[law, plugin]["checked"], 0.6 * CASES, law)
+
+    def test_is_not_judged_by_pictures_that_it_refuses(self):
+        whole = (SOURCE / self.SOURCE_FILE).read_text(encoding="utf-8")
+        promise = "    .max_attributes = MOST_ATTRIBUTES,\n"
+        self.assertEqual(whole.count(promise), 1)
+        source = self.write("promises.c", whole.replace(promise, promise + "    .bilinear = 8,\n"))
+        plugin = self.build(source, "promises")
+        for law, why in (("filtered-colours-stay-within-the-bound", "filtered textures"),
+                         ("differences-across-quads-stay-within-the-bound", "differences across quads, facing")):
+            said = self.rastercheck(5, "run", "--backend", plugin, "--property", law, "--seed", 1,
+                                    "--cases", RANDOM_CASES, "--all")
+            self.assertIn("1 property not checked", said)
+            self.assertIn(f"draw_picture() reported unsupported: {why}", said)
+
+    def test_faults_of_a_picture_are_found(self):
+        """The fault, what replaces the end of draw_picture(), and what is said of it."""
+        for name, code, verdict, message in (
+                ("crash", "*(volatile int*)0 = 1;", "crash", "Segmentation fault"),
+                ("fails", 'strncpy(picture->message, "too wide", picture->message_size - 1);'
+                          " return RASTERCHECK_FAILED;", "failed", "draw_picture() reported failed: too wide"),
+                ("unwritten", "", "failed",
+                 "draw_picture() wrote nothing to picture->depth (pixel 0, 0, sample 0)"),
+                ("no_byte", "picture->color[0] = 0.3F;", "failed",
+                 "draw_picture() wrote 0.3 to picture->color, which is not the float k / 255 of any byte k"),
+                ("leak", "if (malloc(100) == NULL) return RASTERCHECK_FAILED;", "failed", "it leaks memory"),
+                ("writes_input", "((float*)(size_t)draw->positions)[0] = 1;", "crash",
+                 "the plugin wrote to draw->positions, which it may only read"),
+                ("beyond", "picture->depth[(size_t)picture->width * picture->height * picture->samples] = 1;", "crash",
+                 "the plugin touched picture->depth beyond its end, by 1 byte")):
+            with self.subTest(name):
+                whole = (SOURCE / self.SOURCE_FILE).read_text(encoding="utf-8")
+                end = "  free(b.depth);\n"
+                self.assertEqual(whole.count(end), 1)
+                source = whole.replace(end, f"{end}  {code}\n")
+                if name == "unwritten":
+                    source = whole.replace("if (why == NULL) write_picture", "if (why != NULL) write_picture")
+                plugin = self.build(self.write(f"{name}.c", source), name)
+                said = self.rastercheck(1, "run", "--backend", plugin, "--property", PICTURE, "--seed", 1,
+                                        "--cases", 8 * RANDOM_CASES, "--shrink-tries", 40, "--output", name)
                 self.assertIn(message, said)
                 self.assertIn(verdict, {one["verdict"] for one in self.counterexamples(name).values()})
 
@@ -438,8 +495,9 @@ class Probed(PluginTest):
             self.skipTest("left to runs with more cases")
         for patch in sorted(SOURCE.glob("tests/plugins/mutants/*.patch")):
             source = patched(self, patch)
-            # Occlusion buffers draw nothing, and only hard cases show weights in float32.
-            if source.stem == "occlusion" or patch.stem == "weights-in-float32":
+            # Occlusion buffers draw nothing, probes draw no pictures, and only hard cases show weights in
+            # float32.
+            if source.stem in ("occlusion", "picture") or patch.stem == "weights-in-float32":
                 continue
             with self.subTest(patch.stem):
                 self.check(self.build(source, patch.stem), patch.stem)

@@ -65,6 +65,9 @@ class DamagedBackend : public backends::Backend,
     contract.keeps_equal_depth = true;  // true for the simple planes that the tests draw
     contract.picture_bounds = picture_bounds;
     if (picture_bounds) contract.quad_share.reset();
+    if (picture_bounds && contract.texture_bounds) {
+      contract.texture_bounds->coordinate_share = picture_bounds->texel_share;
+    }
     return contract;
   }
   backends::PictureDrawer* picture_drawer() override {

@@ -4,12 +4,13 @@
     known_schema_test.py RASTERCHECK_BINARY SCHEMA LISTS_DIR
 
 The schema must be valid, close every object and describe every key. Both must accept every
-LISTS_DIR/*/known.json, and give the same verdict on every one-step change of a list with every key,
+LISTS_DIR/*/known.json, whose cases must say which of their entry's properties they violate, and give the same verdict on every one-step change of a list with every key,
 except for rules that compare two places. Asks the reader through `rastercheck list known`. Needs
 python3-jsonschema.
 """
 
 import concurrent.futures
+import fnmatch
 import json
 import os
 import pathlib
@@ -125,6 +126,20 @@ def check_mutations(binary, validator, pool):
     return run_all(pool, judge, jobs), len(jobs)
 
 
+def faults_of_cases(file):
+    """What is wrong with the cases of a list: a run reads them before it judges anything."""
+    for entry in json.loads(file.read_text(encoding="utf-8"))["entries"]:
+        place = f"{file}: {entry['id']}: {entry['case']}"
+        case = file.parent / entry["case"]
+        found = json.loads(case.read_text(encoding="utf-8")).get("found") if case.exists() else None
+        if found is None:
+            yield f"{place}: missing, or says not what was found"
+        elif not any(fnmatch.fnmatchcase(found["property"], name) for name in entry["properties"]):
+            yield f"{place}: violates a property that is not the entry's"
+        elif found["verdict"] not in entry["verdicts"]:
+            yield f"{place}: has a verdict that is not the entry's"
+
+
 def main(arguments):
     binary, schema_file, lists = arguments[1:]
     schema = json.loads(pathlib.Path(schema_file).read_text(encoding="utf-8"))
@@ -141,6 +156,7 @@ def main(arguments):
         )
         if error:
             failures.append(f"{file}: {error.message[:200]}")
+        failures += faults_of_cases(file)
     done = subprocess.run([binary, "list", "known", "--known", lists], check=False)
     if done.returncode != 0:
         failures.append(f"the reader refuses a list of {lists}")

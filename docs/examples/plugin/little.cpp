@@ -355,7 +355,8 @@ constexpr rastercheck_plugin kPlugin{
     .version = "1.0",
     .contract = &kContract,
     .draw = &draw,
-    .query = nullptr,  // no occlusion culler
+    .query = nullptr,         // no occlusion culler
+    .draw_picture = nullptr,  // fragments only
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "properties/laws/internal/textured_cases.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
 
@@ -160,6 +162,22 @@ cases::Texturing texturing_of(Choices& choices, TexelBytes bytes) {
     }
   }
   return texturing;
+}
+
+std::string_view to_word(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::clamp:
+      return "clamp";
+    case Wrap::mirror:
+      return "mirror";
+    case Wrap::repeat:
+      break;
+  }
+  return "repeat";
+}
+
+std::string wrap_words(const cases::Texturing& texturing) {
+  return fmt::format("{} and {}", to_word(texturing.wrap_s), to_word(texturing.wrap_t));
 }
 
 std::uint8_t noise_byte(int i, int j, std::size_t channel) {

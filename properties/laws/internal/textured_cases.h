@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "cases/picture.h"
 #include "properties/choices.h"
@@ -24,6 +26,11 @@ using TexelBytes = std::uint8_t (*)(int i, int j, std::size_t channel);
 
 /// A texture of 1×1 to 64×64 texels with wrap modes; nearest filtering.
 cases::Texturing texturing_of(Choices& choices, TexelBytes bytes);
+
+/// The word for a wrap mode, as in labels.
+std::string_view to_word(cases::Wrap wrap);
+/// The wrap modes along s and t, such as "repeat and clamp".
+std::string wrap_words(const cases::Texturing& texturing);
 
 /// Noise: a pseudorandom byte for each texel and channel.
 std::uint8_t noise_byte(int i, int j, std::size_t channel);
