@@ -604,7 +604,7 @@ enum {
    * row, also where the triangle does not cover the neighbour. */
   RASTERCHECK_SHADING_DIFFERENCES_X = 2,
   RASTERCHECK_SHADING_DIFFERENCES_Y = 3,
-  RASTERCHECK_SHADING_FACING = 4, /* red, green and blue: 1 on front faces, 0 on back faces; alpha: 1 */
+  RASTERCHECK_SHADING_FACING = 4, /* 1, 1, 1, 1 on front faces, 0, 0, 0, 1 on back faces */
   /* Window x and y of the sample, the depth of the fragment, and 1/w. */
   RASTERCHECK_SHADING_WINDOW_COORDINATES = 5
 };
