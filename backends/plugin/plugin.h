@@ -242,8 +242,9 @@ enum {
   /* A resolved colour need not be the mean of the samples, but lies between the least and the
    * greatest of them. */
   RASTERCHECK_PICTURES_NO_MEAN = 1 << 1,
-  /* Texture coordinates are rounded: each may be any value that the bounds of its attribute permit.
-   * The bounds of pictures permit that, too, if one of them is not 0. */
+  /* Texture coordinates are rounded: a texel is that of the coordinates that draw() draws; with
+   * OTHER_FRAGMENTS, of any that the bounds of their attributes permit. So it is, too, if one of
+   * the bounds of pictures is not 0. */
   RASTERCHECK_PICTURES_ROUNDED_COORDINATES = 1 << 2
 };
 
