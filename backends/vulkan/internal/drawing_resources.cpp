@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <span>
 
 namespace rastercheck::backends::vulkan {
@@ -91,7 +91,7 @@ Result<void> DrawingResources::hand_over(const std::vector<float>& floats) {
     if (!made) return tl::unexpected(made.error());
     vertices = *std::move(made);
   }
-  std::memcpy(vertices.bytes.data(), bytes.data(), bytes.size());
+  std::copy(bytes.begin(), bytes.end(), vertices.bytes.begin());  // none may be copied to none
   return {};
 }
 

@@ -25,7 +25,7 @@ LookupCoordinates::LookupCoordinates(const cases::Case& c, backends::Backend& ba
 
 std::optional<oracle::CoordinateRanges> LookupCoordinates::find(const oracle::TriangleTruth& truth,
                                                                 const cases::SamplePlace& place) {
-  const auto drawn = drawn_at(place);
+  std::optional<oracle::CoordinateRanges> drawn = drawn_at(place);
   if (!drawn || are_drawn_) return drawn;
   const auto permitted = permitted_coordinates(truth, place);
   const bool is_permitted =
