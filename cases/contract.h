@@ -111,8 +111,8 @@ struct PictureBounds {
   float byte_blend = 0.5F;
   float byte_mean = 0.5F;
   /// How far from its coordinates a texel may be looked up, along either axis: a share of the
-  /// distance from coordinate 0, and a distance in texels. In addition, each coordinate may have
-  /// any value that the contract permits it.
+  /// distance from coordinate 0, and a distance in texels. The coordinates are those that the
+  /// backend draws as a fragment if pictures keep fragments, and any that are permitted if not.
   float texel_share = 0;
   float texel_distance = 0;
   bool operator==(const PictureBounds&) const = default;
