@@ -126,7 +126,8 @@ std::string lacks(const Limits& limits, const cases::Case& c) {
 
 std::string lacks_for_picture(const Limits& limits, const cases::Case& c,
                               const cases::Pipeline& pipeline) {
-  if (!(pipeline.clear_depth >= 0 && pipeline.clear_depth <= 1)) {
+  const bool is_clear_depth_held = pipeline.clear_depth >= 0 && pipeline.clear_depth <= 1;
+  if (!is_clear_depth_held) {
     return fmt::format("the initial depth {}: 0 to 1", pipeline.clear_depth);
   }
   if (pipeline.format == cases::ColorFormat::rgba8) {

@@ -122,16 +122,21 @@ Result<void> TextureImage::make_texels(const Device& device, const cases::Textur
 }
 
 Result<void> TextureImage::make_view(const Device& device) {
-  VkImageCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-  info.imageType = VK_IMAGE_TYPE_2D;
-  info.format = kByteFormat;
-  info.extent = {levels_[0].width, levels_[0].height, 1};
-  info.mipLevels = static_cast<std::uint32_t>(levels_.size());
-  info.arrayLayers = 1;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
-  info.tiling = VK_IMAGE_TILING_OPTIMAL;
-  info.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  const VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                               nullptr,
+                               0,
+                               VK_IMAGE_TYPE_2D,
+                               kByteFormat,
+                               {levels_[0].width, levels_[0].height, 1},
+                               /*mipLevels=*/static_cast<std::uint32_t>(levels_.size()),
+                               /*arrayLayers=*/1,
+                               VK_SAMPLE_COUNT_1_BIT,
+                               VK_IMAGE_TILING_OPTIMAL,
+                               VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                               VK_SHARING_MODE_EXCLUSIVE,
+                               0,
+                               nullptr,
+                               VK_IMAGE_LAYOUT_UNDEFINED};
   Result<DeviceImage> image = make_image(device, info);
   if (!image) return tl::unexpected(image.error());
   image_ = *std::move(image);
