@@ -1,5 +1,6 @@
 #include "backends/internal/view_clipping.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -18,10 +19,11 @@ Vertex mean(const Vertex& a, const Vertex& b, double t) {
   return c;
 }
 
-void clip_by(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
+/// Clips the part of the triangle that is left by another plane.
+void clip_by(Clipped& clipped, const std::array<Vertex, 3>& triangle, Plane plane,
+             std::size_t index, bool is_side) {
   if (clipped.is_empty) return;
   std::vector<Vertex> left;
-  bool cuts = false;
   const std::vector<Vertex>& all = clipped.polygon;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Vertex& a = all[i];
@@ -30,8 +32,11 @@ void clip_by(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
     const double at_b = plane(b, index);
     if (at_a >= 0) left.push_back(a);
     if ((at_a < 0) != (at_b < 0)) left.push_back(mean(a, b, at_a / (at_a - at_b)));
-    cuts = cuts || at_a < 0;
   }
+  // A plane counts even if others leave nothing for it to cut: a driver may cut by it first, and
+  // its new vertices are then off when the others cut.
+  const bool cuts = std::any_of(triangle.begin(), triangle.end(),
+                                [&](const Vertex& v) { return plane(v, index) < 0; });
   clipped.planes += cuts ? 1 : 0;
   clipped.is_cut_at_the_sides = clipped.is_cut_at_the_sides || (cuts && is_side);
   clipped.is_empty = left.empty();
@@ -51,15 +56,16 @@ Clipped clipped_to_view(const cases::Case& c, const std::array<Vertex, 3>& trian
     const bool from_minus_one = c.rules == cases::Rules::opengl;
     const Plane near = [](const Vertex& v, std::size_t) { return v.z; };
     const Plane near_of_opengl = [](const Vertex& v, std::size_t) { return v.w + v.z; };
-    clip_by(clipped, from_minus_one ? near_of_opengl : near, 0, false);
+    clip_by(clipped, triangle, from_minus_one ? near_of_opengl : near, 0, false);
     clip_by(
-        clipped, [](const Vertex& v, std::size_t) { return v.w - v.z; }, 0, false);
+        clipped, triangle, [](const Vertex& v, std::size_t) { return v.w - v.z; }, 0, false);
   }
   for (std::size_t i = 0; i < c.clip_distance_count; ++i) {
     clip_by(
-        clipped, [](const Vertex& v, std::size_t index) { return v.distances[index]; }, i, false);
+        clipped, triangle, [](const Vertex& v, std::size_t index) { return v.distances[index]; }, i,
+        false);
   }
-  for (const Plane side : kSides) clip_by(clipped, side, 0, true);
+  for (const Plane side : kSides) clip_by(clipped, triangle, side, 0, true);
   return clipped;
 }
 

@@ -4,9 +4,9 @@
     known_schema_test.py RASTERCHECK_BINARY SCHEMA LISTS_DIR
 
 The schema must be valid, close every object and describe every key. Both must accept every
-LISTS_DIR/*/known.json, whose cases must say which of their entry's properties they violate, and give the same verdict on every one-step change of a list with every key,
-except for rules that compare two places. Asks the reader through `rastercheck list known`. Needs
-python3-jsonschema.
+LISTS_DIR/*/known.json, whose cases must say which of their entry's properties they violate, and give
+the same verdict on every one-step change of a list with every key, except for rules that compare two
+places. Asks the reader through `rastercheck list known`. Needs python3-jsonschema.
 """
 
 import concurrent.futures
