@@ -20,16 +20,6 @@ bool matches(const std::string& name, const std::string& pattern) {
   return ::fnmatch(pattern.c_str(), name.c_str(), FNM_EXTMATCH) == 0;
 }
 
-std::vector<std::string> task_worker_of(const Conduct& conduct, const records::Plan& plan) {
-  std::vector<std::string> command = conduct.task_worker;
-  command.insert(command.end(),
-                 {"--plan", cases::json_line(cases::json_of(plan)), "--corpus", conduct.corpus});
-  for (const std::string& source : conduct.known) {
-    command.insert(command.end(), {"--known", source});
-  }
-  return command;
-}
-
 /// Returns the run's record before anything is checked.
 records::Run planned(const records::Plan& plan, const KnownByBackend& known) {
   records::Run run;
@@ -62,6 +52,16 @@ Result<std::vector<std::string>> laws_matching(const std::vector<std::string>& p
     if (is_chosen) ids.push_back(std::move(id));
   }
   return ids;
+}
+
+std::vector<std::string> task_worker_of(const Conduct& conduct, const records::Plan& plan) {
+  std::vector<std::string> command = conduct.task_worker;
+  command.insert(command.end(),
+                 {"--plan", cases::json_line(cases::json_of(plan)), "--corpus", conduct.corpus});
+  for (const std::string& source : conduct.known) {
+    command.insert(command.end(), {"--known", source});
+  }
+  return command;
 }
 
 Result<PlanRun> PlanRun::prepare(Checkpoint start, std::vector<cases::Case> corpus, Conduct conduct,

@@ -47,6 +47,9 @@ struct Conduct {
   std::function<Result<Findings>(const KnownByBackend& known, unsigned jobs)> judge_scene = {};
 };
 
+/// Returns the command that starts a worker process for tasks of the plan (workers.h).
+std::vector<std::string> task_worker_of(const Conduct& conduct, const records::Plan& plan);
+
 class PlanRun {
  public:
   /// Makes backends, reads their known defects and writes the first checkpoint. With `resumes` the
