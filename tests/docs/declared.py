@@ -34,6 +34,7 @@ INSTEAD = [
     (r"^((?:build/release/bin/)?rastercheck run (?!.*--(?:cases|baseline|resume)).*)", r"\1 --cases 1000",
      "the default, for the next line"),
     (r"^((?:build/release/bin/)?rastercheck run .*--cases) \d+", r"\1 5", "takes minutes; the corpus is run as well"),
+    (r"^(rastercheck hunt .*--steps) \d+", r"\1 64", "takes minutes"),
     (r"^(rastercheck cases --out .*)", r"mkdir none && \1 --corpus none", "with the corpus 60 MB"),
     (r"^(rastercheck run --backend 'exec:.*)", r"\1 --property values-stay-within-the-bound",
      "a rasterizer in Python takes minutes for all properties"),
