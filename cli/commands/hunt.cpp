@@ -9,11 +9,10 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
-#include <type_traits>
 #include <utility>
 
-#include "backends/factory.h"
 #include "cases/case_writer.h"
 #include "cases/files.h"
 #include "cases/json.h"
@@ -30,7 +29,6 @@
 #include "cli/whole_number.h"
 #include "properties/campaign/corpus.h"
 #include "properties/campaign/plan_run.h"
-#include "records/record_json.h"
 #include "records/run.h"
 #include "reports/commands.h"
 #include "reports/counterexample_text.h"
@@ -41,7 +39,6 @@ namespace {
 
 using nlohmann::ordered_json;
 using properties::Guide;
-
 using Clock = std::chrono::steady_clock;
 
 /// Limits of --max-time: a millisecond and a day.
@@ -200,14 +197,10 @@ Result<void> shrink_counterexamples(Results& results, const properties::Execute&
   return {};
 }
 
-/// Writes a case into a folder that is made if necessary.
+/// Writes a case into a folder that is made if necessary; if that fails, writing the file does too.
 Result<void> write_case(const std::filesystem::path& file, const cases::Case& c) {
-  std::error_code why;
-  std::filesystem::create_directories(file.parent_path(), why);
-  if (why) {
-    return tl::unexpected(
-        Error{file.parent_path().string(), "", "cannot be created: " + why.message()});
-  }
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
   return cases::write_file(file.string(), cases::to_json(c));
 }
 
@@ -252,15 +245,9 @@ std::string number_text(const std::optional<double>& number) {
 /// True for stages that decide where a triangle lies. Under a contract that leaves snapping open,
 /// their parts count for nothing, and can be any size.
 bool is_of_positions(records::Stage stage) {
-  switch (stage) {
-    case records::Stage::transform:
-    case records::Stage::clip_space:
-    case records::Stage::snap:
-    case records::Stage::left_open:
-      return true;
-    default:
-      return false;
-  }
+  using records::Stage;
+  return stage == Stage::transform || stage == Stage::clip_space || stage == Stage::snap ||
+         stage == Stage::left_open;
 }
 
 /// The stage with the largest part of an error, and the part: "weights 3.9". Leaves out parts of
@@ -289,15 +276,11 @@ std::string worst_text(const properties::HuntOutcome& outcome,
 }
 
 /// All niches in which the hunt or the sampling found something.
-std::vector<properties::HuntArchive::Niche> niches_of(const Results& results) {
-  std::vector<properties::HuntArchive::Niche> niches;
-  const auto add = [&niches](const properties::HuntOutcome& outcome) {
-    for (const auto& [niche, entries] : outcome.archive.niches()) niches.push_back(niche);
-  };
-  add(results.hunted);
-  if (results.sampled) add(*results.sampled);
-  std::sort(niches.begin(), niches.end());
-  niches.erase(std::unique(niches.begin(), niches.end()), niches.end());
+std::set<properties::HuntArchive::Niche> niches_of(const Results& results) {
+  std::set<properties::HuntArchive::Niche> niches;
+  for (const auto& [niche, entries] : results.hunted.archive.niches()) niches.insert(niche);
+  if (!results.sampled) return niches;
+  for (const auto& [niche, entries] : results.sampled->archive.niches()) niches.insert(niche);
   return niches;
 }
 
@@ -378,31 +361,26 @@ ordered_json json_of(const records::Enclosure& enclosure) {
   return ordered_json::array({enclosure.lo, enclosure.hi});
 }
 
-template <typename T>
-ordered_json json_or_null(const std::optional<T>& value) {
-  if (!value) return nullptr;
-  if constexpr (std::is_same_v<T, records::Enclosure>) {
-    return json_of(*value);
-  } else {
-    return *value;
-  }
+ordered_json json_of(const std::optional<records::Enclosure>& enclosure) {
+  return enclosure ? json_of(*enclosure) : ordered_json();
+}
+
+ordered_json json_of(const std::optional<double>& number) {
+  return number ? ordered_json(*number) : ordered_json();
 }
 
 ordered_json json_of(const properties::HuntEntry& entry) {
   const properties::HuntedError& error = entry.error;
   return {{"kind", records::to_string(error.kind)},
           {"stratum", records::to_string(error.stratum)},
-          {"share", json_or_null(error.share())},
+          {"share", json_of(error.share())},
           {"excess", json_of(error.excess)},
-          {"bound", json_or_null(error.bound)},
-          {"error", json_or_null(error.ideal)},
+          {"bound", json_of(error.bound)},
+          {"error", json_of(error.ideal)},
           {"exact", error.exact},
           {"actual", error.actual},
-          {"triangle", error.at.triangle},
-          {"x", error.at.x},
-          {"y", error.at.y},
-          {"sample", error.at.sample},
-          {"attribute", json_or_null(error.attribute)},
+          {"triangle_y_x_sample", {error.at.triangle, error.at.y, error.at.x, error.at.sample}},
+          {"attribute", error.attribute ? ordered_json(*error.attribute) : ordered_json()},
           {"step", entry.step},
           {"made_by", cases::name_of(entry.made_by)},
           {"moves", entry.moves}};
@@ -410,8 +388,8 @@ ordered_json json_of(const properties::HuntEntry& entry) {
 
 ordered_json json_of(const properties::HuntTrophy& trophy, const std::string& file) {
   ordered_json json = json_of(trophy.entry);
-  json["kappa"] = json_or_null(trophy.kappa);
-  json["kappa_d"] = json_or_null(trophy.kappa_d);
+  json["kappa"] = json_of(trophy.kappa);
+  json["kappa_d"] = json_of(trophy.kappa_d);
   json["stages"] = ordered_json::array();
   if (trophy.split) {
     for (const records::StagePart& part : trophy.split->parts) {
@@ -465,7 +443,6 @@ void print_json(const Options& options, const Prepared& prepared, const Results&
     document["counterexamples"].push_back(
         {{"step", results.counterexamples[i].source.found->index},
          {"verdict", results.counterexamples[i].source.found->verdict},
-         {"kind", results.counterexamples[i].source.found->kind},
          {"file", results.counterexample_files[i]}});
   }
   fmt::print("{}\n", document.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
@@ -500,8 +477,7 @@ ExitCode run(const Options& options) {
   const Clock::time_point start = Clock::now();
   Result<Prepared> prepared = prepare(options);
   if (!prepared) return fail(prepared.error());
-  const std::vector<std::string> backends{options.backend};
-  if (const ExitCode code = check_backends(prepared->conduct.backends, backends);
+  if (const ExitCode code = check_backends(prepared->conduct.backends, {options.backend});
       code != ExitCode::ok) {
     return code;
   }
@@ -546,7 +522,6 @@ ExitCode run(const Options& options) {
   return code_of(options, results);
 }
 
-/// Options that say what is drawn and judged, as in `rastercheck run`.
 void add_judging(CLI::App& app, Options& options) {
   records::Plan& plan = options.run.plan;
   add_contract(app, options.run.contract);
