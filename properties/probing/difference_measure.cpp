@@ -152,10 +152,10 @@ class QuadReader {
     if (own.size > 0) reading_.reach = std::max(reading_.reach, off / (kFloatUnit * own.size));
     if (drawn != double{static_cast<float>(own.difference)}) reading_.are_nearest = false;
     if (!(off <= ulp_of(own.difference))) reading_.are_neighbors = false;
-    const double limit = bounds_ ? double{bounds_->float_error} * kFloatUnit * own.size +
-                                       double{std::numeric_limits<float>::min()}
-                                 : open_ + ulp_of(drawn) / 2;
-    if (!(off <= limit)) ++reading_.beyond;
+    const double slack = bounds_ ? float_slack(*bounds_, own.size) : open_;
+    if (!is_within(color_at(*differences_, x, y, channel), own.difference, slack)) {
+      ++reading_.beyond;
+    }
     const std::size_t row = (is_along_x_ ? y : x) & 1U;
     if (std::fabs(own.difference - other.difference) <= 2 * kPlaneError) {
       ++reading_.undecided;
@@ -197,8 +197,7 @@ void measure_along(Subject& subject, const cases::Case& c, const cases::Picture&
   const std::optional<PictureBounds>& bounds = contract.picture_bounds;
   const bool are_declared = bounds ? bounds->keeps_fragments : contract.quad_share.has_value();
   std::string declared = are_declared ? "fine" : kNotDeclared;
-  if (bounds && are_declared)
-    declared += ", " + within_words(double{bounds->float_error}, "· 2^-24");
+  if (bounds && are_declared) declared += ": " + float_words(bounds);
   cases::Pipeline pipeline = plain_pipeline();
   pipeline.shading =
       is_along_x ? cases::Shading::differences_along_x : cases::Shading::differences_along_y;

@@ -32,9 +32,10 @@ cases::Case case_without_cells(const Subject& subject, int samples) {
 }
 
 void add_cell(cases::Case& c, std::size_t cell, const std::array<CellColor, 3>& colors) {
-  const double u = static_cast<double>(cell % kCellsPerRow * kCellSide);
-  const double v = static_cast<double>(cell / kCellsPerRow * kCellSide);
-  const double side = static_cast<double>(kCellSide);
+  const std::size_t row = cell / kCellsPerRow;
+  constexpr auto side = static_cast<double>(kCellSide);
+  const double u = side * static_cast<double>(cell % kCellsPerRow);
+  const double v = side * static_cast<double>(row);
   const auto at = [&c](double x, double y) { return at_window(c, {x, y}, kCellDepth, 1); };
   add_triangle(c, at(u, v), at(u + side, v), at(u, v + side));
   for (const CellColor& color : colors) {
@@ -100,8 +101,19 @@ std::string step_words(double steps) {
   return fmt::format("{:.3g} {}", steps, steps == 1 ? "step" : "steps");
 }
 
-std::string within_words(double limit, const char* unit) {
-  return fmt::format("within {:.3g} {}", limit, unit);
+bool is_within(float drawn, double exact, double slack) {
+  return static_cast<float>(exact - slack) <= drawn && drawn <= static_cast<float>(exact + slack);
+}
+
+double float_slack(const cases::PictureBounds& bounds, double size) {
+  if (bounds.float_error == 0) return 0;
+  // A driver may take numbers below the least normal float for 0.
+  return double{bounds.float_error} * kFloatUnit * size + double{std::numeric_limits<float>::min()};
+}
+
+std::string float_words(const std::optional<cases::PictureBounds>& bounds) {
+  if (!bounds || bounds->float_error == 0) return "the nearest float";
+  return fmt::format("within {:.3g} · 2^-24", bounds->float_error);
 }
 
 }  // namespace rastercheck::properties

@@ -72,10 +72,16 @@ struct ErrorRange {
 /// error is a whole step or more. `slack` is how far the errors may be off for other reasons.
 std::optional<std::string> rounding_words(const ErrorRange& errors, double slack);
 
+/// True if `drawn` is a float to which a number at most `slack` away from the exact one is rounded.
+bool is_within(float drawn, double exact, double slack);
+/// The largest error that is declared for a sum of numbers of this size
+/// (PictureBounds::float_error).
+double float_slack(const cases::PictureBounds& bounds, double size);
+/// This limit in words; without bounds, or where they leave no error, the nearest float is
+/// declared.
+std::string float_words(const std::optional<cases::PictureBounds>& bounds);
 /// A number of steps: "1 step", "0.6 steps".
 std::string step_words(double steps);
-/// A declared limit in words: "within 3 · 2^-24".
-std::string within_words(double limit, const char* unit);
 /// Stands for what was measured where the backend draws none of it.
 inline constexpr const char* kNotDrawn = "not drawn";
 

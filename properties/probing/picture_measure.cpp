@@ -165,14 +165,7 @@ void add_float(ColorErrors& errors, float drawn, double exact, double size,
   const bool is_nearest = drawn == static_cast<float>(exact);
   if (is_nearest) ++errors.nearest_floats;
   if (size > 0) errors.errors.add(error / (kFloatUnit * size));
-  if (!bounds) return errors.count(is_nearest);
-  // A driver may take numbers below the least normal float for 0.
-  const double least = double{std::numeric_limits<float>::min()};
-  errors.count(std::fabs(error) <= double{bounds->float_error} * kFloatUnit * size + least);
-}
-
-std::string float_words(const std::optional<PictureBounds>& bounds) {
-  return bounds ? within_words(double{bounds->float_error}, "· 2^-24") : "the nearest float";
+  errors.count(is_within(drawn, exact, bounds ? float_slack(*bounds, size) : 0));
 }
 
 void add_float_row(Subject& subject, const std::string& what,
@@ -341,7 +334,7 @@ std::string mean_words(const ResolveReading& reading, ColorFormat format) {
       return "the mean: " + *rounding;
     }
     // Each mean of two numbers may be rounded to either neighbour.
-    if (reach <= reading.halvings) return fmt::format("the mean, up to {} off", step_words(reach));
+    if (reach <= reading.halvings) return fmt::format("the mean: up to {} off", step_words(reach));
   } else {
     if (reading.errors.nearest_floats == reading.errors.all()) return "the mean: the nearest float";
     // n − 1 sums, each of parts of the samples, and a product.
@@ -354,10 +347,10 @@ std::string mean_words(const ResolveReading& reading, ColorFormat format) {
 }
 
 std::string declared_mean(const std::optional<PictureBounds>& bounds, bool is_bytes) {
-  if (!bounds) return is_bytes ? "the mean: the nearest" : "the mean: the nearest float";
-  if (!bounds->resolves_to_mean) return "between the least and the greatest";
-  return "the mean, " + (is_bytes ? "within " + step_words(double{bounds->byte_mean})
-                                  : within_words(double{bounds->float_error}, "· 2^-24"));
+  if (bounds && !bounds->resolves_to_mean) return "between the least and the greatest";
+  if (!bounds && is_bytes) return "the mean: the nearest";
+  return "the mean: " +
+         (is_bytes ? "within " + step_words(double{bounds->byte_mean}) : float_words(bounds));
 }
 
 void measure_resolve(Subject& subject, ColorFormat format) {

@@ -146,7 +146,8 @@ void measure_weights(Subject& subject) {
   constexpr const char* kWhat = "weights of the bilinear filter";
   const cases::Case c = slow_case(subject);
   const std::optional<double> limit = filter_limit(subject, c);
-  const std::string declared = limit ? within_words(*limit, "of the exact") : kNotDeclared;
+  const std::string declared =
+      limit ? fmt::format("within {:.3g} of the exact", *limit) : kNotDeclared;
   const std::vector<Weight> weights = read_weights(subject, c);
   if (weights.empty()) {
     subject.add(kWhat, declared, kNotDrawn);
@@ -196,8 +197,8 @@ struct Border {
 std::uint8_t byte_of_texel(int index) { return static_cast<std::uint8_t>(4 * index + 3); }
 
 cases::Texturing numbered_texels(int width) {
-  std::vector<std::uint8_t> bytes;
-  for (int i = 0; i < width; ++i) bytes.push_back(byte_of_texel(i));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width));
+  for (int i = 0; i < width; ++i) bytes[static_cast<std::size_t>(i)] = byte_of_texel(i);
   return one_row(bytes, cases::Filter::nearest);
 }
 
@@ -317,12 +318,17 @@ std::vector<Border> read_borders(Subject& subject) {
   return all;
 }
 
+/// True if texels are promised to be those of the exact coordinates.
+bool is_exact(const std::optional<cases::PictureBounds>& bounds) {
+  return !bounds || (bounds->texel_share == 0 && bounds->texel_distance == 0);
+}
+
 void add_choice_row(Subject& subject, const std::optional<cases::PictureBounds>& bounds,
                     const std::vector<Border>& borders) {
   const std::string declared =
-      bounds ? fmt::format("within {:.3g} texels and {:.3g} of the coordinate",
-                           bounds->texel_distance, bounds->texel_share)
-             : "exact";
+      is_exact(bounds) ? "exact"
+                       : fmt::format("within {:.3g} texels and {:.3g} of the coordinate",
+                                     bounds->texel_distance, bounds->texel_share);
   Border most;
   for (const Border& border : borders) {
     most.early = std::max(most.early, border.early);
@@ -361,7 +367,7 @@ void add_owner_row(Subject& subject, const std::optional<cases::PictureBounds>& 
   }
   constexpr const char* kWhat = "texel at a border";
   constexpr const char* kBeyond = "the one beyond";
-  const char* const declared = bounds ? "either" : kBeyond;
+  const char* const declared = is_exact(bounds) ? kBeyond : "either";
   if (beyond + before == 0) {
     subject.add(kWhat, declared, kNotDrawn, "no coordinate is exactly on a border");
     return;
@@ -371,7 +377,7 @@ void add_owner_row(Subject& subject, const std::optional<cases::PictureBounds>& 
   subject
       .add(kWhat, declared, measured, "",
            sure_of("borders", are_most_beyond ? beyond : before, are_most_beyond ? before : beyond))
-      .contradicts = !bounds && before > 0;
+      .contradicts = is_exact(bounds) && before > 0;
 }
 
 void measure_borders(Subject& subject) {
