@@ -18,9 +18,9 @@ struct Vertex {
   std::array<double, cases::kMaxClipDistances> distances{};
 };
 
-/// The part of a triangle in the view volume, and how many planes have a vertex on their outer side:
-/// each of them cuts the triangle, whatever the order. If a second or later plane leaves no part,
-/// the polygon is the part before that plane.
+/// The part of a triangle in the view volume, and how many planes have a vertex on their outer
+/// side: each of them cuts the triangle, whatever the order. If a second or later plane leaves no
+/// part, the polygon is the part before that plane.
 struct Clipped {
   std::vector<Vertex> polygon;
   int planes = 0;

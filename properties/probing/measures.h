@@ -58,6 +58,11 @@ void measure_depth_test(Subject& subject);
 void measure_depth_store(Subject& subject, Sight& sight);
 /// Measures what a depth bias adds to depths, and how the sum is limited.
 void measure_depth_bias(Subject& subject, Sight& sight);
+/// Measures how fragments become a picture: stored in bytes, blended, resolved, and what is drawn
+/// of their differences across quads.
+void measure_pictures(Subject& subject);
+/// Measures the weights of bilinear filtering, and which texel is looked up at a border.
+void measure_textures(Subject& subject);
 /// Measures the least and greatest usable numbers, including subnormal numbers and overflow.
 void measure_numbers(Subject& subject);
 /// Measures whether the same case gives the same picture, and which values are returned exactly.

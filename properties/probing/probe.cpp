@@ -41,6 +41,8 @@ std::vector<Step> steps() {
       {{"depth test", {"depth_function"}}, of(&measure_depth_test)},
       {{"unorm depth", {"depth_store"}}, &measure_depth_store},
       {{"depth bias", {"depth_bias"}}, &measure_depth_bias},
+      {{"pictures", {}}, of(&measure_pictures)},
+      {{"textures", {}}, of(&measure_textures)},
       {{"numbers", {"numbers"}}, of(&measure_numbers)},
       {{"promises to the bit",
         {"keeps_constants", "keeps_equal_depth", "keeps_vertex_values", "is_invariant"}},

@@ -95,13 +95,31 @@ std::optional<cases::Fragments> Subject::draw(const cases::Case& c) {
     ++result.drawings;
     return std::move(drawn->fragments);
   }
-  if (drawn.error().failure == Failure::unsupported) {
-    ++result.unsupported;
-  } else {
-    ++result.failed;
-    if (result.failure.empty()) result.failure = to_string(drawn.error());
-  }
+  count_failure(drawn.error());
   return std::nullopt;
+}
+
+void Subject::count_failure(const Error& error) {
+  if (error.failure == Failure::unsupported) {
+    ++result.unsupported;
+    return;
+  }
+  ++result.failed;
+  if (result.failure.empty()) result.failure = to_string(error);
+}
+
+bool Subject::draws_pictures() { return backend_->picture_drawer() != nullptr; }
+
+std::optional<cases::Picture> Subject::draw_picture(const cases::Case& c,
+                                                    const cases::Pipeline& pipeline) {
+  if (backend_->is_lost() || is_time_up()) return std::nullopt;
+  Result<cases::Picture> picture = properties::draw_picture(c, *backend_, pipeline);
+  if (!picture) {
+    count_failure(picture.error());
+    return std::nullopt;
+  }
+  ++result.drawings;
+  return *std::move(picture);
 }
 
 std::optional<DrawnCase> Subject::drawn(cases::Case c) {

@@ -11,6 +11,7 @@
 #include "cases/case.h"
 #include "cases/contract_terms.h"
 #include "cases/fragments.h"
+#include "cases/picture.h"
 #include "properties/draw.h"
 #include "properties/probing/probe.h"
 #include "properties/window_position.h"
@@ -79,6 +80,11 @@ class Subject {
   /// Returns the backend's drawing; empty if it does not draw the case, or if the time is up.
   std::optional<cases::Fragments> draw(const cases::Case& c);
   std::optional<DrawnCase> drawn(cases::Case c);
+  /// True if the backend draws pictures.
+  bool draws_pictures();
+  /// Returns the backend's picture; empty if it does not draw it, or if the time is up. The backend
+  /// must draw pictures.
+  std::optional<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline);
 
   /// Returns the contract measured so far, for a case.
   cases::Contract contract(const cases::Case& c) const;
@@ -96,6 +102,9 @@ class Subject {
   records::Probe result;  ///< rows and terms measured so far
 
  private:
+  /// Counts a drawing that failed.
+  void count_failure(const Error& error);
+
   backends::Backend* backend_;
   std::optional<cases::ContractTerms> terms_before_;
   ProbeOptions options_;

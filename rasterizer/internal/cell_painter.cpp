@@ -194,27 +194,30 @@ void CellPainter::flush(const Merging& merging) {
   batch_.count = 0;
 }
 
-/// Only drawn triangles have lanes, so the fallback draws the lane's triangle.
-LanePlace CellPainter::begin_lane(std::size_t lane) {
+std::optional<LanePlace> CellPainter::begin_lane(std::size_t lane) {
   const FragmentBatch::Cell& cell = batch_.cells[lane / FragmentBatch::kCellLanes];
-  fallback_.begin(cell.triangle);
+  if (!fallback_.begin(cell.triangle)) return std::nullopt;
   return place_of(cell, lane % FragmentBatch::kCellLanes);
 }
 
 double CellPainter::floor(std::size_t attribute, std::size_t lane, double scale, double period) {
-  const LanePlace place = begin_lane(lane);
-  return fallback_.floor(place, attribute, scale, period);
+  const std::optional<LanePlace> place = begin_lane(lane);
+  return place ? fallback_.floor(*place, attribute, scale, period) : 0;
 }
 
 bool CellPainter::is_front(std::size_t lane) {
-  begin_lane(lane);
-  return fallback_.is_front();
+  const bool is_drawn = begin_lane(lane).has_value();
+  return is_drawn && fallback_.is_front();
 }
 
-float CellPainter::depth(std::size_t lane) { return fallback_.depth(begin_lane(lane)); }
+float CellPainter::depth(std::size_t lane) {
+  const std::optional<LanePlace> place = begin_lane(lane);
+  return place ? fallback_.depth(*place) : 0;
+}
 
 double CellPainter::reciprocal_w(std::size_t lane) {
-  return fallback_.reciprocal_w(begin_lane(lane));
+  const std::optional<LanePlace> place = begin_lane(lane);
+  return place ? fallback_.reciprocal_w(*place) : 0;
 }
 
 }  // namespace rastercheck::rasterizer

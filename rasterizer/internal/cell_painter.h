@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,8 +62,10 @@ class CellPainter : public ExactAttributes {
   double reciprocal_w(std::size_t lane) override;
 
  private:
-  /// Makes the lane's triangle the fallback's current one; returns the lane's sample.
-  LanePlace begin_lane(std::size_t lane);
+  /// Makes the lane's triangle the fallback's current one; returns the lane's sample. Empty if the
+  /// fallback does not draw the triangle. Only drawn triangles have lanes, so this takes a defect
+  /// (tests/mutants) in one of the two.
+  std::optional<LanePlace> begin_lane(std::size_t lane);
   /// Draws the cells in `cells_` or, if `marks_all_`, marks their samples.
   void draw_cells(const KernelSetting& kernel, const double* planes, std::uint32_t triangle,
                   std::size_t sample);

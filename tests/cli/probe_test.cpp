@@ -100,7 +100,7 @@ TEST(Probe, SaysWhatItHadNoTimeFor) {
   EXPECT_FALSE(std::filesystem::exists(contract));
   const json document =
       json::parse(run_program(quick({"cpu", "--seconds", "0.001", "--json"})).out);
-  EXPECT_EQ(document.at("not_measured").size(), 12U);
+  EXPECT_EQ(document.at("not_measured").size(), 14U);
   EXPECT_EQ(document.at("not_measured")[1].at("what"), "tie rule");
   EXPECT_EQ(document.at("not_measured")[1].at("keys"), json::array({"tie_rule"}));
   EXPECT_TRUE(document.at("contract").is_null());

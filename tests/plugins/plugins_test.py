@@ -495,8 +495,8 @@ class Probed(PluginTest):
             self.skipTest("left to runs with more cases")
         for patch in sorted(SOURCE.glob("tests/plugins/mutants/*.patch")):
             source = patched(self, patch)
-            # Occlusion buffers draw nothing, probes draw no pictures, and only hard cases show weights in
-            # float32.
+            # Occlusion buffers draw nothing, contracts of a probe say nothing about pictures, and only hard
+            # cases show weights in float32.
             if source.stem in ("occlusion", "picture") or patch.stem == "weights-in-float32":
                 continue
             with self.subTest(patch.stem):

@@ -53,9 +53,9 @@ TEST(TimeLimit, KeepsWholeMeasuresOnly) {
   const records::Probe whole = ended_after(kNeverUp, &all);
   EXPECT_THAT(whole.unmeasured, IsEmpty());
   const std::vector<std::string> names = names_of(ended_after(0).unmeasured);
-  ASSERT_EQ(names.size(), 12U);
+  ASSERT_EQ(names.size(), 14U);
   std::vector<std::size_t> left;
-  constexpr std::uint64_t kSteps = 12;
+  constexpr std::uint64_t kSteps = 14;
   for (std::uint64_t i = 1; i < kSteps; ++i) {
     const records::Probe part = ended_after(all * i / kSteps);
     ASSERT_LE(part.rows.size(), whole.rows.size());
@@ -107,7 +107,7 @@ TEST(TimeLimit, TellsWhichMeasureComesNext) {
   const auto backend = backends::make_backend("cpu");
   const auto progress = [&told](std::uint64_t done, std::uint64_t all, const std::string& what) {
     EXPECT_EQ(done, told.size());
-    EXPECT_EQ(all, 12U);
+    EXPECT_EQ(all, 14U);
     told.push_back(what);
   };
   ASSERT_TRUE(probe("cpu", **backend, quick(), progress).has_value());
