@@ -187,7 +187,7 @@ Result<void> shrink_counterexamples(Results& results, const properties::Execute&
   properties::Findings findings;
   findings.counterexamples = results.hunted.counterexamples;
   const std::vector<properties::Task> tasks = properties::shrink_tasks(findings);
-  const Result<void> done = execute(tasks, [&](std::size_t /*task*/, properties::Findings found) {
+  Result<void> done = execute(tasks, [&](std::size_t /*task*/, properties::Findings found) {
     merge(findings, std::move(found));
     return !findings.fault;
   });

@@ -162,9 +162,9 @@ TEST(ApiPromise, VerticesBesideTheViewportCountAsNewOnes) {
   EXPECT_EQ(contract.triangles[0].side_tolerance, double{contract.coverage->position_error});
 }
 
-// Of this triangle the near plane leaves the edge between the given vertices at z = -w, which the left
-// side does not cut. A driver that cuts at the left side first has a new vertex 3/4 of an ulp outside
-// of the near plane, which floats place on it.
+// Of this triangle the near plane leaves the edge between the given vertices at z = -w, which the
+// left side does not cut. A driver that cuts at the left side first has a new vertex 3/4 of an ulp
+// outside of the near plane, which floats place on it.
 TEST(ApiPromise, CountsPlanesThatAnotherPlaneLeavesNothingToCut) {
   const std::array<cases::ClipVertex, 3> beyond{
       {{-0.96875F, 0, -1, 1}, {-1.03125F, 1, -0x1.000002p+0F, 1}, {0, 0, -1, 1}}};
