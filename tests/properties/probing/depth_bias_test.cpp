@@ -13,6 +13,7 @@
 #include "backends/factory.h"
 #include "properties/probing/measures.h"
 #include "tests/properties/probing/own_bias.h"
+#include "tests/properties/probing/probe_rows.h"
 
 namespace rastercheck::properties::depth_bias_test {
 namespace {
@@ -42,38 +43,24 @@ records::Probe measured_of(const OwnBias& wrong) {
   return measured_of(backend);
 }
 
-std::string row(const records::Probe& probe, const std::string& what) {
-  for (const records::Measured& one : probe.rows) {
-    if (one.what == what) return one.measured;
-  }
-  return "no row " + what;
-}
-
-std::vector<std::string> against(const records::Probe& probe) {
-  std::vector<std::string> names;
-  for (const records::Measured& one : probe.rows) {
-    if (one.contradicts) names.push_back(one.what);
-  }
-  return names;
-}
-
 void expect_right(const records::Probe& probe) {
-  EXPECT_EQ(row(probe, "rounding to unorm16"), "the nearest");
-  EXPECT_EQ(row(probe, "rounding to unorm24"), "the nearest");
-  EXPECT_EQ(row(probe, "unit of bias in float32"), "2^(e-23)");
-  EXPECT_EQ(row(probe, "unit of bias in unorm16"), "2^-16");
-  EXPECT_EQ(row(probe, "unit of bias in unorm24"), "2^-24");
-  EXPECT_EQ(row(probe, "slope of bias"), "the greater of |z_x|, |z_y|");
-  EXPECT_EQ(row(probe, "clamp of bias"), "limits on its own side");
+  EXPECT_EQ(measured(probe, "rounding to unorm16"), "the nearest");
+  EXPECT_EQ(measured(probe, "rounding to unorm24"), "the nearest");
+  EXPECT_EQ(measured(probe, "unit of bias in float32"), "2^(e-23)");
+  EXPECT_EQ(measured(probe, "unit of bias in unorm16"), "2^-16");
+  EXPECT_EQ(measured(probe, "unit of bias in unorm24"), "2^-24");
+  EXPECT_EQ(measured(probe, "slope of bias"), "the greater of |z_x|, |z_y|");
+  EXPECT_EQ(measured(probe, "clamp of bias"), "limits on its own side");
   for (const char* where : {"inside the viewport", "cut at the viewport's sides",
                             "cut at the far plane", "under depth clamp"}) {
-    EXPECT_EQ(row(probe, std::string("exponent of bias, ") + where),
+    EXPECT_EQ(measured(probe, std::string("exponent of bias, ") + where),
               "the greatest of the vertices");
   }
-  EXPECT_EQ(row(probe, "limits of biased depths"), "0 to 1, after the bias");
-  EXPECT_EQ(row(probe, "limits of biased depths, range 1/4 to 3/4"), "0 to 1, after the bias");
-  EXPECT_EQ(row(probe, "limits of biased depths, depth clamp"), "the depth range, after the bias");
-  EXPECT_EQ(row(probe, "biased depths as measured"), "hold");
+  EXPECT_EQ(measured(probe, "limits of biased depths"), "0 to 1, after the bias");
+  EXPECT_EQ(measured(probe, "limits of biased depths, range 1/4 to 3/4"), "0 to 1, after the bias");
+  EXPECT_EQ(measured(probe, "limits of biased depths, depth clamp"),
+            "the depth range, after the bias");
+  EXPECT_EQ(measured(probe, "biased depths as measured"), "hold");
   EXPECT_THAT(against(probe), IsEmpty());
   EXPECT_FALSE(probe.terms.depth_bias);
   EXPECT_FALSE(probe.terms.depth_store);
@@ -88,10 +75,9 @@ TEST(DepthBias, IsAsAskedOfCpu) {
   const records::Probe probe = measured_of(**cpu);
   expect_right(probe);
   // Direct3D's unit is another.
-  EXPECT_EQ(row(probe, "unit of bias in unorm16, d3d"), "1/(2^16 - 1)");
-  EXPECT_EQ(row(probe, "unit of bias in unorm24, d3d"), "1/(2^24 - 1)");
-  EXPECT_EQ(row(probe, "unit of bias in unorm16, opengl"),
-            "no row unit of bias in unorm16, opengl");
+  EXPECT_EQ(measured(probe, "unit of bias in unorm16, d3d"), "1/(2^16 - 1)");
+  EXPECT_EQ(measured(probe, "unit of bias in unorm24, d3d"), "1/(2^24 - 1)");
+  EXPECT_EQ(measured(probe, "unit of bias in unorm16, opengl"), "no such row");
   EXPECT_LT(probe.drawings, 64U);  // a user waits
 }
 
@@ -116,8 +102,8 @@ TEST(DepthBias, IsNotAskedOfABackendThatLacksIt) {
   backend.description.capabilities.lacks = {cases::Feature::depth_bias,
                                             cases::Feature::unorm_depth};
   const records::Probe probe = measured_of(backend);
-  EXPECT_EQ(row(probe, "unorm depth"), "not measured");
-  EXPECT_EQ(row(probe, "depth bias"), "not measured");
+  EXPECT_EQ(measured(probe, "unorm depth"), "not measured");
+  EXPECT_EQ(measured(probe, "depth bias"), "not measured");
   EXPECT_EQ(probe.rows.size(), 2U);
   EXPECT_THAT(probe.rows[1].detail, HasSubstr("draws no such cases"));
   EXPECT_EQ(probe.drawings, 1U);  // to choose the rules
@@ -127,8 +113,8 @@ TEST(DepthBias, IsMeasuredInFloatsWithoutUnormDepth) {
   OwnBiasBackend backend({});
   backend.description.capabilities.lacks = {cases::Feature::unorm_depth};
   const records::Probe probe = measured_of(backend);
-  EXPECT_EQ(row(probe, "unit of bias in float32"), "2^(e-23)");
-  EXPECT_EQ(row(probe, "unit of bias in unorm16"), "no row unit of bias in unorm16");
+  EXPECT_EQ(measured(probe, "unit of bias in float32"), "2^(e-23)");
+  EXPECT_EQ(measured(probe, "unit of bias in unorm16"), "no such row");
   EXPECT_THAT(against(probe), IsEmpty());
 }
 
@@ -138,12 +124,12 @@ void expect_store(double (*store)(double steps), const char* words, DepthStore p
   OwnBias wrong;
   wrong.store = store;
   const records::Probe probe = measured_of(wrong);
-  EXPECT_EQ(row(probe, "rounding to unorm16"), words);
-  EXPECT_EQ(row(probe, "rounding to unorm24"), words);
+  EXPECT_EQ(measured(probe, "rounding to unorm16"), words);
+  EXPECT_EQ(measured(probe, "rounding to unorm24"), words);
   EXPECT_EQ(probe.terms.depth_store, proposed) << words;
   EXPECT_THAT(against(probe), IsSupersetOf({"rounding to unorm16", "rounding to unorm24"}));
   // How depths are stored does not hide r.
-  EXPECT_EQ(row(probe, "unit of bias in unorm16"), "2^-16") << words;
+  EXPECT_EQ(measured(probe, "unit of bias in unorm16"), "2^-16") << words;
 }
 
 TEST(DepthStore, IsFound) {
@@ -161,7 +147,7 @@ TEST(DepthStore, MayBeNeitherNeighbour) {
   OwnBias wrong;
   wrong.store = [](double steps) { return std::round(steps) + 1; };
   const records::Probe probe = measured_of(wrong);
-  EXPECT_EQ(row(probe, "rounding to unorm16"), "neither neighbour");
+  EXPECT_EQ(measured(probe, "rounding to unorm16"), "neither neighbour");
   EXPECT_THAT(against(probe), IsSupersetOf({"rounding to unorm16"}));
 }
 
@@ -180,7 +166,7 @@ TEST(DepthStore, MayBeInNoFormat) {
     }
   };
   Unstored backend;
-  EXPECT_EQ(row(measured_of(backend), "rounding to unorm16"), "not stored in the format");
+  EXPECT_EQ(measured(measured_of(backend), "rounding to unorm16"), "not stored in the format");
 }
 
 // ---- The unit.
@@ -189,7 +175,7 @@ void expect_unit(double unit, const std::string& words, BiasUnit proposed, bool 
   OwnBiasBackend backend({.unit = unit});
   backend.declares = [](cases::Contract& contract) { contract.depth_bias.unit = BiasUnit::open; };
   const records::Probe probe = measured_of(backend);
-  EXPECT_EQ(row(probe, "unit of bias in unorm16"), words);
+  EXPECT_EQ(measured(probe, "unit of bias in unorm16"), words);
   ASSERT_TRUE(probe.terms.depth_bias || proposed == BiasUnit::open) << words;
   if (probe.terms.depth_bias) {
     EXPECT_EQ(probe.terms.depth_bias->unit, proposed) << words;
@@ -215,10 +201,10 @@ TEST(BiasUnit, BeyondAllContractsContradictsThem) {
     return measured_of(backend);
   };
   const records::Probe four = beyond(3);
-  EXPECT_EQ(row(four, "unit of bias in unorm16"), "3 · 2^-16");
+  EXPECT_EQ(measured(four, "unit of bias in unorm16"), "3 · 2^-16");
   EXPECT_THAT(against(four), IsSupersetOf({"unit of bias in unorm16", "unit of bias in unorm24"}));
   const records::Probe mesa = beyond(2 * 0x1p16 / 65535);
-  EXPECT_EQ(row(mesa, "unit of bias in unorm16"), "2/(2^16 - 1)");
+  EXPECT_EQ(measured(mesa, "unit of bias in unorm16"), "2/(2^16 - 1)");
   EXPECT_THAT(against(mesa), IsSupersetOf({"unit of bias in unorm16"}));
 }
 
@@ -230,18 +216,18 @@ TEST(BiasUnit, OfDoubleWhatIsDeclaredContradicts) {
 
 TEST(BiasUnit, OfFloatsIsFound) {
   const records::Probe probe = measured_of({.float_unit = 2});
-  EXPECT_EQ(row(probe, "unit of bias in float32"), "2 · 2^(e-23)");
+  EXPECT_EQ(measured(probe, "unit of bias in float32"), "2 · 2^(e-23)");
   EXPECT_THAT(against(probe),
               IsSupersetOf({"unit of bias in float32", "biased depths as measured"}));
   // The exponent is right even so.
-  EXPECT_EQ(row(probe, "exponent of bias, inside the viewport"), "the greatest of the vertices");
+  EXPECT_EQ(measured(probe, "exponent of bias, inside the viewport"),
+            "the greatest of the vertices");
   // The same r for all depths.
   OwnBias fixed;
   fixed.exponent_of = [](const std::array<double, 3>& /*z*/, double /*drawn*/) { return 0.5; };
   const records::Probe same = measured_of(fixed);
-  EXPECT_THAT(row(same, "unit of bias in float32"), HasSubstr(" to "));
-  EXPECT_EQ(row(same, "exponent of bias, inside the viewport"),
-            "no row exponent of bias, inside the viewport");
+  EXPECT_THAT(measured(same, "unit of bias in float32"), HasSubstr(" to "));
+  EXPECT_EQ(measured(same, "exponent of bias, inside the viewport"), "no such row");
 }
 
 // ---- The slope.
@@ -251,11 +237,11 @@ void expect_slope(double (*slope)(double x, double y), const std::string& words,
   OwnBias wrong;
   wrong.slope = slope;
   const records::Probe probe = measured_of(wrong);
-  EXPECT_THAT(row(probe, "slope of bias"), ::testing::StartsWith(words));
+  EXPECT_THAT(measured(probe, "slope of bias"), ::testing::StartsWith(words));
   EXPECT_THAT(against(probe), IsSupersetOf({"slope of bias"}));
   ASSERT_TRUE(probe.terms.depth_bias) << words;
   EXPECT_EQ(probe.terms.depth_bias->slope, proposed) << words;
-  EXPECT_EQ(row(probe, "clamp of bias"), "limits on its own side") << words;
+  EXPECT_EQ(measured(probe, "clamp of bias"), "limits on its own side") << words;
 }
 
 TEST(BiasSlope, IsFound) {
@@ -274,7 +260,7 @@ void expect_clamp(double (*clamp)(double offset, double clamp), const std::strin
   OwnBias wrong;
   wrong.clamp = clamp;
   const records::Probe probe = measured_of(wrong);
-  EXPECT_EQ(row(probe, "clamp of bias"), words);
+  EXPECT_EQ(measured(probe, "clamp of bias"), words);
   EXPECT_THAT(against(probe), IsSupersetOf({"clamp of bias", "biased depths as measured"}));
 }
 
@@ -302,8 +288,8 @@ TEST(BiasExponent, OfOneVertexIsFound) {
       probe_of_exponent([](const std::array<double, 3>& z, double) { return z[2]; });
   for (const char* where : {"inside the viewport", "cut at the far plane"}) {
     const std::string what = std::string("exponent of bias, ") + where;
-    EXPECT_EQ(row(first, what), "the first vertex");
-    EXPECT_EQ(row(last, what), "the last vertex");
+    EXPECT_EQ(measured(first, what), "the first vertex");
+    EXPECT_EQ(measured(last, what), "the last vertex");
     EXPECT_THAT(against(first), IsSupersetOf({what}));
   }
   EXPECT_EQ(first.terms.depth_bias->exponent, BiasExponent::open);
@@ -320,7 +306,7 @@ TEST(BiasExponent, OfDifferencesIsFound) {
     contract.depth_bias.exponent = BiasExponent::open;
   };
   const records::Probe probe = measured_of(backend);
-  EXPECT_EQ(row(probe, "exponent of bias, inside the viewport"),
+  EXPECT_EQ(measured(probe, "exponent of bias, inside the viewport"),
             "the greatest of one vertex and the differences from it");
   EXPECT_THAT(against(probe), IsSupersetOf({"exponent of bias, inside the viewport"}));
 }
@@ -329,10 +315,11 @@ TEST(BiasExponent, OfUnclampedVerticesIsFound) {
   const records::Probe probe = probe_of_exponent([](const std::array<double, 3>& z, double) {
     return std::max({std::fabs(z[0]), std::fabs(z[1]), std::fabs(z[2])});
   });
-  EXPECT_EQ(row(probe, "exponent of bias, inside the viewport"), "the greatest of the vertices");
-  EXPECT_EQ(row(probe, "exponent of bias, cut at the far plane"),
+  EXPECT_EQ(measured(probe, "exponent of bias, inside the viewport"),
+            "the greatest of the vertices");
+  EXPECT_EQ(measured(probe, "exponent of bias, cut at the far plane"),
             "the greatest of the unclamped vertices");
-  EXPECT_EQ(row(probe, "exponent of bias, under depth clamp"),
+  EXPECT_EQ(measured(probe, "exponent of bias, under depth clamp"),
             "the greatest of the unclamped vertices");
   EXPECT_EQ(probe.terms.depth_bias->exponent, BiasExponent::open);
 }
@@ -351,7 +338,7 @@ TEST(BiasExponent, OfTheClippedTriangleIsFound) {
   };
   const records::Probe probe = measured_of(backend);
   const std::string what = "exponent of bias, cut at the viewport's sides";
-  EXPECT_EQ(row(probe, what), "the greatest of the clipped triangle");
+  EXPECT_EQ(measured(probe, what), "the greatest of the clipped triangle");
   EXPECT_THAT(against(probe), ::testing::Not(::testing::Contains(what)));
 }
 
@@ -360,11 +347,11 @@ TEST(BiasExponent, MayBeOfNoKindTried) {
     return 4 * std::max({z[0], z[1], z[2]});
   });
   // Planes of constant depth have the same factor, so r takes it.
-  EXPECT_EQ(row(probe, "unit of bias in float32"), "4 · 2^(e-23)");
+  EXPECT_EQ(measured(probe, "unit of bias in float32"), "4 · 2^(e-23)");
   const records::Probe middle = probe_of_exponent([](const std::array<double, 3>& z, double) {
     return z[0] == z[1] && z[1] == z[2] ? z[0] : 8 * z[0];
   });
-  EXPECT_EQ(row(middle, "exponent of bias, inside the viewport"), "of no kind tried");
+  EXPECT_EQ(measured(middle, "exponent of bias, inside the viewport"), "of no kind tried");
 }
 
 // ---- Limits.
@@ -373,9 +360,9 @@ void expect_limits(OwnBias::Limit limit, const std::array<const char*, 3>& words
   OwnBias wrong;
   wrong.limit = limit;
   const records::Probe probe = measured_of(wrong);
-  EXPECT_EQ(row(probe, "limits of biased depths"), words[0]);
-  EXPECT_EQ(row(probe, "limits of biased depths, range 1/4 to 3/4"), words[1]);
-  EXPECT_EQ(row(probe, "limits of biased depths, depth clamp"), words[2]);
+  EXPECT_EQ(measured(probe, "limits of biased depths"), words[0]);
+  EXPECT_EQ(measured(probe, "limits of biased depths, range 1/4 to 3/4"), words[1]);
+  EXPECT_EQ(measured(probe, "limits of biased depths, depth clamp"), words[2]);
   EXPECT_THAT(against(probe),
               IsSupersetOf({"limits of biased depths", "limits of biased depths, range 1/4 to 3/4",
                             "limits of biased depths, depth clamp"}));

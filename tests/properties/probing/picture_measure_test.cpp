@@ -13,6 +13,7 @@
 #include "properties/probing/measures.h"
 #include "tests/properties/probing/bent.h"
 #include "tests/properties/probing/own_picture.h"
+#include "tests/properties/probing/probe_rows.h"
 
 namespace rastercheck::properties::picture_measure_test {
 namespace {
@@ -51,25 +52,6 @@ records::Probe measured_of_driver(const OwnPicture& wrong) {
   OwnPictureBackend backend(wrong);
   backend.declares = &declare_as_driver;
   return measured_of(backend);
-}
-
-const records::Measured& row(const records::Probe& probe, const std::string& what) {
-  static const records::Measured kNone{"", "", "no such row", "", false, {}};
-  const auto found = std::find_if(probe.rows.begin(), probe.rows.end(),
-                                  [&](const records::Measured& one) { return one.what == what; });
-  return found == probe.rows.end() ? kNone : *found;
-}
-
-std::string measured(const records::Probe& probe, const std::string& what) {
-  return row(probe, what).measured;
-}
-
-std::vector<std::string> against(const records::Probe& probe) {
-  std::vector<std::string> names;
-  for (const records::Measured& one : probe.rows) {
-    if (one.contradicts) names.push_back(one.what);
-  }
-  return names;
 }
 
 void expect_right(const records::Probe& probe) {
