@@ -94,14 +94,9 @@ Result<Work> prepare(const RunOptions& options) {
   }
   const Result<void> same_shard = check_shard(start->plan, options.shard);
   if (!same_shard) return tl::unexpected(same_shard.error());
-  if (!options.baseline.empty() && start->plan.shard) {
-    return tl::unexpected(
-        Error{"--baseline", "",
-              "cannot be used with a shard; merge the shards, then compare the merged run"});
-  }
   Work work{*std::move(start), {}, std::nullopt};
   const records::Plan& plan = work.start.plan;
-  Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_folder_of(plan));
+  Result<std::vector<cases::Case>> corpus = properties::corpus_of(plan, corpus_folder_of(plan));
   if (!corpus) return tl::unexpected(corpus.error());
   work.corpus = *std::move(corpus);
   if (!options.resume) work.start.program = RASTERCHECK_VERSION;
@@ -164,6 +159,14 @@ Result<void> check_contract(const std::optional<RunGate>& gate, const records::P
 ExitCode hold_run(const RunOptions& options, const std::optional<RunGate>& gate,
                   const records::Run& run) {
   if (!gate) return ExitCode::ok;
+  if (run.shard) {
+    if (!options.json && !options.quiet) {
+      fmt::print(
+          "\nA shard can be compared with the baseline once it is merged: rastercheck merge, then "
+          "rastercheck compare.\n");
+    }
+    return ExitCode::ok;
+  }
   if (run.cases_left > 0) return ExitCode::interrupted;
   Result<gate::Side> current = gate::side_of(run, options.output);
   if (!current) return fail(current.error());

@@ -37,7 +37,7 @@ Result<records::Run> run_plan(const records::Plan& asked_for, const std::string&
   if (!plan) return tl::unexpected(plan.error());
   properties::Conduct conduct = conduct_of(*plan, directory, jobs);
   conduct.is_over = is_to_end;
-  Result<std::vector<cases::Case>> corpus = properties::read_corpus(conduct.corpus);
+  Result<std::vector<cases::Case>> corpus = properties::corpus_of(*plan, conduct.corpus);
   if (!corpus) return tl::unexpected(corpus.error());
   properties::Checkpoint begin;
   begin.plan = *plan;

@@ -39,6 +39,15 @@ Result<void> settle(const IsGiven& is_given, const char* name, const std::string
   return {};
 }
 
+/// settle() for and_then(): a function of the option that returns what settles it.
+auto settling(const IsGiven& is_given, const std::string& section) {
+  return [&](const char* name, auto& option, const auto& in_baseline) {
+    return [&is_given, &section, name, &option, &in_baseline] {
+      return settle(is_given, name, section, option, in_baseline);
+    };
+  };
+}
+
 }  // namespace
 
 Result<records::Plan> make_plan(const RunOptions& options) {
@@ -65,30 +74,34 @@ Result<records::Plan> make_plan(const RunOptions& options) {
   });
 }
 
-Result<void> take_case_set(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options) {
+Result<void> take_terms(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options) {
   const records::Plan& then = set.plan;
   records::Plan& plan = options.plan;
   if (!is_given("--corpus")) plan.corpus = then.corpus;
-  std::optional<std::uint64_t> seed = then.seed;
-  // check_contract() compares the file's content with the baseline's, wherever the file lies.
+  // A contract file may have moved; check_contract() compares its content with the baseline's.
   const bool is_told = then.contract && is_given("--contract");
   const std::string file = then.contract ? then.contract->file : "";
   const std::string contract = is_told ? options.contract : file;
-  plan.keeps_cases = true;
-  const auto settled = [&](const char* name, auto& option, const auto& in_baseline) {
-    return [&is_given, &set, name, &option, &in_baseline] {
-      return settle(is_given, name, set.section, option, in_baseline);
-    };
-  };
-  return settle(is_given, "--seed", set.section, options.seed, seed)
-      .and_then(settled("--cases", plan.cases_per_law, then.cases_per_law))
-      .and_then(settled("--property", plan.properties, then.properties))
-      .and_then(settled("--contract", options.contract, contract))
+  const auto settled = settling(is_given, set.section);
+  return settled("--contract", options.contract, contract)()
       .and_then(settled("--promise", plan.promise, then.promise))
       .and_then(settled("--draw-by", plan.draw_by, then.draw_by))
       .and_then(settled("--known", plan.known, then.known))
-      .and_then(settled("--no-known", plan.ignores_known, then.ignores_known))
-      .and_then(settled("--power", plan.power, then.power));
+      .and_then(settled("--no-known", plan.ignores_known, then.ignores_known));
+}
+
+Result<void> take_case_set(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options) {
+  const records::Plan& then = set.plan;
+  records::Plan& plan = options.plan;
+  std::optional<std::uint64_t> seed = then.seed;
+  plan.hunted = then.hunted;
+  plan.keeps_cases = true;
+  const auto settled = settling(is_given, set.section);
+  return settled("--seed", options.seed, seed)()
+      .and_then(settled("--cases", plan.cases_per_law, then.cases_per_law))
+      .and_then(settled("--property", plan.properties, then.properties))
+      .and_then(settled("--power", plan.power, then.power))
+      .and_then([&] { return take_terms(is_given, set, options); });
 }
 
 Result<void> take_failed(RunOptions& options) {

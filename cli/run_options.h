@@ -43,9 +43,13 @@ Result<records::Plan> make_plan(const RunOptions& options);
 /// True if the user gave a value for an option, such as "--seed".
 using IsGiven = std::function<bool(const char* option)>;
 
-/// Adopts the baseline's seed, cases and every other setting that affects the findings; fails if
-/// the user gave a different value. If the corpus or contract has moved, compares digests to tell
-/// whether the content is the same.
+/// Adopts the corpus, the contract and the other terms by which the baseline's cases are judged;
+/// fails if the user gave different ones.
+Result<void> take_terms(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options);
+
+/// Adopts, besides the terms, the baseline's seed, cases and every other setting that affects the
+/// findings; fails if the user gave a different value. If the corpus or contract has moved,
+/// compares digests to tell whether the content is the same.
 Result<void> take_case_set(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options);
 
 /// Adopts, from the run in the folder `rerun_failed`, the violated laws and backends and every

@@ -23,14 +23,15 @@ std::string words_of(const records::Plan& plan) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Returns the options that decide how cases are judged, except a contract. Leaves out the corpus
-/// folder and the capabilities: digests identify the cases.
+/// Returns the options that decide how cases are judged, except a contract. Leaves out corpus,
+/// worst cases of hunts and capabilities: digests identify the cases.
 records::Plan judged_by(records::Plan plan) {
   plan.seed = 0;
   plan.capabilities.clear();
   plan.cases_per_law = 0;
   plan.contract.reset();
   plan.corpus.clear();
+  plan.hunted.clear();
   return plan;
 }
 
@@ -95,6 +96,12 @@ std::string difference(const records::BaselineSection& before,
   if (was.seed != is.seed) return numbers("the seed is", was.seed, is.seed);
   if (was.cases_per_law != is.cases_per_law) {
     return numbers("the number of cases per property is", was.cases_per_law, is.cases_per_law);
+  }
+  if (was.hunted != is.hunted) {
+    return fmt::format(
+        "the baseline has {} worst cases of hunts and this side {}, not all the same; `rastercheck "
+        "run --baseline` checks those of the baseline",
+        was.hunted.size(), is.hunted.size());
   }
   if (std::string other = other_options(was, is); !other.empty()) return other;
   for (const auto& [law, cases] : before.laws) {

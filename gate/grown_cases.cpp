@@ -20,7 +20,7 @@ std::optional<cases::Case> case_of(const records::Comparison& comparison,
   std::vector<cases::Case> corpus;
   if (growth.origin == records::Origin::corpus) {
     Result<std::vector<cases::Case>> read =
-        properties::read_corpus(corpus_of(comparison, corpus_folder));
+        properties::corpus_of(comparison.plan, corpus_folder_of(comparison, corpus_folder));
     if (!read) return std::nullopt;
     corpus = *std::move(read);
   }
@@ -51,7 +51,8 @@ Result<void> save(const reports::Gate& gate, const records::Comparison& comparis
 
 }  // namespace
 
-std::string corpus_of(const records::Comparison& comparison, const std::string& without_option) {
+std::string corpus_folder_of(const records::Comparison& comparison,
+                             const std::string& without_option) {
   return comparison.plan.corpus.empty() ? without_option : comparison.plan.corpus;
 }
 

@@ -14,6 +14,7 @@ Result<void> save_grown_cases(const reports::Gate& gate, const std::string& corp
 
 /// Returns the folder of a comparison's corpus; `without_option` if the comparison's options name
 /// none.
-std::string corpus_of(const records::Comparison& comparison, const std::string& without_option);
+std::string corpus_folder_of(const records::Comparison& comparison,
+                             const std::string& without_option);
 
 }  // namespace rastercheck::gate

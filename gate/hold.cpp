@@ -28,7 +28,7 @@ std::vector<records::CloserLook> looks_of(const reports::Gate& gate, const Side&
     if (comparison.changed_cases == 0) continue;
     // Without the corpus, its cases get no pictures, which is no reason to fail.
     const std::vector<cases::Case> corpus =
-        properties::read_corpus(corpus_of(comparison, options.corpus))
+        properties::corpus_of(comparison.plan, corpus_folder_of(comparison, options.corpus))
             .value_or(std::vector<cases::Case>());
     records::Plan plan = comparison.plan;
     plan.timeout = options.timeout;  // does not affect what is drawn

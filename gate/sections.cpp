@@ -81,7 +81,6 @@ std::map<records::EntryKey, records::EntryFigures> entries_of(const records::Run
 
 void add_cases(records::BaselineSection& section, const records::CaseRecordSet& all,
                const std::string& backend) {
-  std::map<std::string, std::string> numbered;  // by law: the text that is digested
   for (const auto& [key, record] : all) {
     if (key.backend != backend) continue;
     records::LawCases& law = section.laws[key.law];
@@ -89,15 +88,14 @@ void add_cases(records::BaselineSection& section, const records::CaseRecordSet& 
     // the original cases are counted and digested.
     if (key.index < records::kRedrawn) {
       ++law.count;
-      numbered[key.law] +=
-          fmt::format("{} {} {:016x}\n", to_string(key.origin), key.index, record.source_digest);
+      law.digest += cases::fnv1a(
+          fmt::format("{} {} {:016x}", to_string(key.origin), key.index, record.source_digest));
     }
     if (key.origin == records::Origin::corpus) section.corpus[key.index] = record.name;
     if (record.outcome == records::CaseOutcome::not_applicable) continue;
     law.cases[{key.origin, key.index}] = {record.found_digest, record.mismatches, record.worst,
                                           record.outcome};
   }
-  for (const auto& [law, text] : numbered) section.laws[law].digest = cases::fnv1a(text);
 }
 
 Error refusal(const std::string& reason) { return {"", "", reason}; }
@@ -153,6 +151,21 @@ Result<records::Baseline> baseline_of(const records::Run& run) {
     put(baseline, *std::move(section));
   }
   return baseline;
+}
+
+Result<void> add_cases(records::BaselineSection& section, const records::Run& run,
+                       const std::string& backend) {
+  const Result<records::BaselineSection> more = section_of(run, backend);
+  if (!more) return tl::unexpected(more.error());
+  for (const auto& [key, figures] : more->entries) merge(section.entries[key], figures);
+  for (const auto& [id, from] : more->laws) {
+    records::LawCases& law = section.laws[id];
+    law.count += from.count;
+    law.digest += from.digest;
+    law.cases.insert(from.cases.begin(), from.cases.end());
+  }
+  section.corpus.insert(more->corpus.begin(), more->corpus.end());
+  return {};
 }
 
 const records::BaselineSection* find_section(const records::Baseline& baseline,

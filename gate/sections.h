@@ -20,6 +20,11 @@ Result<records::BaselineSection> section_of(const records::Run& run, const std::
 /// section name.
 Result<records::Baseline> baseline_of(const records::Run& run);
 
+/// Adds the results of a run of other cases to a section, as if one run had checked them all.
+/// Leaves plan and specimens as they are. Fails as section_of() does.
+Result<void> add_cases(records::BaselineSection& section, const records::Run& run,
+                       const std::string& backend);
+
 /// Finds the section to compare `current` with: same backend and architecture, and instruction set
 /// and compiler either as in current.taken or unspecified. Returns the most specific one, where the
 /// instruction set counts more than the compiler; nullptr if none matches.

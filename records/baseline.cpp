@@ -29,6 +29,19 @@ bool are_outcomes_known(const BaselineSection& section, const std::string& law) 
          counts.known == entry->second.cases.known;
 }
 
+void merge(EntryFigures& into, const EntryFigures& from) {
+  merge(into.cases, from.cases);
+  merge(into.power, from.power);
+  merge(into.classes, from.classes);
+  if (from.not_judged) into.not_judged = into.not_judged.value_or(0) + *from.not_judged;
+  into.histogram.merge(from.histogram);
+  // As keep() of record.h orders errors: by the far end first.
+  const auto extent = [](const Enclosure& size) { return std::pair(size.hi, size.lo); };
+  into.worst = std::max(into.worst, from.worst,
+                        [&extent](const auto& a, const auto& b) { return extent(a) < extent(b); });
+  for (const auto& [stage, sum] : from.stages) into.stages[stage].merge(sum);
+}
+
 void put(Baseline& baseline, BaselineSection section) {
   const auto at = std::lower_bound(
       baseline.sections.begin(), baseline.sections.end(), section.key,

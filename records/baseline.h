@@ -27,7 +27,7 @@
 namespace rastercheck::records {
 
 /// The version of the baseline file.
-inline constexpr std::uint64_t kBaselineVersion = 2;
+inline constexpr std::uint64_t kBaselineVersion = 3;
 inline constexpr const char* kBaselineFile = "rastercheck-baseline.json";
 
 /// Identifies a section.
@@ -80,7 +80,8 @@ struct CaseFigures {
 /// The cases of one law.
 struct LawCases {
   std::uint64_t count = 0;  ///< number of cases, including not applicable ones
-  /// Digest of (origin, index, digest of the case file) of every case, in order
+  /// Sum, modulo 2^64, of a digest of (origin, index, digest of the case file) of each case: cases
+  /// can be added to it.
   std::uint64_t digest = 0;
   std::map<CaseNumber, CaseFigures> cases;  ///< the applicable cases only
   bool operator==(const LawCases&) const = default;
@@ -133,6 +134,9 @@ std::string section_name(const std::string& backend);
 /// True if the outcomes of a law's cases were kept, that is, if the counts of violated and of known
 /// cases match the law's figures.
 bool are_outcomes_known(const BaselineSection& section, const std::string& law);
+
+/// Adds the figures of further cases.
+void merge(EntryFigures& into, const EntryFigures& from);
 
 /// Inserts a section, replacing any section with the same key.
 void put(Baseline& baseline, BaselineSection section);

@@ -75,6 +75,7 @@ Plan frozen(const Plan& plan) {
   frozen.promise = plan.promise;
   frozen.draw_by = plan.draw_by;
   frozen.corpus = plan.corpus;
+  frozen.hunted = plan.hunted;
   frozen.known = plan.known;
   frozen.ignores_known = plan.ignores_known;
   frozen.power = plan.power;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/capabilities.h"
+#include "cases/case.h"
 #include "cases/contract_terms.h"
 #include "cases/draw_by.h"
 #include "records/shard.h"
@@ -53,6 +54,8 @@ struct Plan {
   /// with a depth test. Empty: the cheapest way for each case.
   std::optional<cases::DrawBy> draw_by = std::nullopt;
   std::string corpus = {};  ///< folder of case files; empty: the corpus shipped with the program
+  /// Worst cases of hunts, which a baseline keeps; checked as the last cases of the corpus.
+  std::vector<cases::Case> hunted = {};
   std::vector<std::string> known = {};  ///< folders and files of lists of known defects
   bool ignores_known = false;           ///< known defects count as any other violation
   ShrinkBudget shrinking = {};
@@ -84,7 +87,8 @@ std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTe
 std::optional<cases::ContractTerms> terms_of(const Plan& plan);
 
 /// Keeps the members that decide which cases a baseline has and how they are judged: seed, cases,
-/// patterns, capabilities, contract, promise, way of drawing, corpus, known defects and power.
+/// patterns, capabilities, contract, promise, way of drawing, corpus, worst cases of hunts, known
+/// defects and power.
 /// Empties `backends`; all other members get their default.
 Plan frozen(const Plan& plan);
 

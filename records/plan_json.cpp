@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/capabilities_json.h"
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
 #include "cases/contract_json.h"
 
 namespace rastercheck::records {
@@ -43,6 +45,7 @@ void members(Archive& archive, T& plan) {
   archive.optional("promise", plan.promise);
   archive.optional("draw_by", plan.draw_by);
   archive.optional("corpus", plan.corpus);
+  archive.optional("hunted", plan.hunted);
   archive.optional("known", plan.known);
   archive.optional("ignores_known", plan.ignores_known);
   archive.optional("shrink_tries", plan.shrinking.tries, usual.shrinking.tries);

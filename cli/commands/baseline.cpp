@@ -70,10 +70,17 @@ Result<records::Baseline> read_existing(const std::string& file) {
 /// Returns what happened to the section.
 std::string add(records::Baseline& baseline, records::BaselineSection section) {
   std::string became = "new";
+  std::string lost;
   for (const records::BaselineSection& old : baseline.sections) {
     if (old.key != section.key) continue;
     section.approvals = old.approvals;
     became = old == section ? "unchanged" : "replaced";
+    if (old.plan.hunted.size() > section.plan.hunted.size()) {
+      lost = fmt::format(
+          "  {} worst cases of hunts are no longer in it; `rastercheck run --baseline` keeps "
+          "them\n",
+          old.plan.hunted.size() - section.plan.hunted.size());
+    }
   }
   std::uint64_t cases = 0;
   for (const auto& [law, of_law] : section.laws) cases += of_law.count;
@@ -81,7 +88,7 @@ std::string add(records::Baseline& baseline, records::BaselineSection section) {
                                  cases::one_line(to_string(section.key)), section.entries.size(),
                                  section.laws.size(), cases, became);
   records::put(baseline, std::move(section));
-  return text;
+  return text + lost;
 }
 
 ExitCode save(const SaveOptions& options) {

@@ -60,7 +60,7 @@ ExitCode run(const Options& options) {
   asked.plan.power = 0;
   const Result<records::Plan> plan = make_plan(asked);
   if (!plan) return fail(plan.error());
-  Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_folder_of(*plan));
+  Result<std::vector<cases::Case>> corpus = properties::corpus_of(*plan, corpus_folder_of(*plan));
   if (!corpus) return fail(corpus.error());
   const backends::BackendFactory factory = properties::factory_for(*plan, worker_program());
   if (const ExitCode code = check_backends(factory, plan->backends); code != ExitCode::ok) {

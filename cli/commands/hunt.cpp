@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -20,24 +19,26 @@
 #include "cli/command.h"
 #include "cli/conduct.h"
 #include "cli/contract_option.h"
+#include "cli/corpus_folder.h"
+#include "cli/environment.h"
+#include "cli/hunt_results.h"
+#include "cli/hunt_starts.h"
 #include "cli/interrupt.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
 #include "cli/progress.h"
 #include "cli/run_options.h"
-#include "cli/terminal.h"
 #include "cli/whole_number.h"
+#include "gate/hunted_cases.h"
+#include "gate/side.h"
 #include "properties/campaign/corpus.h"
 #include "properties/campaign/plan_run.h"
+#include "records/baseline_json.h"
 #include "records/run.h"
-#include "reports/commands.h"
-#include "reports/counterexample_text.h"
-#include "reports/text_table.h"
 
 namespace rastercheck::cli::hunt_command {
 namespace {
 
-using nlohmann::ordered_json;
 using properties::Guide;
 using Clock = std::chrono::steady_clock;
 
@@ -52,9 +53,6 @@ constexpr unsigned kGraceSeconds = 10;
 /// test.
 constexpr auto kWays = names_of(cases::DrawBy());
 
-/// Significant digits of errors in the table. Enclosures are far narrower.
-constexpr int kDigits = 4;
-
 struct Options {
   RunOptions run;  ///< of which this command has backend, property, seed, corpus and the like
   std::string backend = "cpu";
@@ -63,6 +61,8 @@ struct Options {
   std::uint64_t shrink_tries = 300;
   Guide guide = Guide::share;
   bool compares_sampling = false;
+  std::vector<std::string> starts;  ///< folders of earlier hunts and runs
+  std::string baseline;             ///< file; empty: none
 };
 
 /// The hunt, and how it is carried out.
@@ -75,17 +75,27 @@ struct Prepared {
   /// For contracts and shrinking; tasks have backends of their own.
   std::unique_ptr<backends::Backend> backend;
   std::optional<properties::KnownDefects> known;
+  std::optional<gate::Side> baseline;
+  /// The baseline's worst cases of earlier hunts; the first of hunt.given.
+  std::vector<cases::Case> hunted_before;
 };
 
-/// What was found, with the files.
-struct Results {
-  properties::HuntOutcome hunted;
-  std::optional<properties::HuntOutcome> sampled;  ///< for --compare-sampling
-  std::vector<properties::HuntTrophy> trophies;
-  std::vector<std::string> trophy_files;
-  std::vector<records::Counterexample> counterexamples;  ///< shrunk
-  std::vector<std::string> counterexample_files;
-};
+/// Reads the baseline, if given, and adopts the terms by which its cases are judged, so that its
+/// figures and those of the hunt's cases are of one kind.
+Result<void> take_baseline(const IsGiven& is_given, Options& options, Prepared& prepared) {
+  if (options.baseline.empty()) return {};
+  Result<gate::Side> side = gate::read_side(options.baseline);
+  if (!side) return tl::unexpected(side.error());
+  if (side->run) {
+    return tl::unexpected(Error{options.baseline, "",
+                                "is a run; `rastercheck baseline save` makes a baseline of it"});
+  }
+  const Result<gate::CaseSet> set = gate::case_set_for(*side, {options.backend}, environment(1, 0));
+  if (!set) return tl::unexpected(set.error());
+  prepared.hunted_before = set->plan.hunted;
+  prepared.baseline = *std::move(side);
+  return take_terms(is_given, *set, options.run);
+}
 
 Result<records::Plan> plan_of(const Options& options) {
   RunOptions run = options.run;
@@ -101,16 +111,30 @@ Result<records::Plan> plan_of(const Options& options) {
 }
 
 /// Reads and makes what the hunt needs, except the backend.
-Result<Prepared> prepare(const Options& options) {
+Result<Prepared> prepare(const IsGiven& is_given, Options options) {
+  Prepared prepared;
+  if (auto taken = take_baseline(is_given, options, prepared); !taken) {
+    return tl::unexpected(taken.error());
+  }
   Result<records::Plan> plan = plan_of(options);
   if (!plan) return tl::unexpected(plan.error());
-  Prepared prepared;
   prepared.plan = *std::move(plan);
   prepared.law = properties::find_law(prepared.plan.laws.front());
   prepared.conduct = conduct_of(prepared.plan, options.run.output, options.run.jobs);
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(prepared.conduct.corpus);
   if (!corpus) return tl::unexpected(corpus.error());
   prepared.corpus = *std::move(corpus);
+  prepared.hunt.given = prepared.hunted_before;
+  for (const std::string& folder : options.starts) {
+    Result<std::vector<cases::Case>> worst = read_starts(folder, prepared.plan);
+    if (!worst) return tl::unexpected(worst.error());
+    std::move(worst->begin(), worst->end(), std::back_inserter(prepared.hunt.given));
+  }
+  if (prepared.hunt.given.size() > options.steps) {
+    return tl::unexpected(Error{
+        "--steps", std::to_string(options.steps),
+        fmt::format("is too few for the {} cases to begin with", prepared.hunt.given.size())});
+  }
   std::error_code why;
   std::filesystem::create_directories(options.run.output, why);
   if (why) {
@@ -130,13 +154,13 @@ Result<void> make_backend(const Options& options, Prepared& prepared) {
   prepared.known = *std::move(known);
   // The corpus stays with this process: each task has its case.
   prepared.conduct.corpus.clear();
-  prepared.hunt = {std::string(prepared.law->id),
-                   options.backend,
-                   prepared.plan.seed,
-                   options.steps,
-                   options.guide,
-                   true,
-                   properties::capabilities_of(*prepared.backend)};
+  prepared.hunt.law = prepared.law->id;
+  prepared.hunt.backend = options.backend;
+  prepared.hunt.seed = prepared.plan.seed;
+  prepared.hunt.steps = options.steps;
+  prepared.hunt.guide = options.guide;
+  prepared.hunt.fail_fast = options.run.fail_fast;
+  prepared.hunt.capabilities = properties::capabilities_of(*prepared.backend);
   return {};
 }
 
@@ -172,7 +196,7 @@ Result<properties::HuntOutcome> search(const Prepared& prepared, bool is_guided,
 }
 
 /// The worst of each niche, shrunk.
-void take_trophies(const Prepared& prepared, Results& results, ProgressBar& bar) {
+void take_trophies(const Prepared& prepared, HuntResults& results, ProgressBar& bar) {
   const auto& niches = results.hunted.archive.niches();
   const properties::ShrinkLimits limits{prepared.plan.shrinking.tries, prepared.conduct.is_over};
   for (const auto& [niche, entries] : niches) {
@@ -183,7 +207,7 @@ void take_trophies(const Prepared& prepared, Results& results, ProgressBar& bar)
   }
 }
 
-Result<void> shrink_counterexamples(Results& results, const properties::Execute& execute) {
+Result<void> shrink_counterexamples(HuntResults& results, const properties::Execute& execute) {
   properties::Findings findings;
   findings.counterexamples = results.hunted.counterexamples;
   const std::vector<properties::Task> tasks = properties::shrink_tasks(findings);
@@ -213,7 +237,7 @@ std::string file_of(const properties::HuntTrophy& trophy, std::uint64_t seed) {
                      trophy.entry.step);
 }
 
-Result<void> write_files(const Options& options, const Prepared& prepared, Results& results) {
+Result<void> write_files(const Options& options, const Prepared& prepared, HuntResults& results) {
   const std::filesystem::path folder(options.run.output);
   for (properties::HuntTrophy& trophy : results.trophies) {
     const std::filesystem::path file = folder / file_of(trophy, prepared.plan.seed);
@@ -229,243 +253,51 @@ Result<void> write_files(const Options& options, const Prepared& prepared, Resul
   return {};
 }
 
-// ---- output
-
-std::string percent(double share) { return fmt::format("{:.2f}%", 100 * share); }
-
-/// The size of an error: its digits that are certain.
-std::string size_text(const records::Enclosure& error) {
-  return records::to_decimal(records::magnitude(error), kDigits);
-}
-
-std::string number_text(const std::optional<double>& number) {
-  return number ? fmt::format("{:.3g}", *number) : "–";
-}
-
-/// True for stages that decide where a triangle lies. Under a contract that leaves snapping open,
-/// their parts count for nothing, and can be any size.
-bool is_of_positions(records::Stage stage) {
-  using records::Stage;
-  return stage == Stage::transform || stage == Stage::clip_space || stage == Stage::snap ||
-         stage == Stage::left_open;
-}
-
-/// The stage with the largest part of an error, and the part: "weights 3.9". Leaves out parts of
-/// positions.
-std::string stage_text(std::optional<records::ErrorSplit> split) {
-  if (!split) return "–";
-  std::erase_if(split->parts, [](const auto& part) { return is_of_positions(part.stage); });
-  const auto largest = records::largest_part(*split);
-  if (!largest) return "–";
-  const auto part = std::find_if(split->parts.begin(), split->parts.end(),
-                                 [&](const auto& one) { return one.stage == *largest; });
-  return fmt::format("{} {}", records::to_string(*largest), size_text(part->error));
-}
-
-std::string found_text(const properties::HuntEntry& entry) {
-  return fmt::format("step {}, {}", entry.step, cases::name_of(entry.made_by));
-}
-
-/// The guide's quantity of the worst case of a niche; "–" if the niche is empty.
-std::string worst_text(const properties::HuntOutcome& outcome,
-                       const properties::HuntArchive::Niche& niche, Guide guide) {
-  const auto found = outcome.archive.niches().find(niche);
-  if (found == outcome.archive.niches().end()) return "–";
-  const double score = found->second.front().error.score(guide);
-  return guide == Guide::share ? percent(score) : fmt::format("{:.4g}", score);
-}
-
-/// All niches in which the hunt or the sampling found something.
-std::set<properties::HuntArchive::Niche> niches_of(const Results& results) {
-  std::set<properties::HuntArchive::Niche> niches;
-  for (const auto& [niche, entries] : results.hunted.archive.niches()) niches.insert(niche);
-  if (!results.sampled) return niches;
-  for (const auto& [niche, entries] : results.sampled->archive.niches()) niches.insert(niche);
-  return niches;
-}
-
-void print_table(const Options& options, const Results& results) {
-  std::vector<std::vector<std::string>> cells;
-  if (!options.run.quiet) {
-    cells.push_back({"value, stratum", "share of the bound", "excess", "bound", "error",
-                     "condition", "mostly from", "found", "case"});
-    if (results.sampled) cells.front().insert(cells.front().begin() + 2, "sampling");
-  }
-  for (const auto& niche : niches_of(results)) {
-    std::vector<std::string> row{
-        fmt::format("{}, {}", records::to_string(niche.kind), records::to_string(niche.stratum))};
-    const auto trophy =
-        std::find_if(results.trophies.begin(), results.trophies.end(), [&niche](const auto& one) {
-          return one.entry.error.kind == niche.kind && one.entry.error.stratum == niche.stratum;
-        });
-    if (trophy == results.trophies.end()) {
-      row.insert(row.end(), {"–", "–", "–", "–", "–", "–", "–", "–"});
-    } else {
-      const properties::HuntedError& error = trophy->entry.error;
-      const auto place = static_cast<std::size_t>(trophy - results.trophies.begin());
-      row.insert(row.end(), {error.share() ? percent(*error.share()) : "–", size_text(error.excess),
-                             error.bound ? size_text(*error.bound) : "–",
-                             error.ideal ? size_text(*error.ideal) : "–",
-                             number_text(trophy->kappa), stage_text(trophy->split),
-                             found_text(trophy->entry), results.trophy_files[place]});
-    }
-    if (results.sampled) {
-      row.insert(row.begin() + 2, worst_text(*results.sampled, niche, options.guide));
-    }
-    cells.push_back(std::move(row));
-  }
-  fmt::print("{}",
-             reports::text_table(cells, options.run.quiet ? std::nullopt : terminal_columns()));
-}
-
-/// Prints counterexamples, each with the step that found it. The case of that step may be a changed
-/// copy, which no random case equals.
-void print_counterexamples(const Results& results) {
-  for (std::size_t i = 0; i < results.counterexamples.size(); ++i) {
-    const records::Counterexample& one = results.counterexamples[i];
-    fmt::print("\nFound in step {}: {}\n{}{}", one.source.found->index, one.source.found->verdict,
-               reports::violations_text(one.violations, one.violation_count, terminal_columns()),
-               reports::case_text(one.source));
-    fmt::print("  Again: {}\n",
-               reports::command_line({"rastercheck", "replay", results.counterexample_files[i]}));
-  }
-}
-
-void print_counts(const Options& options, const Prepared& prepared,
-                  const properties::HuntOutcome& outcome) {
-  std::uint64_t left_out = 0;
-  for (const auto& [why, count] : outcome.not_applicable_because) left_out += count;
-  const auto source = [&outcome](properties::HuntSource of) {
-    const auto found = outcome.sources.find(of);
-    return found == outcome.sources.end() ? 0 : found->second;
-  };
-  fmt::print("\n{} of {} steps: {} random cases, {} of the corpus, {} moved; {} checked.\n",
-             outcome.steps, options.steps, source(properties::HuntSource::random),
-             source(properties::HuntSource::corpus), source(properties::HuntSource::moved),
-             outcome.checked);
-  if (left_out > 0) fmt::print("Not checked: {} cases.\n", left_out);
-  for (const auto& [why, count] : outcome.not_applicable_because) {
-    fmt::print("  {}: {}\n", count, cases::printable(why));
-  }
-  if (outcome.known > 0) fmt::print("Violated in known ways only: {} cases.\n", outcome.known);
-  if (outcome.not_of_case > 0) {
-    fmt::print("Not compared, as the property measured them on changed cases: {} errors.\n",
-               outcome.not_of_case);
-  }
-  fmt::print("{} cases violated the property in ways that are not known; counterexamples: {}.\n",
-             outcome.violations, outcome.counterexamples.size());
-  fmt::print("Seed {}.\n", prepared.plan.seed);
-}
-
-ordered_json json_of(const records::Enclosure& enclosure) {
-  return ordered_json::array({enclosure.lo, enclosure.hi});
-}
-
-ordered_json json_of(const std::optional<records::Enclosure>& enclosure) {
-  return enclosure ? json_of(*enclosure) : ordered_json();
-}
-
-ordered_json json_of(const std::optional<double>& number) {
-  return number ? ordered_json(*number) : ordered_json();
-}
-
-ordered_json json_of(const properties::HuntEntry& entry) {
-  const properties::HuntedError& error = entry.error;
-  return {{"kind", records::to_string(error.kind)},
-          {"stratum", records::to_string(error.stratum)},
-          {"share", json_of(error.share())},
-          {"excess", json_of(error.excess)},
-          {"bound", json_of(error.bound)},
-          {"error", json_of(error.ideal)},
-          {"exact", error.exact},
-          {"actual", error.actual},
-          {"triangle_y_x_sample", {error.at.triangle, error.at.y, error.at.x, error.at.sample}},
-          {"attribute", error.attribute ? ordered_json(*error.attribute) : ordered_json()},
-          {"step", entry.step},
-          {"made_by", cases::name_of(entry.made_by)},
-          {"moves", entry.moves}};
-}
-
-ordered_json json_of(const properties::HuntTrophy& trophy, const std::string& file) {
-  ordered_json json = json_of(trophy.entry);
-  json["kappa"] = json_of(trophy.kappa);
-  json["kappa_d"] = json_of(trophy.kappa_d);
-  json["stages"] = ordered_json::array();
-  if (trophy.split) {
-    for (const records::StagePart& part : trophy.split->parts) {
-      json["stages"].push_back(
-          {{"stage", records::to_string(part.stage)}, {"error", json_of(part.error)}});
-    }
-  }
-  json["is_least"] = trophy.shrinking && trophy.shrinking->is_least;
-  json["errs_again"] = trophy.errs_again;
-  json["file"] = file;
-  return json;
-}
-
-/// Counts of an outcome, and the worst entry of each niche as it was found.
-ordered_json json_of(const properties::HuntOutcome& outcome) {
-  ordered_json sources;
-  for (const auto& [source, count] : outcome.sources) {
-    sources[std::string(cases::name_of(source))] = count;
-  }
-  ordered_json moves;
-  for (const auto& [name, counts] : outcome.moves) {
-    moves[std::string(name)] = {{"made", counts.made}, {"kept", counts.kept}};
-  }
-  ordered_json worst = ordered_json::array();
-  for (const auto& [niche, entries] : outcome.archive.niches()) {
-    worst.push_back(json_of(entries.front()));
-  }
-  return {{"steps", outcome.steps},
-          {"sources", sources},
-          {"checked", outcome.checked},
-          {"not_applicable", outcome.not_applicable_because},
-          {"known", outcome.known},
-          {"not_compared", outcome.not_of_case},
-          {"violations", outcome.violations},
-          {"moves", moves},
-          {"worst", worst}};
-}
-
-void print_json(const Options& options, const Prepared& prepared, const Results& results) {
-  ordered_json document{
-      {"format", "rastercheck-hunt"},      {"version", 1},
-      {"property", prepared.law->id},      {"backend", options.backend},
-      {"seed", prepared.plan.seed},        {"guide", cases::name_of(options.guide)},
-      {"hunted", json_of(results.hunted)}, {"sampled", nullptr},
-      {"worst", ordered_json::array()},    {"counterexamples", ordered_json::array()}};
-  if (results.sampled) document["sampled"] = json_of(*results.sampled);
-  for (std::size_t i = 0; i < results.trophies.size(); ++i) {
-    document["worst"].push_back(json_of(results.trophies[i], results.trophy_files[i]));
-  }
-  for (std::size_t i = 0; i < results.counterexamples.size(); ++i) {
-    document["counterexamples"].push_back(
-        {{"step", results.counterexamples[i].source.found->index},
-         {"verdict", results.counterexamples[i].source.found->verdict},
-         {"file", results.counterexample_files[i]}});
-  }
-  fmt::print("{}\n", document.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
-}
-
-void print_text(const Options& options, const Prepared& prepared, const Results& results) {
-  print_table(options, results);
-  if (options.run.quiet) return;
-  if (niches_of(results).empty()) {
-    fmt::print("No value with an error was found for which the backend promises a bound.\n");
-  }
+/// The worst cases that the baseline lacks, as cases of a corpus.
+std::vector<cases::Case> new_cases(const Prepared& prepared, HuntResults& results) {
+  std::vector<cases::Case> worst;
   for (const properties::HuntTrophy& trophy : results.trophies) {
-    if (trophy.errs_again) continue;
-    fmt::print("The case of step {} did not err as much when it was drawn again.\n",
-               trophy.entry.step);
+    const properties::HuntEntry& entry = trophy.entry;
+    // The first given cases are the baseline's.
+    if (entry.made_by == properties::HuntSource::given &&
+        entry.step < prepared.hunted_before.size()) {
+      ++results.in_baseline->there;
+      continue;
+    }
+    worst.push_back(entry.source);
+    worst.back().found.reset();
   }
-  print_counterexamples(results);
-  print_counts(options, prepared, results.hunted);
+  return worst;
 }
 
-// ---- the command
+/// Adds the worst cases to the baseline, if given: to the backend's section, and to those of other
+/// backends that had the same cases, so that one run can still be compared with all.
+Result<void> add_to_baseline(const Options& options, Prepared& prepared, HuntResults& results) {
+  if (!prepared.baseline) return {};
+  results.in_baseline = HuntResults::InBaseline{options.baseline};
+  const std::vector<cases::Case> worst = new_cases(prepared, results);
+  if (worst.empty()) return {};
+  const auto facts = environment(1, 0);
+  records::Baseline& baseline = prepared.baseline->sections;
+  const Result<gate::CaseSet> ours =
+      gate::case_set_for(*prepared.baseline, {options.backend}, facts);
+  if (!ours) return tl::unexpected(ours.error());
+  for (records::BaselineSection& section : baseline.sections) {
+    const std::string& backend = section.key.backend == records::section_name(options.backend)
+                                     ? options.backend
+                                     : section.taken.backend;
+    const Result<gate::CaseSet> set = gate::case_set_for(*prepared.baseline, {backend}, facts);
+    const bool is_alike = set && set->section == to_string(section.key) && set->plan == ours->plan;
+    if (!is_alike) continue;
+    properties::Conduct conduct = prepared.conduct;
+    conduct.corpus = corpus_folder_of(prepared.plan);
+    if (auto added = gate::add_hunted(section, backend, worst, conduct); !added) return added;
+  }
+  results.in_baseline->added = worst.size();
+  return cases::write_file(options.baseline, records::to_json(baseline));
+}
 
-ExitCode code_of(const Options& options, const Results& results) {
+ExitCode code_of(const Options& options, const HuntResults& results) {
   if (results.hunted.violations > 0 || (results.sampled && results.sampled->violations > 0)) {
     return ExitCode::violated;
   }
@@ -473,9 +305,9 @@ ExitCode code_of(const Options& options, const Results& results) {
   return results.hunted.archive.niches().empty() ? ExitCode::nothing_checked : ExitCode::ok;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const Options& options, const IsGiven& is_given) {
   const Clock::time_point start = Clock::now();
-  Result<Prepared> prepared = prepare(options);
+  Result<Prepared> prepared = prepare(is_given, options);
   if (!prepared) return fail(prepared.error());
   if (const ExitCode code = check_backends(prepared->conduct.backends, {options.backend});
       code != ExitCode::ok) {
@@ -495,7 +327,7 @@ ExitCode run(const Options& options) {
   ProgressBar bar(options.run.quiet || options.run.json);
   Executor executor(*prepared);
   const properties::Execute execute = std::ref(executor);
-  Results results;
+  HuntResults results;
   Result<properties::HuntOutcome> hunted = search(*prepared, true, execute, bar);
   if (!hunted) return fail_internally(hunted.error());
   results.hunted = *std::move(hunted);
@@ -514,10 +346,13 @@ ExitCode run(const Options& options) {
   if (const auto written = write_files(options, *prepared, results); !written) {
     return fail(written.error());
   }
+  if (const auto added = add_to_baseline(options, *prepared, results); !added) {
+    return fail(added.error());
+  }
   if (options.run.json) {
-    print_json(options, *prepared, results);
+    print_hunt_json(prepared->hunt, results);
   } else {
-    print_text(options, *prepared, results);
+    print_hunt(prepared->hunt, results, options.run.quiet);
   }
   return code_of(options, results);
 }
@@ -567,6 +402,14 @@ Action set_up(CLI::App& app) {
                  "Folder of case files to start from, besides random cases; default: the corpus "
                  "that comes with the program")
       ->type_name(kFolder);
+  app.add_option("--start", options->starts,
+                 "Output folders of earlier hunts or runs; the first steps check their worst cases")
+      ->type_name(kFolder);
+  app.add_option("--baseline", options->baseline,
+                 "Baseline to which the worst cases are added; runs with --baseline check them")
+      ->type_name(kFile);
+  app.add_flag("--fail-fast", options->run.fail_fast,
+               "Stop at the first violation that is not a known defect");
   app.add_option("--shrink-tries", options->shrink_tries,
                  "Smaller cases to try for each worst case and counterexample; 0 leaves them as "
                  "found")
@@ -591,7 +434,9 @@ Action set_up(CLI::App& app) {
       "measured; 130 if the hunt was interrupted.\n\n"
       "Example:\n"
       "  rastercheck hunt --backend cpu:precision=float32 --steps 20000 --seed 1");
-  return [options] { return run(*options); };
+  return [options, &app] {
+    return run(*options, [&app](const char* option) { return app.count(option) > 0; });
+  };
 }
 
 const Registration kRegistration("hunt", "Search for the worst cases of a property", &set_up);

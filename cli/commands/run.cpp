@@ -116,7 +116,7 @@ Action set_up(CLI::App& app) {
                            ->type_name(kFolder);
   CLI::Option* baseline = app.add_option("--baseline", options->baseline,
                                          "Compare the run with this baseline (rastercheck baseline "
-                                         "save), using its seed and cases")
+                                         "save), using its seed and cases; a shard only uses these")
                               ->type_name(kFile);
   app.add_option("--policy", options->policy,
                  "With --baseline: file that says what may be worse, why and until when")

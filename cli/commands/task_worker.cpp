@@ -25,7 +25,7 @@ ExitCode run(const Options& options) {
   if (!plan) return fail(plan.error());
   std::vector<cases::Case> corpus;
   if (!options.corpus.empty()) {
-    Result<std::vector<cases::Case>> read = properties::read_corpus(options.corpus);
+    Result<std::vector<cases::Case>> read = properties::corpus_of(*plan, options.corpus);
     if (!read) return fail(read.error());
     corpus = *std::move(read);
   }

@@ -41,6 +41,14 @@ Result<std::vector<cases::Case>> read_corpus(const std::string& directory) {
   return corpus;
 }
 
+Result<std::vector<cases::Case>> corpus_of(const records::Plan& plan,
+                                           const std::string& directory) {
+  return read_corpus(directory).map([&plan](std::vector<cases::Case> corpus) {
+    corpus.insert(corpus.end(), plan.hunted.begin(), plan.hunted.end());
+    return corpus;
+  });
+}
+
 SavedCases read_saved(const std::string& directory, const std::vector<std::string>& laws,
                       const std::vector<std::string>& backends) {
   SavedCases saved;

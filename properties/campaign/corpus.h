@@ -7,12 +7,16 @@
 
 #include "cases/case.h"
 #include "cases/error.h"
+#include "records/plan.h"
 
 namespace rastercheck::properties {
 
 /// Reads a folder's case files (*.json), ordered by name; a case without a name gets its file's.
 /// Fails at the first unreadable file.
 Result<std::vector<cases::Case>> read_corpus(const std::string& directory);
+
+/// Returns a plan's corpus: the cases of the folder, then the worst cases of hunts.
+Result<std::vector<cases::Case>> corpus_of(const records::Plan& plan, const std::string& directory);
 
 /// Saved counterexamples, and errors for unreadable files.
 struct SavedCases {

@@ -118,7 +118,9 @@ class Hunter {
     return true;
   }
 
-  bool is_done() const { return outcome_.steps >= plan_->steps; }
+  bool is_done() const {
+    return outcome_.steps >= plan_->steps || (plan_->fail_fast && outcome_.violations > 0);
+  }
   std::uint64_t steps() const { return outcome_.steps; }
   HuntOutcome outcome() {
     outcome_.counterexamples = std::move(findings_.counterexamples);
@@ -132,6 +134,10 @@ class Hunter {
       Generated made = random_case(*law_, plan_->seed, number, plan_->capabilities);
       return HuntStep{std::move(made.source), HuntSource::random, number, {}};
     };
+    if (plan_->is_guided && number < plan_->given.size()) {
+      const Case& source = plan_->given[number];
+      return {fitted_case(plan_->capabilities, source), HuntSource::given, number, {}};
+    }
     if (!plan_->is_guided || draw.one_in(kOneInRandom)) return random();
     if (!corpus_->empty() && draw.one_in(kOneInCorpus)) {
       const int chosen = draw.between(0, static_cast<int>(corpus_->size()) - 1);

@@ -5,7 +5,8 @@
 //
 // Each step checks one case: a random case of the law, a case of the corpus, or a changed copy of a
 // case that did badly (internal/case_moves.h). Step i chooses from Draw(seed, "hunt/" + law, i);
-// its random case is case i of a campaign with the same seed.
+// its random case is case i of a campaign with the same seed. The first steps check given cases, if
+// there are any: the worst of earlier hunts.
 //
 // The guide. The judge gives a value two errors (oracle/judge.h): the excess, beyond what the
 // contract leaves open, and the ideal error, against the exact triangle. A verdict compares the
@@ -62,9 +63,9 @@ constexpr auto names_of(Guide /*type*/) {
 }
 
 /// Where a hunted case came from.
-enum class HuntSource { random, corpus, moved };
+enum class HuntSource { random, corpus, moved, given };
 constexpr auto names_of(HuntSource /*type*/) {
-  return std::to_array<std::string_view>({"random", "corpus", "moved"});
+  return std::to_array<std::string_view>({"random", "corpus", "moved", "given"});
 }
 
 /// The errors of one value. Enclosures are signed, and in the unit of the kind.
@@ -95,7 +96,7 @@ struct HuntEntry {
   HuntedError error;
   cases::Case source;
   std::uint64_t step = 0;  ///< that made the case
-  std::uint64_t root = 0;  ///< the step that made the random or corpus case it descends from
+  std::uint64_t root = 0;  ///< the step of the unmoved case that it descends from
   HuntSource made_by = HuntSource::random;
   std::vector<std::string_view> moves;  ///< of the last step, in order; names (case_moves.h)
   bool operator==(const HuntEntry&) const = default;
@@ -140,6 +141,9 @@ struct HuntPlan {
   Guide guide = Guide::share;
   /// False for a comparison: every step checks a random case, and nothing guides.
   bool is_guided = true;
+  /// Cases that the first steps check, one each. A hunt that is not guided has none of them.
+  std::vector<cases::Case> given;
+  bool fail_fast = false;  ///< the first violation that is not known ends the hunt with its round
   cases::Capabilities capabilities;  ///< of the backend (capabilities_of)
 };
 

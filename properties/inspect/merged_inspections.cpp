@@ -25,7 +25,7 @@ Result<void> inspect_here(MergedRun& merged, const Conduct& conduct,
                           const SceneReader& read_scene) {
   const records::Plan& plan = merged.run.plan;
   merged.run.differences = differences_of(merged.run, {});  // needs no corpus
-  const Result<std::vector<cases::Case>> corpus = read_corpus(conduct.corpus);
+  const Result<std::vector<cases::Case>> corpus = corpus_of(plan, conduct.corpus);
   if (!corpus) return tl::unexpected(corpus.error());
   if (digest_of(*corpus) != merged.common.corpus_digest) return is_other(conduct.corpus);
   merged.run.differences = differences_of(merged.run, *corpus);

@@ -279,21 +279,26 @@ TEST_F(Shard, NeedsASeed) {
 }
 
 // Kills: a part compared with the baseline of the whole.
-TEST_F(Shard, IsHeldAgainstNoBaseline) {
-  const auto error_of = [](const std::vector<std::string>& arguments) {
-    const Outcome outcome = run_damaged_program(arguments);
-    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-    return outcome.err;
-  };
+TEST_F(Shard, TakesItsCasesFromABaselineAndIsNotComparedWithIt) {
   ASSERT_EQ(run_small(1, 1, {"--keep-cases"}).code, 0);
   ASSERT_EQ(merge({1}).code, 0);
   ASSERT_EQ(run_damaged_program({"baseline", "save", folder_.path("merged"), "--output",
                                  folder_.path("baseline.json")})
                 .code,
             0);
-  EXPECT_THAT(error_of(arguments("out", {"--shard", "1/2", "--seed", "1", "--baseline",
-                                         folder_.path("baseline.json")})),
-              HasSubstr("--baseline: cannot be used with a shard; merge the shards"));
+  for (const std::string shard : {"1", "2"}) {
+    const Outcome outcome = run_damaged_program(arguments(
+        "shard-" + shard, {"--shard", shard + "/2", "--baseline", folder_.path("baseline.json")}));
+    EXPECT_EQ(outcome.code, 0) << outcome;
+    EXPECT_THAT(outcome.out, HasSubstr("compared with the baseline once it is merged"));
+  }
+  ASSERT_EQ(run_damaged_program({"merge", folder_.path("shard-1"), folder_.path("shard-2"),
+                                 "--output", folder_.path("both")})
+                .code,
+            0);
+  EXPECT_EQ(
+      run_damaged_program({"compare", folder_.path("baseline.json"), folder_.path("both")}).code,
+      0);
 }
 
 TEST_F(Shard, MayHaveNothingToDo) {

@@ -61,7 +61,7 @@ TEST(BaselineJson, HasAnEntryALine) {
                         "\"classes\":{\"correct\":4}},\n"));
   EXPECT_THAT(text, HasSubstr("\n{\"corpus\":0,\"found\":\"0000000000000009\"},\n{\"random\":12,"));
   EXPECT_LT(text.find("\"entries\": ["), text.find("\"cases\": ["));
-  EXPECT_TRUE(text.starts_with("{\n\"format\": \"rastercheck-baseline\",\n\"version\": 2,\n"));
+  EXPECT_TRUE(text.starts_with("{\n\"format\": \"rastercheck-baseline\",\n\"version\": 3,\n"));
 }
 
 TEST(BaselineJson, NamesAPluginByItsPathHoweverWritten) {
@@ -80,7 +80,7 @@ TEST(BaselineJson, ReadsAnEmptyBaseline) {
 }
 
 TEST(BaselineJson, RefusesWhatItCannotMean) {
-  EXPECT_EQ(refusal("\"version\": 2", "\"version\": 1"), "b.json: /version: version must be 2");
+  EXPECT_EQ(refusal("\"version\": 3", "\"version\": 2"), "b.json: /version: version must be 3");
   EXPECT_THAT(refusal("rastercheck-baseline", "rastercheck-run"),
               HasSubstr("/format: must be \"rastercheck-baseline\""));
   EXPECT_THAT(refusal("\"seed\":1", "\"sead\":1"), HasSubstr("b.json: /sections/0"));

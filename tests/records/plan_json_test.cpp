@@ -33,7 +33,7 @@ TEST(PlanJson, ComesBackAsItWas) {
 TEST(PlanJson, LeavesOutWhatIsAsUsual) {
   EXPECT_EQ(cases::json_of(Plan()),
             json::parse(R"({"seed": 0, "cases_per_property": 1000, "backends": ["cpu"]})"));
-  EXPECT_EQ(cases::json_of(sample_plan()).size(), 18U);
+  EXPECT_EQ(cases::json_of(sample_plan()).size(), 19U);
 }
 
 TEST(PlanJson, IsRefusedWithItsPlace) {

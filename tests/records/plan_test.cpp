@@ -45,6 +45,7 @@ TEST(Frozen, KeepsOnlySettingsThatDecideResults) {
   expected.properties = {"*edge*", "--known"};
   expected.contract = sample_plan().contract;
   expected.corpus = "a folder";
+  expected.hunted = sample_plan().hunted;
   expected.known = {"lists", "mine.json"};
   expected.ignores_known = true;
   expected.power = 5;

@@ -10,6 +10,11 @@ inline Plan sample_plan() {
   plan.contract.emplace().file = "lax.json";
   plan.contract->terms.keeps_constants = false;
   plan.corpus = "a folder";
+  cases::Case& worst = plan.hunted.emplace_back();
+  worst.name = "a worst case";
+  worst.framebuffer = {4, 2};
+  worst.viewport.width = 4;
+  worst.viewport.height = 2;
   plan.known = {"lists", "mine.json"};
   plan.ignores_known = true;
   plan.shrinking = {5, 2.5};

@@ -42,7 +42,7 @@ WORST = {
 SUM = {"lo": "-12", "hi": "34", "count": 5, "beyond": 6}
 BASELINE = {
     "format": "rastercheck-baseline",
-    "version": 2,
+    "version": 3,
     "sections": [
         {
             "backend": "cpu", "architecture": "x86_64", "instruction_set": "avx2",
@@ -118,7 +118,7 @@ POLICY = {
         {"reason": "why", "until": "2026-02-28"},
     ],
 }
-EMPTY = {"format": "rastercheck-baseline", "version": 2, "sections": []}
+EMPTY = {"format": "rastercheck-baseline", "version": 3, "sections": []}
 
 
 def number(value):

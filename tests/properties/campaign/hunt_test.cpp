@@ -210,6 +210,34 @@ TEST(Hunt, EndsWithAWholeRound) {
   EXPECT_EQ(*ended, hunt_here(shorter));
 }
 
+TEST(Hunt, BeginsWithTheGivenCases) {
+  HuntPlan plan = plan_of("cpu:precision=float32", 64);
+  const HuntOutcome earlier = hunt_here(plan_of("cpu:precision=float32", 192));
+  for (const auto& [niche, entries] : earlier.archive.niches()) {
+    plan.given.push_back(entries.front().source);
+  }
+  const HuntOutcome later = hunt_here(plan);
+  EXPECT_EQ(later.sources.at(HuntSource::given), plan.given.size());
+  // What was found once is not lost.
+  for (const auto& [niche, entries] : earlier.archive.niches()) {
+    ASSERT_TRUE(later.archive.niches().contains(niche));
+    EXPECT_GE(later.archive.niches().at(niche).front().error.score(Guide::share),
+              entries.front().error.score(Guide::share));
+  }
+  plan.is_guided = false;
+  EXPECT_EQ(hunt_here(plan).sources,
+            (std::map<HuntSource, std::uint64_t>{{HuntSource::random, 64}}));
+}
+
+TEST(Hunt, EndsAtTheFirstViolationIfAsked) {
+  HuntPlan plan = plan_of("damaged:flipped", 256);
+  EXPECT_EQ(hunt_here(plan).steps, 256U);
+  plan.fail_fast = true;
+  const HuntOutcome ended = hunt_here(plan);
+  EXPECT_GT(ended.violations, 0U);
+  EXPECT_EQ(ended.steps, kStepsPerRound);
+}
+
 TEST(Hunt, CountsCasesThatABackendRefuses) {
   class NarrowBackend : public DamagedBackend {
    public:
