@@ -169,19 +169,20 @@ class Executor {
  public:
   explicit Executor(const Prepared& prepared)
       : prepared_(&prepared),
-        runner_(prepared.plan, {}, prepared.conduct.known, prepared.conduct.backends) {}
+        runner_(prepared.plan, {}, prepared.conduct.known, prepared.conduct.backends),
+        processes_(task_worker_of(prepared.conduct, prepared.plan), prepared.conduct.jobs) {}
 
   Result<void> operator()(const std::vector<properties::Task>& tasks,
                           const properties::TaskDone& done) {
     const properties::Conduct& conduct = prepared_->conduct;
     if (conduct.jobs == 1) return run_tasks(runner_, tasks, done, conduct.is_over);
-    return run_tasks_in_processes(task_worker_of(conduct, prepared_->plan), conduct.jobs, tasks,
-                                  done, conduct.is_over);
+    return processes_.run(tasks, done, conduct.is_over);
   }
 
  private:
   const Prepared* prepared_;
   properties::TaskRunner runner_;
+  properties::TaskProcesses processes_;  ///< kept from round to round
 };
 
 /// Searches, with a bar of progress.

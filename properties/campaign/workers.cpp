@@ -135,20 +135,32 @@ class Worker {
 /// The longest delay until `is_to_end` is noticed, in milliseconds.
 constexpr int kPollTime = 100;
 
+using Workers = std::vector<std::unique_ptr<Worker>>;
+
 /// Hands out tasks and passes on their findings until all are done.
 class Dispatcher {
  public:
-  Dispatcher(const std::vector<Task>& tasks, const TaskDone& done, const IsToEnd& is_to_end)
-      : tasks_(&tasks), done_(&done), is_to_end_(&is_to_end) {}
+  Dispatcher(Workers& workers, const std::vector<Task>& tasks, const TaskDone& done,
+             const IsToEnd& is_to_end)
+      : workers_(workers), tasks_(&tasks), done_(&done), is_to_end_(&is_to_end) {}
 
+  /// Leaves workers that are not busy, for the next tasks; after an error, none.
   Result<void> run(const std::vector<std::string>& command, int jobs) {
-    assert(jobs >= 1);
+    Result<void> done = run_all(command, static_cast<std::size_t>(jobs));
+    if (!done) workers_.clear();
+    return done;
+  }
+
+ private:
+  Result<void> run_all(const std::vector<std::string>& command, std::size_t jobs) {
     is_ending_ = *is_to_end_ && (*is_to_end_)();
-    for (int i = 0; i < jobs && has_more() && !error_; ++i) {
-      Result<std::unique_ptr<Worker>> worker = Worker::start(command);
-      if (!worker) return tl::unexpected(worker.error());
-      workers_.push_back(*std::move(worker));
-      feed(*workers_.back());
+    for (std::size_t i = 0; i < jobs && has_more() && !error_; ++i) {
+      if (i == workers_.size()) {
+        Result<std::unique_ptr<Worker>> worker = Worker::start(command);
+        if (!worker) return tl::unexpected(worker.error());
+        workers_.push_back(*std::move(worker));
+      }
+      feed(*workers_[i]);
     }
     while (!error_ && wait_for_some()) {
     }
@@ -156,7 +168,6 @@ class Dispatcher {
     return {};
   }
 
- private:
   bool has_more() const { return !is_ending_ && next_ < tasks_->size(); }
 
   void feed(Worker& worker) {
@@ -227,12 +238,12 @@ class Dispatcher {
                        task.backend + ", " + which};
   }
 
+  Workers& workers_;
   const std::vector<Task>* tasks_;
   const TaskDone* done_;
   const IsToEnd* is_to_end_;
   std::size_t next_ = 0;
   bool is_ending_ = false;
-  std::vector<std::unique_ptr<Worker>> workers_;
   std::optional<Error> error_;
 };
 
@@ -256,10 +267,35 @@ Result<void> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks, const
   return {};
 }
 
+class TaskProcesses::Pool {
+ public:
+  Pool(std::vector<std::string> command, int jobs) : command_(std::move(command)), jobs_(jobs) {
+    assert(jobs >= 1);
+  }
+  Result<void> run(const std::vector<Task>& tasks, const TaskDone& done, const IsToEnd& is_to_end) {
+    return Dispatcher(workers_, tasks, done, is_to_end).run(command_, jobs_);
+  }
+
+ private:
+  std::vector<std::string> command_;
+  int jobs_;
+  Workers workers_;
+};
+
+TaskProcesses::TaskProcesses(std::vector<std::string> command, int jobs)
+    : pool_(std::make_unique<Pool>(std::move(command), jobs)) {}
+
+TaskProcesses::~TaskProcesses() = default;
+
+Result<void> TaskProcesses::run(const std::vector<Task>& tasks, const TaskDone& done,
+                                const IsToEnd& is_to_end) {
+  return pool_->run(tasks, done, is_to_end);
+}
+
 Result<void> run_tasks_in_processes(const std::vector<std::string>& command, int jobs,
                                     const std::vector<Task>& tasks, const TaskDone& done,
                                     const IsToEnd& is_to_end) {
-  return Dispatcher(tasks, done, is_to_end).run(command, jobs);
+  return TaskProcesses(command, jobs).run(tasks, done, is_to_end);
 }
 
 Result<void> serve_tasks(TaskRunner& runner) {

@@ -10,6 +10,7 @@
 // dropped and counts as not done.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,30 @@ using TaskDone = std::function<bool(std::size_t task, Findings found)>;
 Result<void> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks, const TaskDone& done,
                        const IsToEnd& is_to_end = {});
 
-/// Runs the tasks in `jobs` >= 1 processes of `command` (program and arguments), which must call
-/// serve_tasks() with the same seed and corpus. Fails if a process cannot be started or ends before
-/// its task, or if a task fails; then ends all processes. May be called from any thread: touches
-/// only its arguments.
+/// Processes for several lists of tasks, one after the other.
 ///
 /// Each process is a process group of its own, so that Ctrl-C in a terminal reaches only the
 /// parent. All end when the parent ends, however it ends.
+class TaskProcesses {
+ public:
+  /// `command`, program and arguments, must call serve_tasks() with the same seed and corpus. Up to
+  /// `jobs` >= 1 processes are started when there are tasks for them, and kept.
+  TaskProcesses(std::vector<std::string> command, int jobs);
+  TaskProcesses(const TaskProcesses&) = delete;
+  TaskProcesses& operator=(const TaskProcesses&) = delete;
+  ~TaskProcesses();
+
+  /// Runs the tasks. Fails if a process cannot be started or ends before its task, or if a task
+  /// fails; then ends all processes. May be called from any thread, by one at a time.
+  Result<void> run(const std::vector<Task>& tasks, const TaskDone& done,
+                   const IsToEnd& is_to_end = {});
+
+ private:
+  class Pool;
+  std::unique_ptr<Pool> pool_;
+};
+
+/// Runs the tasks in `jobs` processes of their own.
 Result<void> run_tasks_in_processes(const std::vector<std::string>& command, int jobs,
                                     const std::vector<Task>& tasks, const TaskDone& done,
                                     const IsToEnd& is_to_end = {});

@@ -137,6 +137,28 @@ TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
   EXPECT_TRUE(has_no_children());
 }
 
+// Kills: processes that are started again for each list of tasks; a process that goes on after an
+// error.
+TEST(WorkerProcesses, AreKeptForTheNextTasks) {
+  const TemporaryFolder folder;
+  const std::string script = "echo x >> " + folder.path("started") + R"(; exec "$0" "$@")";
+  const std::vector<Task> tasks = tasks_of(kSmall, 0);
+  TaskRunner runner(kSmall, {});
+  const auto expected =
+      gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
+  TaskProcesses processes(
+      {"/bin/sh", "-c", script, RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--plan", kPlan}, 2);
+  for (int i = 0; i < 3; ++i) {
+    const auto found = gathered([&](const TaskDone& done) { return processes.run(tasks, done); });
+    ASSERT_TRUE(found) << to_string(found.error());
+    EXPECT_EQ(*found, expected);
+  }
+  EXPECT_EQ(folder.content("started"), "x\nx\n");
+  const std::vector<Task> wrong{{"cpu", "no law", TaskKind::random, 0, 1}};
+  EXPECT_FALSE(processes.run(wrong, {}));
+  EXPECT_TRUE(has_no_children());
+}
+
 // Kills: more tasks for an oracle that has a fault.
 TEST(WorkerProcesses, GetNothingMoreToDoAfterAFault) {
   const std::string script =
