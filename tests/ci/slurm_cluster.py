@@ -92,10 +92,17 @@ class Process:
         except OSError:
             return b""
 
-    def parent(self):
-        # The name, in parentheses, may have spaces.
+    def statistic(self, number):
+        """A number of /proc/PID/stat, counted from the one after the name, which is in parentheses; 0 after the end."""
         fields = self.read("stat").rpartition(b")")[2].split()
-        return int(fields[1]) if fields else 0
+        return int(fields[number]) if fields else 0
+
+    def parent(self):
+        return self.statistic(1)
+
+    def seconds(self):
+        """The processor time that it has used."""
+        return self.statistic(11) / os.sysconf("SC_CLK_TCK")
 
     def name(self):
         return self.read("comm").decode(errors="replace").strip()
@@ -194,13 +201,13 @@ class Cluster:
             parts += [f"--- {path.name}", *lines[-15:]]
         return "\n".join(parts)
 
-    def on_node(self, name):
-        """The processes of the jobs on a node."""
-        return [process for process in descendants() if process.environment().get("SLURMD_NODENAME") == name]
+    def on_nodes(self, names):
+        """The processes of the jobs on these nodes."""
+        return [process for process in descendants() if process.environment().get("SLURMD_NODENAME") in names]
 
     def fail_node(self, name):
         """What a power failure would do: ends the node's daemon and all of its jobs at once."""
-        of_jobs = self.on_node(name)
+        of_jobs = self.on_nodes([name])
         managers = [Process(process.parent()) for process in of_jobs]
         daemon = self.daemons.pop(name)
         daemon.kill()
