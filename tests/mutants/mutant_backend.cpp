@@ -34,7 +34,8 @@ std::vector<std::string> names_in(const std::string& list) {
 }
 
 Result<std::unique_ptr<backends::Backend>> make(const std::string& name) {
-  if (!has(mutant_names(), name) && !has(gate_mutant_names(), name)) {
+  if (!has(mutant_names(), name) && !has(gate_mutant_names(), name) &&
+      !has(rare_mutant_names(), name)) {
     return tl::unexpected(Error{"mutant:" + name, "", "no mutant of that name"});
   }
   const std::string path = RASTERCHECK_MUTANT_MODULES "/" + name + ".so";
@@ -80,6 +81,7 @@ std::vector<backends::Listing> list() {
   };
   add(mutant_names(), "the rasterizer with a defect");
   add(gate_mutant_names(), "the rasterizer, as precise or a little less");
+  add(rare_mutant_names(), "the rasterizer with a defect that random cases do not show");
   return all;
 }
 
@@ -99,6 +101,11 @@ const std::vector<std::string>& gate_mutant_names() {
   return names;
 }
 
+const std::vector<std::string>& rare_mutant_names() {
+  static const std::vector<std::string> names = names_in(RASTERCHECK_RARE_MUTANT_NAMES);
+  return names;
+}
+
 Header header_of(const std::string& mutant) {
   Header header;
   const std::pair<std::string_view, std::string*> fields[] = {
@@ -108,8 +115,9 @@ Header header_of(const std::string& mutant) {
       {"Of: ", &header.of},
       {"Attributed to: ", &header.attributed_to},
       {"Least: ", &header.least}};
-  const std::string folder = has(gate_mutant_names(), mutant) ? RASTERCHECK_GATE_MUTANT_PATCHES
-                                                              : RASTERCHECK_MUTANT_PATCHES;
+  const std::string folder = has(gate_mutant_names(), mutant)   ? RASTERCHECK_GATE_MUTANT_PATCHES
+                             : has(rare_mutant_names(), mutant) ? RASTERCHECK_RARE_MUTANT_PATCHES
+                                                                : RASTERCHECK_MUTANT_PATCHES;
   std::ifstream patch(folder + "/" + mutant + ".patch");
   for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
     for (const auto& [name, value] : fields) {

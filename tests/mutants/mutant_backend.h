@@ -1,7 +1,7 @@
 #pragma once
 
-// The backends `mutant:NAME`: the rasterizer with one defect. In test programs only; the shipped
-// libraries know nothing of mutants.
+// The backends `mutant:NAME`: the rasterizer with one defect, of any of the lists below. In test
+// programs only; the shipped libraries know nothing of mutants.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,9 @@ namespace rastercheck::mutants {
 /// The names of all mutants in tests/mutants/, each made by a patch `NAME.patch`.
 const std::vector<std::string>& mutant_names();
 /// The names of the mutants in tests/gate/: small changes of precision, for the regression gate.
-/// Mutants of both kinds are available as backends.
 const std::vector<std::string>& gate_mutant_names();
+/// The names of the mutants in tests/mutants/rare/, which random cases do not show.
+const std::vector<std::string>& rare_mutant_names();
 
 /// The header of a patch, which describes its mutant before the diff begins; only the first line of
 /// each text.
