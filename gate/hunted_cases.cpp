@@ -72,7 +72,7 @@ Result<void> add_hunted(records::BaselineSection& section, const std::string& ba
   if (!known) return tl::unexpected(known.error());
   runner.make_cases_for(runner.capabilities());
   properties::Findings findings;
-  const Result<void> checked =
+  Result<void> checked =
       properties::run_tasks(runner, tasks_from(first, plan, size, *known),
                             [&findings](std::size_t /*task*/, properties::Findings found) {
                               merge(findings, std::move(found));
