@@ -90,6 +90,17 @@ Result<void> take_terms(const IsGiven& is_given, const gate::CaseSet& set, RunOp
       .and_then(settled("--no-known", plan.ignores_known, then.ignores_known));
 }
 
+Result<void> check_contract(const gate::CaseSet& set, const records::Plan& plan) {
+  if (!plan.contract || !set.plan.contract) return {};
+  const std::uint64_t digest = cases::digest_of(plan.contract->terms);
+  const std::uint64_t then = cases::digest_of(set.plan.contract->terms);
+  if (then == digest) return {};
+  return tl::unexpected(Error{plan.contract->file, "",
+                              fmt::format("differs from the contract of the baseline's section {}: "
+                                          "the digest of its terms was {:016x} and is {:016x}",
+                                          set.section, then, digest)});
+}
+
 Result<void> take_case_set(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options) {
   const records::Plan& then = set.plan;
   records::Plan& plan = options.plan;

@@ -47,6 +47,10 @@ using IsGiven = std::function<bool(const char* option)>;
 /// fails if the user gave different ones.
 Result<void> take_terms(const IsGiven& is_given, const gate::CaseSet& set, RunOptions& options);
 
+/// Checks that the plan's contract, read from its file, equals the baseline's, before the work
+/// rather than after it.
+Result<void> check_contract(const gate::CaseSet& set, const records::Plan& plan);
+
 /// Adopts, besides the terms, the baseline's seed, cases and every other setting that affects the
 /// findings; fails if the user gave a different value. If the corpus or contract has moved,
 /// compares digests to tell whether the content is the same.

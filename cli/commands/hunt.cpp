@@ -76,8 +76,8 @@ struct Prepared {
   std::unique_ptr<backends::Backend> backend;
   std::optional<properties::KnownDefects> known;
   std::optional<gate::Side> baseline;
-  /// The baseline's worst cases of earlier hunts; the first of hunt.given.
-  std::vector<cases::Case> hunted_before;
+  /// Of the baseline; its worst cases of earlier hunts are the first of hunt.given.
+  gate::CaseSet before;
 };
 
 /// Reads the baseline, if given, and adopts the terms by which its cases are judged, so that its
@@ -90,11 +90,11 @@ Result<void> take_baseline(const IsGiven& is_given, Options& options, Prepared& 
     return tl::unexpected(Error{options.baseline, "",
                                 "is a run; `rastercheck baseline save` makes a baseline of it"});
   }
-  const Result<gate::CaseSet> set = gate::case_set_for(*side, {options.backend}, environment(1, 0));
+  Result<gate::CaseSet> set = gate::case_set_for(*side, {options.backend}, environment(1, 0));
   if (!set) return tl::unexpected(set.error());
-  prepared.hunted_before = set->plan.hunted;
+  prepared.before = *std::move(set);
   prepared.baseline = *std::move(side);
-  return take_terms(is_given, *set, options.run);
+  return take_terms(is_given, prepared.before, options.run);
 }
 
 Result<records::Plan> plan_of(const Options& options) {
@@ -119,12 +119,15 @@ Result<Prepared> prepare(const IsGiven& is_given, Options options) {
   Result<records::Plan> plan = plan_of(options);
   if (!plan) return tl::unexpected(plan.error());
   prepared.plan = *std::move(plan);
+  if (const auto same = check_contract(prepared.before, prepared.plan); !same) {
+    return tl::unexpected(same.error());
+  }
   prepared.law = properties::find_law(prepared.plan.laws.front());
   prepared.conduct = conduct_of(prepared.plan, options.run.output, options.run.jobs);
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(prepared.conduct.corpus);
   if (!corpus) return tl::unexpected(corpus.error());
   prepared.corpus = *std::move(corpus);
-  prepared.hunt.given = prepared.hunted_before;
+  prepared.hunt.given = prepared.before.plan.hunted;
   for (const std::string& folder : options.starts) {
     Result<std::vector<cases::Case>> worst = read_starts(folder, prepared.plan);
     if (!worst) return tl::unexpected(worst.error());
@@ -254,17 +257,19 @@ Result<void> write_files(const Options& options, const Prepared& prepared, HuntR
   return {};
 }
 
-/// The worst cases that the baseline lacks, as cases of a corpus.
+/// The worst cases that the baseline lacks, as cases of a corpus. Leaves out those that do not err
+/// again, as print_hunt() says of each.
 std::vector<cases::Case> new_cases(const Prepared& prepared, HuntResults& results) {
   std::vector<cases::Case> worst;
   for (const properties::HuntTrophy& trophy : results.trophies) {
     const properties::HuntEntry& entry = trophy.entry;
     // The first given cases are the baseline's.
     if (entry.made_by == properties::HuntSource::given &&
-        entry.step < prepared.hunted_before.size()) {
+        entry.step < prepared.before.plan.hunted.size()) {
       ++results.in_baseline->there;
       continue;
     }
+    if (!trophy.errs_again) continue;
     worst.push_back(entry.source);
     worst.back().found.reset();
   }
@@ -280,15 +285,13 @@ Result<void> add_to_baseline(const Options& options, Prepared& prepared, HuntRes
   if (worst.empty()) return {};
   const auto facts = environment(1, 0);
   records::Baseline& baseline = prepared.baseline->sections;
-  const Result<gate::CaseSet> ours =
-      gate::case_set_for(*prepared.baseline, {options.backend}, facts);
-  if (!ours) return tl::unexpected(ours.error());
   for (records::BaselineSection& section : baseline.sections) {
     const std::string& backend = section.key.backend == records::section_name(options.backend)
                                      ? options.backend
                                      : section.taken.backend;
     const Result<gate::CaseSet> set = gate::case_set_for(*prepared.baseline, {backend}, facts);
-    const bool is_alike = set && set->section == to_string(section.key) && set->plan == ours->plan;
+    const bool is_alike =
+        set && set->section == to_string(section.key) && set->plan == prepared.before.plan;
     if (!is_alike) continue;
     properties::Conduct conduct = prepared.conduct;
     conduct.corpus = corpus_folder_of(prepared.plan);
@@ -347,15 +350,15 @@ ExitCode run(const Options& options, const IsGiven& is_given) {
   if (const auto written = write_files(options, *prepared, results); !written) {
     return fail(written.error());
   }
-  if (const auto added = add_to_baseline(options, *prepared, results); !added) {
-    return fail(added.error());
-  }
+  // The table is printed even if the baseline cannot be changed.
+  const Result<void> added = add_to_baseline(options, *prepared, results);
+  if (!added) results.in_baseline.reset();
   if (options.run.json) {
     print_hunt_json(prepared->hunt, results);
   } else {
     print_hunt(prepared->hunt, results, options.run.quiet);
   }
-  return code_of(options, results);
+  return added ? code_of(options, results) : fail(added.error());
 }
 
 void add_judging(CLI::App& app, Options& options) {

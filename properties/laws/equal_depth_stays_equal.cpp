@@ -8,8 +8,9 @@
 // different depths, a surface would fight with itself (RULES §6). The law applies if the contract
 // promises equal depths.
 //
-// Vertices: w ≠ 0, since z/w must be the same at all three. Samples: required ones. The oracle is
-// asked which samples these are only if depths differ.
+// Vertices: w ≠ 0, since z/w must be the same at all three, and w > 0 if a bias adds a constant to
+// float32 depths, since its unit is the plane's only then (has_unit_of_plane). Samples: required
+// ones. The oracle is asked which samples these are only if depths differ.
 //
 // Generated cases. The depth must multiply every w exactly, so w keeps only 12 bits. That changes
 // little of what a triangle shows or how its w differ. One depth in three, mapped to the depth
@@ -24,6 +25,7 @@
 
 #include "properties/float_numbers.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/biased_depths.h"
 #include "properties/laws/internal/value_findings.h"
 #include "properties/random_state.h"
 
@@ -46,14 +48,15 @@ PlaneDepth depth_of(const cases::ClipVertex& p) {
   return p.w < 0 ? PlaneDepth{-double{p.z}, -double{p.w}} : PlaneDepth{double{p.z}, double{p.w}};
 }
 
-/// The depth that all vertices share; empty if depths differ or some w = 0.
+/// The depth that all vertices share; empty if depths differ, some w = 0, or a bias moves the
+/// triangle otherwise than its plane.
 std::optional<PlaneDepth> equal_depth(const cases::Case& c, const cases::Triangle& triangle) {
   const PlaneDepth first = depth_of(c.positions[triangle[0]]);
   const bool is_equal = std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t index) {
     const cases::ClipVertex& p = c.positions[index];
     return p.w != 0 && depth_of(p) == first;
   });
-  return is_equal ? std::optional(first) : std::nullopt;
+  return is_equal && has_unit_of_plane(c, triangle) ? std::optional(first) : std::nullopt;
 }
 
 bool has_several_w(const cases::Case& c, const cases::Triangle& triangle) {

@@ -4,10 +4,12 @@
 // Why. z/w = k at all vertices gives the depth z(k) everywhere, whatever the positions, so m = 0.
 // r of a unorm format is one number for all triangles. r of float32 is the power of two below the
 // greatest depth of the vertices, which all have z(k), and so have all vertices that clipping
-// makes. So o, limited by the clamp, is one number for the whole plane, and so are z(k) + o,
-// clamped, and what it is stored as. The law applies if the contract promises equal depths.
+// makes; but a vertex with w <= 0 counts as the far end (RULES §8). So o, limited by the clamp, is
+// one number for the whole plane, and so are z(k) + o, clamped, and what it is stored as. The law
+// applies if the contract promises equal depths.
 //
-// Vertices: w ≠ 0. Samples: required ones; the oracle is asked only about depths that differ.
+// Vertices: w ≠ 0; with a constant and float32 depths, w > 0. Samples: required ones; the oracle is
+// asked only about depths that differ.
 
 #include <map>
 #include <optional>
@@ -41,7 +43,7 @@ Check check_planes(const cases::Case& c, const backends::Drawn& drawn, const cha
     const cases::SamplePlace place = drawn.fragments.place_of(i);
     if (!is_of_case(c, place)) continue;
     const cases::Triangle& triangle = c.triangles[place.triangle];
-    if (!is_level(c, triangle)) continue;
+    if (!is_level(c, triangle) || !has_unit_of_plane(c, triangle)) continue;
     findings.see(place, std::nullopt);
     planes[plane_of(c, triangle)].push_back(i);
   }
@@ -120,7 +122,9 @@ const LawRegistration kRegistration(
     {.id = "a-bias-moves-planes-of-equal-depth-as-a-whole",
      .sentence = "a bias moves planes of equal depth as a whole",
      .reason = "On a plane of equal depth m is 0, and r and the depth are the same everywhere.",
-     .exceptions = "backends that do not promise to keep equal depths; vertices with w = 0",
+     .exceptions =
+         "backends that do not promise to keep equal depths; vertices with w = 0, and w < "
+         "0 where a constant is added to float32 depths",
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,

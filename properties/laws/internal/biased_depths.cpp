@@ -126,6 +126,12 @@ bool is_level(const cases::Case& c, const cases::Triangle& triangle) {
   });
 }
 
+bool has_unit_of_plane(const cases::Case& c, const cases::Triangle& triangle) {
+  if (c.depth_bias.constant == 0 || cases::unorm_bits(c.depth_format) != 0) return true;
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&c](std::uint32_t index) { return c.positions[index].w > 0; });
+}
+
 void visit_depths(const cases::Case& c, std::span<const cases::Fragments> drawings,
                   const std::function<void(const cases::SamplePlace& place,
                                            std::span<const double> depths)>& see) {

@@ -62,6 +62,11 @@ double least_bias_unit(const cases::Case& c, const cases::Contract& contract, do
 /// True if all vertices of the triangle have the same z/w, exactly, and no w is 0.
 bool is_level(const cases::Case& c, const cases::Triangle& triangle);
 
+/// True if a bias moves the triangle by the unit of its own plane. In float32, a vertex with w <= 0
+/// counts as the far end of the depth range (RULES §8), so a constant moves a level triangle that
+/// has one by another unit.
+bool has_unit_of_plane(const cases::Case& c, const cases::Triangle& triangle);
+
 /// Calls `see` for each place of the first drawing that all the others have, with its depths in
 /// the drawings' order. Of fragments at one place, the first counts.
 void visit_depths(const cases::Case& c, std::span<const cases::Fragments> drawings,
