@@ -25,6 +25,7 @@
 #include "properties/choices.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/biased_depths.h"
+#include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/sample_place.h"
 
 namespace rastercheck::properties::decals_obey_their_bias_law {

@@ -21,6 +21,7 @@
 #include "oracle/stored_values.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/biased_depths.h"
+#include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/sample_place.h"
 #include "properties/window_position.h"
 

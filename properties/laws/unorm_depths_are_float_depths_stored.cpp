@@ -19,6 +19,7 @@
 #include "properties/float_numbers.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/biased_depths.h"
+#include "properties/laws/internal/drawn_fragments.h"
 #include "properties/random_state.h"
 
 namespace rastercheck::properties::unorm_depths_law {
