@@ -38,7 +38,9 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
 /// "-0", all but the last of duplicate keys).
 class DocumentBuilder : public nlohmann::json_sax<json> {
  public:
-  DocumentBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  DocumentBuilder(std::string_view text, const std::string& file,
+                  std::span<const std::string_view> left_out)
+      : text_(text), file_(file), left_out_(left_out) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -56,10 +58,15 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   bool end_array() override { return close(); }
 
   bool key(string_t& value) override {
-    key_ = std::move(value);
-    if (!open_.back()->contains(key_)) return true;
-    return refuse(child_pointer(pointer(), key_),
-                  fmt::format("duplicate key '{}'", printable(key_)));
+    const bool is_of_document = open_.size() == 1 && !is_left_out_;
+    if (is_of_document && std::find(left_out_.begin(), left_out_.end(), value) != left_out_.end()) {
+      is_left_out_ = true;
+    }
+    if (is_left_out_) return true;
+    const auto [member, is_new] = open_.back()->emplace(value, nullptr);
+    member_ = &*member;
+    return is_new || refuse(pointer_in(document, *member_),
+                            fmt::format("duplicate key '{}'", printable(value)));
   }
 
   bool parse_error(std::size_t position, const std::string& /*last_token*/,
@@ -88,20 +95,9 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     return "not valid JSON: " + printable(message);
   }
 
-  std::string pointer() const {
-    std::string place;
-    for (std::size_t i = 1; i < open_.size(); ++i) place = child_pointer(place, steps_[i]);
-    return place;
-  }
-
-  /// The key or index of the next value in the innermost open container.
-  std::string next_step() const {
-    if (open_.empty()) return "";
-    return open_.back()->is_object() ? key_ : std::to_string(open_.back()->size());
-  }
-
   template <typename Value>
   bool add(Value&& value) {
+    if (is_left_out_) return leave_out(0);
     place(std::forward<Value>(value));
     return true;
   }
@@ -115,33 +111,52 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
       open_.back()->push_back(std::move(value));
       return &open_.back()->back();
     }
-    return &((*open_.back())[key_] = std::move(value));
+    return &(*member_ = std::move(value));
   }
 
   bool open(json container) {
-    if (open_.size() == kMaxJsonDepth) {
-      return refuse(child_pointer(pointer(), next_step()),
-                    fmt::format("nested deeper than {} levels", kMaxJsonDepth));
-    }
-    steps_.push_back(next_step());
+    if (is_left_out_) return leave_out(1);
+    const bool is_too_deep = open_.size() == kMaxJsonDepth;
     open_.push_back(place(std::move(container)));
-    return true;
+    return !is_too_deep || refuse(pointer_in(document, *open_.back()),
+                                  fmt::format("nested deeper than {} levels", kMaxJsonDepth));
   }
 
   bool close() {
+    if (is_left_out_) return leave_out(-1);
     open_.pop_back();
-    steps_.pop_back();
+    return true;
+  }
+
+  /// Leaves out a value, or the begin (1) or end (-1) of a container.
+  bool leave_out(int begins) {
+    left_out_depth_ += begins;
+    is_left_out_ = left_out_depth_ > 0;
     return true;
   }
 
   std::string_view text_;
   const std::string& file_;
+  std::span<const std::string_view> left_out_;
+  bool is_left_out_ = false;  ///< the next value is to be left out, or part of one
+  int left_out_depth_ = 0;    ///< containers in the value left out that are not yet closed
   /// The containers not yet closed, outermost first. Pointers stay valid, because a container is
   /// appended to only while it is the innermost.
   std::vector<json*> open_;
-  std::vector<std::string> steps_;  ///< key or index of each open container in its parent
-  std::string key_;
+  json* member_ = nullptr;  ///< of the innermost object: where its next value goes
 };
+
+/// The JSON pointer of `value` from `outer`; empty if it is not in there.
+std::optional<std::string> find_pointer(const json& outer, const json& value) {
+  if (&outer == &value) return "";
+  if (!outer.is_structured()) return std::nullopt;
+  for (const auto& member : outer.items()) {
+    if (const auto rest = find_pointer(member.value(), value)) {
+      return child_pointer("", member.key()) + *rest;
+    }
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -202,7 +217,12 @@ std::string child_pointer(const std::string& parent, std::string_view key) {
   return pointer;
 }
 
-Result<json> parse_json(std::string_view text, const std::string& file) {
+std::string pointer_in(const json& document, const json& value) {
+  return find_pointer(document, value).value_or("");
+}
+
+Result<json> parse_json(std::string_view text, const std::string& file,
+                        std::span<const std::string_view> left_out) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return tl::unexpected(Error{file, "1:1", "not valid JSON: empty"});
   }
@@ -211,7 +231,7 @@ Result<json> parse_json(std::string_view text, const std::string& file) {
     return tl::unexpected(
         Error{file, line_and_column(text, nul + 1), "not valid JSON: unexpected NUL byte"});
   }
-  DocumentBuilder builder(text, file);
+  DocumentBuilder builder(text, file, left_out);
   if (!json::sax_parse(text, &builder)) {
     return tl::unexpected(builder.error.value_or(Error{file, "/", "not valid JSON"}));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,10 @@ inline constexpr std::size_t kMaxJsonDepth = 16;
 /// duplicate keys are errors (at their JSON pointer), "-0" stays minus zero (as a float), nesting
 /// is limited to kMaxJsonDepth. Syntax errors and invalid UTF-8 are placed at "line:column". `file`
 /// is the name used in errors.
-Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
+///
+/// Leaves out the document's own members with the keys `left_out`; only their syntax is checked.
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& file,
+                                  std::span<const std::string_view> left_out = {});
 
 /// Formats a value on one line; bytes that are not UTF-8 become U+FFFD.
 std::string json_line(const nlohmann::json& value);
@@ -35,5 +39,9 @@ std::string printable(std::string_view text);
 
 /// The JSON pointer (RFC 6901) of a key or element below `parent`; the document itself is "".
 std::string child_pointer(const std::string& parent, std::string_view key);
+
+/// The JSON pointer of `value`, which must be `document` or one of the values in it. Searches for
+/// it: pointers are for errors, and most values have none.
+std::string pointer_in(const nlohmann::json& document, const nlohmann::json& value);
 
 }  // namespace rastercheck::cases

@@ -44,7 +44,12 @@ std::optional<Integer> exact_integer(const json& value) {
 
 void JsonNode::refuse(std::string reason) const {
   if (failed()) return;
-  *error_ = Error{*file_, pointer_.empty() ? "/" : pointer_, std::move(reason)};
+  const std::string place = pointer();
+  reading_->error = Error{reading_->file, place.empty() ? "/" : place, std::move(reason)};
+}
+
+std::string JsonNode::pointer() const {
+  return missing_.empty() ? pointer_in(reading_->document, *value_) : missing_;
 }
 
 void JsonNode::expect_object(Keys required, Keys optional) const {
@@ -76,13 +81,19 @@ bool JsonNode::has(std::string_view key) const {
 }
 
 JsonNode JsonNode::operator[](std::string_view key) const {
+  if (value_->is_object()) {
+    if (const auto member = value_->find(key); member != value_->end()) return child(*member);
+  }
   static const json kMissing;
-  return child(has(key) ? value_->at(std::string(key)) : kMissing, child_pointer(pointer_, key));
+  JsonNode node = child(kMissing);
+  // After the first error nobody asks where a value is.
+  node.missing_ = failed() ? "/" : child_pointer(pointer(), key);
+  return node;
 }
 
-JsonNode JsonNode::child(const json& inner, std::string pointer) const {
-  JsonNode node(inner, std::move(pointer), *error_, *file_);
-  node.rounding_ = rounding_;
+JsonNode JsonNode::child(const json& inner) const {
+  JsonNode node = *this;
+  node.value_ = &inner;
   return node;
 }
 
@@ -102,15 +113,6 @@ std::vector<std::string> JsonNode::keys() const {
   return keys;
 }
 
-JsonNode JsonNode::element(std::size_t i) const {
-  // Like child_pointer(), without looking for what digits never need: escapes.
-  const std::string index = std::to_string(i);
-  std::string pointer;
-  pointer.reserve(pointer_.size() + 1 + index.size());
-  pointer.append(pointer_).append(1, '/').append(index);
-  return child((*value_)[i], std::move(pointer));
-}
-
 std::vector<JsonNode> JsonNode::elements() const {
   std::vector<JsonNode> nodes;
   if (!value_->is_array()) {
@@ -118,7 +120,7 @@ std::vector<JsonNode> JsonNode::elements() const {
     return nodes;
   }
   nodes.reserve(value_->size());
-  for (std::size_t i = 0; i < value_->size(); ++i) nodes.push_back(element(i));
+  for (const json& inner : *value_) nodes.push_back(child(inner));
   return nodes;
 }
 
@@ -135,7 +137,7 @@ std::vector<JsonNode> JsonNode::elements(std::size_t least, std::size_t most,
 }
 
 std::pair<JsonNode, JsonNode> JsonNode::two_elements(std::string_view what) const {
-  if (value_->is_array() && value_->size() == 2) return {element(0), element(1)};
+  if (value_->is_array() && value_->size() == 2) return {child((*value_)[0]), child((*value_)[1])};
   refuse(fmt::format("must be an array of two: {}", what));
   return {*this, *this};
 }
@@ -277,12 +279,13 @@ double JsonNode::float64() const {
 }
 
 Result<void> visit_json(std::string_view text, const std::string& file,
-                        const std::function<void(const JsonNode& root)>& read) {
-  const Result<json> document = parse_json(text, file);
+                        const std::function<void(const JsonNode& root)>& read,
+                        JsonNode::Keys left_out) {
+  const Result<json> document = parse_json(text, file, left_out);
   if (!document) return tl::unexpected(document.error());
-  std::optional<Error> error;
-  read(JsonNode(*document, "", error, file));
-  if (error) return tl::unexpected(*error);
+  JsonNode::Reading reading{*document, file};
+  read(JsonNode(reading));
+  if (reading.error) return tl::unexpected(*reading.error);
   return {};
 }
 

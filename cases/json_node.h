@@ -31,13 +31,17 @@ struct DecimalRounding {
 /// One value of a document from parse_json, with its place. After an error, reading continues with
 /// neutral values, so that decoding code mirrors the format; only the first error is kept.
 ///
-/// The document, the error and the file name must outlive the nodes that refer to them.
+/// The reading must outlive the nodes that refer to it.
 class JsonNode {
  public:
-  /// `pointer` is the value's JSON pointer in `file`, "" for the document itself.
-  JsonNode(const nlohmann::json& value, std::string pointer, std::optional<Error>& error,
-           const std::string& file)
-      : value_(&value), pointer_(std::move(pointer)), error_(&error), file_(&file) {}
+  /// A document that is being read, and its first error.
+  struct Reading {
+    const nlohmann::json& document;
+    const std::string& file;
+    std::optional<Error> error = {};
+  };
+  /// The document itself.
+  explicit JsonNode(Reading& reading) : value_(&reading.document), reading_(&reading) {}
 
   /// The same value, but float32() of it and of all values in it may round as `rounding` says,
   /// which must outlive them, and an error names the document's key that allows it: "round".
@@ -45,7 +49,7 @@ class JsonNode {
 
   /// Records an error at this value, unless one is already recorded.
   void refuse(std::string reason) const;
-  bool failed() const { return error_->has_value(); }
+  bool failed() const { return reading_->error.has_value(); }
 
   /// Refuses anything but an object with all `required` keys and no others beyond `optional`.
   void expect_object(std::initializer_list<std::string_view> required,
@@ -113,31 +117,33 @@ class JsonNode {
  private:
   std::size_t index_in(std::span<const std::string_view> names) const;
   std::uint64_t count_up_to(std::uint64_t most) const;
-  JsonNode element(std::size_t i) const;
-  /// The value `inner` of this one, with its place.
-  JsonNode child(const nlohmann::json& inner, std::string pointer) const;
+  /// The value `inner` of this one.
+  JsonNode child(const nlohmann::json& inner) const;
+  /// The value's JSON pointer in the document; searches for it.
+  std::string pointer() const;
   float rounded_float32(double value) const;
 
   const nlohmann::json* value_;
-  std::string pointer_;
-  std::optional<Error>* error_;
-  const std::string* file_;
+  Reading* reading_;
+  std::string missing_;  ///< the JSON pointer of a missing member; else empty
   DecimalRounding* rounding_ = nullptr;
 };
 
 /// Parses a text (json.h) and passes its root to `read`; returns the first error of either. `file`
-/// is the name used in errors.
+/// is the name used in errors, `left_out` as in parse_json().
 Result<void> visit_json(std::string_view text, const std::string& file,
-                        const std::function<void(const JsonNode& root)>& read);
+                        const std::function<void(const JsonNode& root)>& read,
+                        JsonNode::Keys left_out = {});
 
 /// Like visit_json(), and returns the result of `read`.
 template <typename Read>
-auto read_json(std::string_view text, const std::string& file, const Read& read)
+auto read_json(std::string_view text, const std::string& file, const Read& read,
+               JsonNode::Keys left_out = {})
     -> Result<std::invoke_result_t<Read, const JsonNode&>> {
   std::invoke_result_t<Read, const JsonNode&> value{};
-  return visit_json(text, file, [&](const JsonNode& root) { value = read(root); }).map([&value] {
-    return std::move(value);
-  });
+  return visit_json(
+             text, file, [&](const JsonNode& root) { value = read(root); }, left_out)
+      .map([&value] { return std::move(value); });
 }
 
 /// Converts a double to the form that float64() reads: a number, or "inf" or "-inf".

@@ -16,4 +16,8 @@ Result<records::Run> parse_run(std::string_view text, const std::string& file);
 /// Reads a run from a file, or from standard input for "-".
 Result<records::Run> read_run(const std::string& file);
 
+/// Reads a run without its inspections, which are much of a file and rarely needed. Checks only
+/// their syntax.
+Result<records::Run> read_run_without_inspections(const std::string& file);
+
 }  // namespace rastercheck::reports

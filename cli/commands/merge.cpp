@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <deque>
 #include <filesystem>
+#include <future>
 #include <memory>
+#include <thread>
 
 #include "cli/command.h"
 #include "cli/conduct.h"
@@ -13,6 +17,7 @@
 #include "cli/run_results.h"
 #include "cli/scene.h"
 #include "properties/campaign/shard_merge.h"
+#include "properties/inspect/gathered_inspections.h"
 #include "properties/inspect/merged_inspections.h"
 #include "records/summary.h"
 #include "reports/format.h"
@@ -32,27 +37,79 @@ struct Options {
   bool all = false;
 };
 
+using Read = Result<records::Run>;
+using ReadFile = Read (*)(const std::string& file);
+
+/// Reads files ahead on all processors, but no more at a time, so that memory does not grow with
+/// their number.
+class RunReader {
+ public:
+  RunReader(const std::vector<std::string>& files, ReadFile read) : files_(&files), read_(read) {
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) begin_next();
+  }
+
+  /// Returns the run of the next file, in the order of the files.
+  Read next() {
+    Read run = begun_.front().get();
+    begun_.pop_front();
+    begin_next();
+    return run;
+  }
+
+ private:
+  void begin_next() {
+    if (next_ == files_->size()) return;
+    const std::string& file = (*files_)[next_++];
+    // Read when asked for, if no thread is to be had.
+    constexpr auto kPolicy = std::launch::async | std::launch::deferred;
+    begun_.push_back(std::async(kPolicy, [read = read_, &file] { return read(file); }));
+  }
+
+  const std::vector<std::string>* files_;
+  ReadFile read_;
+  std::size_t next_ = 0;
+  std::deque<std::future<Read>> begun_;
+};
+
 Result<properties::MergedRun> merged_run(const Options& options) {
-  properties::ShardMerge merge;
+  std::vector<std::string> files;
   for (const std::string& shard : options.shards) {
-    const std::string file = std::filesystem::is_directory(shard) ? shard + "/run.json" : shard;
+    files.push_back(std::filesystem::is_directory(shard) ? shard + "/run.json" : shard);
+    const Result<void> checked = check_output_file(options.output + "/run.json", files.back());
+    if (!checked) return tl::unexpected(checked.error());
+  }
+  properties::ShardMerge merge;
+  RunReader reader(files, &reports::read_run_without_inspections);
+  for (const std::string& file : files) {
     const Result<void> added =
-        check_output_file(options.output + "/run.json", file)
-            .and_then([&] { return reports::read_run(file); })
-            .and_then([&](records::Run run) { return merge.add(std::move(run), file); });
+        reader.next().and_then([&](records::Run run) { return merge.add(std::move(run), file); });
     if (!added) return tl::unexpected(added.error());
   }
   return std::move(merge).finish();
 }
 
-/// Inspects samples of the merged run. If this fails, keeps the shards' inspections and says why.
-void add_inspections(properties::MergedRun& merged) {
+/// Reads the shards again, for what each of them inspected.
+Result<void> gather_inspections(properties::MergedRun& merged) {
+  properties::GatheredInspections gathered(merged.run);
+  RunReader reader(merged.files, &reports::read_run);
+  for (std::size_t i = 0; i < merged.files.size(); ++i) {
+    const Read run = reader.next();
+    if (!run) return tl::unexpected(run.error());
+    gathered.add(*run);
+  }
+  merged.run.inspections = std::move(gathered).finish();
+  return {};
+}
+
+/// Inspects samples of the merged run. If this fails, takes the shards' inspections and says why.
+Result<void> add_inspections(properties::MergedRun& merged) {
   const properties::Conduct conduct = conduct_of(merged.run.plan, "", 1);
   const Result<void> inspected = properties::inspect_merged(merged, conduct, &read_scene);
-  if (inspected) return;
+  if (inspected) return {};
   Error why = inspected.error();
   why.reason += "; using the samples that the shards inspected";
   fail(why);
+  return gather_inspections(merged);
 }
 
 ExitCode merge(const Options& options) {
@@ -61,7 +118,7 @@ ExitCode merge(const Options& options) {
   }
   Result<properties::MergedRun> merged = merged_run(options);
   if (!merged) return fail(merged.error());
-  add_inspections(*merged);
+  if (const auto added = add_inspections(*merged); !added) return fail(added.error());
   const records::Run& run = merged->run;
   const std::vector<records::LawSummary> rows = records::summarize(run);
   const Result<void> written = reports::write_reports(run, options.output, options.formats);
@@ -71,7 +128,7 @@ ExitCode merge(const Options& options) {
     print_results(run, rows, options.output, detail_of(options.quiet, options.all));
     if (!options.quiet) {
       const auto seconds = run.environment.find("seconds");
-      fmt::print("Seed {}, {} shards, {} s.{}", run.plan.seed, merged->looked_at.size(),
+      fmt::print("Seed {}, {} shards, {} s.{}", run.plan.seed, merged->files.size(),
                  seconds == run.environment.end() ? "–" : seconds->second,
                  written ? " " + where_reports_are(options.output, options.formats) : "\n");
     }

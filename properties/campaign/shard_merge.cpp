@@ -230,8 +230,7 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
 Result<void> ShardMerge::add(Run run, const std::string& file) {
   Result<void> checked = check(run, file);
   if (!checked) return checked;
-  Added& added = added_[run.plan.shard->index];
-  added = {file, run.environment, {run.counterexamples, std::move(run.inspections)}};
+  added_[run.plan.shard->index] = {file, run.environment};
   if (!run.shard->scene_digest.empty()) scene_digest_ = run.shard->scene_digest;
   std::move(run.scenes.begin(), run.scenes.end(), std::back_inserter(scenes_));
   std::move(run.pictures.begin(), run.pictures.end(), std::back_inserter(pictures_));
@@ -267,7 +266,7 @@ Result<MergedRun> ShardMerge::finish() && {
   std::vector<Environment> environments;
   for (auto& [index, added] : added_) {
     environments.push_back(std::move(added.environment));
-    merged.looked_at.push_back(std::move(added.looked_at));
+    merged.files.push_back(std::move(added.file));
   }
   merged.run = std::move(first_);
   Run& run = merged.run;

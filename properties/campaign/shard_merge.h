@@ -13,7 +13,6 @@
 
 #include "cases/error.h"
 #include "properties/campaign/findings.h"
-#include "records/inspection.h"
 #include "records/run.h"
 #include "records/shard.h"
 
@@ -26,12 +25,8 @@ struct MergedRun {
   records::Run run;
   /// The data on which shards agree, with the first shard's scene and saved counterexamples.
   records::Shard common;
-  /// [shard] the shard's inspections and counterexamples.
-  struct LookedAt {
-    std::vector<records::Counterexample> counterexamples;
-    std::vector<records::Inspection> inspections;
-  };
-  std::vector<LookedAt> looked_at;
+  /// [shard] the file that it was read from.
+  std::vector<std::string> files;
 };
 
 class ShardMerge {
@@ -47,7 +42,6 @@ class ShardMerge {
   struct Added {
     std::string file;
     std::map<std::string, std::string> environment;
-    MergedRun::LookedAt looked_at;
   };
 
   Result<void> check(const records::Run& run, const std::string& file) const;

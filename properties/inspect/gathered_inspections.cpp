@@ -1,10 +1,6 @@
 #include "properties/inspect/gathered_inspections.h"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
-#include <optional>
-#include <tuple>
 #include <utility>
 
 #include "properties/campaign/findings.h"
@@ -25,77 +21,68 @@ std::optional<double> size_of(const Inspection& inspection) {
   return error ? std::optional(records::magnitude_bound(*error)) : std::nullopt;
 }
 
-/// Returns the shards' inspection of a counterexample; nullptr if there is none.
-const Inspection* find_inspection(const records::Counterexample& one,
-                                  std::span<const MergedRun::LookedAt> shards) {
-  for (const MergedRun::LookedAt& shard : shards) {
-    for (const Inspection& inspection : shard.inspections) {
-      if (inspection.occasion != Occasion::counterexample) continue;
-      if (inspection.counterexample >= shard.counterexamples.size()) continue;
-      if (shard.counterexamples[inspection.counterexample] == one) return &inspection;
-    }
+}  // namespace
+
+GatheredInspections::GatheredInspections(const records::Run& run)
+    : run_(&run), of_counterexamples_(run.counterexamples.size()) {}
+
+void GatheredInspections::add(const records::Run& shard) {
+  for (const Inspection& inspection : shard.inspections) {
+    if (inspection.occasion == Occasion::counterexample) add_counterexample(shard, inspection);
+    if (inspection.occasion == Occasion::worst) add_worst(inspection);
   }
-  return nullptr;
 }
 
-struct Worst {
-  double size = 0;
-  const Inspection* inspection = nullptr;
-};
+void GatheredInspections::add_counterexample(const records::Run& shard,
+                                             const Inspection& inspection) {
+  if (inspection.counterexample >= shard.counterexamples.size()) return;
+  const auto& all = run_->counterexamples;
+  const auto place =
+      std::find(all.begin(), all.end(), shard.counterexamples[inspection.counterexample]);
+  if (place == all.end()) return;
+  const auto i = static_cast<std::size_t>(place - all.begin());
+  if (of_counterexamples_[i]) return;
+  of_counterexamples_[i] = inspection;
+  of_counterexamples_[i]->counterexample = i;
+}
+
+void GatheredInspections::add_worst(const Inspection& inspection) {
+  const std::optional<double> size = size_of(inspection);
+  if (!size || !inspection.kind || !inspection.stratum) return;
+  Worst one{*size, inspection};
+  const Key key(inspection.backend, *inspection.kind, *inspection.stratum);
+  const auto [kept, is_new] = largest_.try_emplace(key, one);
+  if (!is_new && is_preferred(one, kept->second)) kept->second = std::move(one);
+}
 
 /// Orders errors as inspect_run() prefers them.
-bool is_preferred(const Worst& a, const Worst& b) {
+bool GatheredInspections::is_preferred(const Worst& a, const Worst& b) {
   const auto rank = [](const Worst& one) {
-    const Inspection& inspection = *one.inspection;
+    const Inspection& inspection = one.inspection;
     return std::tuple(-one.size, inspection.law != kValuesLaw, inspection.law);
   };
   return rank(a) < rank(b);
 }
 
-/// Returns the largest error of each backend, kind and stratum, the largest first.
-std::vector<Worst> worst_of(std::span<const MergedRun::LookedAt> shards) {
-  using Key = std::tuple<std::string, records::AttributeKind, records::Stratum>;
-  std::map<Key, Worst> largest;
-  for (const MergedRun::LookedAt& shard : shards) {
-    for (const Inspection& inspection : shard.inspections) {
-      if (inspection.occasion != Occasion::worst) continue;
-      const std::optional<double> size = size_of(inspection);
-      if (!size || !inspection.kind || !inspection.stratum) continue;
-      const Worst one{*size, &inspection};
-      Worst& kept = largest[{inspection.backend, *inspection.kind, *inspection.stratum}];
-      if (kept.inspection == nullptr || is_preferred(one, kept)) kept = one;
-    }
-  }
-  std::vector<Worst> all;
-  all.reserve(largest.size());
-  for (const auto& [key, worst] : largest) all.push_back(worst);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Worst& a, const Worst& b) { return a.size > b.size; });
-  return all;
-}
-
-}  // namespace
-
-std::vector<Inspection> gathered_inspections(const records::Run& run,
-                                             std::span<const MergedRun::LookedAt> shards) {
+std::vector<Inspection> GatheredInspections::finish() && {
   std::vector<Inspection> inspections;
-  for (std::size_t i = 0; i < run.counterexamples.size(); ++i) {
+  for (std::optional<Inspection>& one : of_counterexamples_) {
     if (inspections.size() == records::kMostInspections) return inspections;
-    const Inspection* found = find_inspection(run.counterexamples[i], shards);
-    if (found == nullptr) continue;
-    inspections.push_back(*found);
-    inspections.back().counterexample = i;
+    if (one) inspections.push_back(*std::move(one));
   }
-  std::vector<Worst> worst = worst_of(shards);
+  std::vector<Worst> worst;
+  worst.reserve(largest_.size());
+  for (auto& [key, one] : largest_) worst.push_back(std::move(one));
+  std::stable_sort(worst.begin(), worst.end(),
+                   [](const Worst& a, const Worst& b) { return a.size > b.size; });
   worst.resize(std::min(worst.size(), records::kMostInspections - inspections.size()));
-  std::sort(worst.begin(), worst.end(), [](const Worst& a, const Worst& b) {
-    const auto key = [](const Inspection& one) {
-      return std::tie(one.law, one.backend, one.kind, one.stratum);
-    };
-    return key(*a.inspection) < key(*b.inspection);
-  });
-  std::transform(worst.begin(), worst.end(), std::back_inserter(inspections),
-                 [](const Worst& one) { return *one.inspection; });
+  const auto key = [](const Worst& one) {
+    const Inspection& inspection = one.inspection;
+    return std::tie(inspection.law, inspection.backend, inspection.kind, inspection.stratum);
+  };
+  std::sort(worst.begin(), worst.end(),
+            [key](const Worst& a, const Worst& b) { return key(a) < key(b); });
+  for (Worst& one : worst) inspections.push_back(std::move(one.inspection));
   return inspections;
 }
 

@@ -9,7 +9,6 @@
 #include "properties/campaign/checkpoint.h"
 #include "properties/campaign/corpus.h"
 #include "properties/campaign/side_by_side.h"
-#include "properties/inspect/gathered_inspections.h"
 #include "properties/inspect/looks.h"
 
 namespace rastercheck::properties {
@@ -19,10 +18,10 @@ tl::unexpected<Error> is_other(const std::string& what) {
   return tl::unexpected(Error{what, "", "differs from the shards'"});
 }
 
-/// Inspects the run by drawing cases again. Fails if the corpus, the scene, a contract or a list of
-/// known defects here differs from the shards'.
-Result<void> inspect_here(MergedRun& merged, const Conduct& conduct,
-                          const SceneReader& read_scene) {
+}  // namespace
+
+Result<void> inspect_merged(MergedRun& merged, const Conduct& conduct,
+                            const SceneReader& read_scene) {
   const records::Plan& plan = merged.run.plan;
   merged.run.differences = differences_of(merged.run, {});  // needs no corpus
   const Result<std::vector<cases::Case>> corpus = corpus_of(plan, conduct.corpus);
@@ -48,15 +47,6 @@ Result<void> inspect_here(MergedRun& merged, const Conduct& conduct,
   look_closely(merged.run, {*corpus, merged.common.saved, *known, scene ? &*scene : nullptr},
                conduct.backends);
   return {};
-}
-
-}  // namespace
-
-Result<void> inspect_merged(MergedRun& merged, const Conduct& conduct,
-                            const SceneReader& read_scene) {
-  Result<void> inspected = inspect_here(merged, conduct, read_scene);
-  if (!inspected) merged.run.inspections = gathered_inspections(merged.run, merged.looked_at);
-  return inspected;
 }
 
 }  // namespace rastercheck::properties

@@ -17,7 +17,7 @@ using SceneReader = std::function<Result<cases::Case>(const records::Plan&)>;
 
 /// Inspects a merged run as a run in one process is inspected (looks.h). Fails if a backend cannot
 /// be made or promises something else here, or if the corpus, the scene or the lists of known
-/// defects differ from the shards'; the run then has the shards' own inspections
+/// defects differ from the shards'; the shards' own inspections can be gathered instead
 /// (gathered_inspections.h). Uses the conduct's corpus, known defects and backends.
 Result<void> inspect_merged(MergedRun& merged, const Conduct& conduct,
                             const SceneReader& read_scene);

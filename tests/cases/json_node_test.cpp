@@ -23,14 +23,16 @@ class Document {
  public:
   explicit Document(std::string_view text) : document_(parse_json(text, "f.json").value()) {}
 
-  JsonNode root() { return {document_, "", error_, file_}; }
+  JsonNode root() { return JsonNode(reading_); }
   /// "place: reason"; empty as long as there is no error.
-  std::string error() const { return error_ ? error_->place + ": " + error_->reason : ""; }
+  std::string error() const {
+    return reading_.error ? reading_.error->place + ": " + reading_.error->reason : "";
+  }
 
  private:
   json document_;
-  std::optional<Error> error_;
   std::string file_ = "f.json";
+  JsonNode::Reading reading_{document_, file_};
 };
 
 /// The error of reading a text with `read`.
@@ -39,6 +41,24 @@ std::string error_of(std::string_view text, const Read& read) {
   Document document(text);
   read(document.root());
   return document.error();
+}
+
+// Kills: an element's place given as its container's; the place of an equal value before it; a
+// missing member's place given as the object's.
+TEST(JsonNode, NamesThePlaceOfEveryValue) {
+  constexpr std::string_view kText = R"({"a": [1, {"b/c": [1, 1]}], "z": {}})";
+  const auto place_of = [&](const auto& find) {
+    return error_of(kText, [&](const JsonNode& root) { find(root).refuse("."); });
+  };
+  const auto inner = [](const JsonNode& root) { return root["a"].elements()[1]; };
+  EXPECT_EQ(place_of([](const JsonNode& root) { return root; }), "/: .");
+  EXPECT_EQ(place_of(inner), "/a/1: .");
+  EXPECT_EQ(place_of([&](const JsonNode& root) { return inner(root)["b/c"].elements()[1]; }),
+            "/a/1/b~1c/1: .");
+  EXPECT_EQ(
+      place_of([&](const JsonNode& root) { return inner(root)["b/c"].two_elements("").first; }),
+      "/a/1/b~1c/0: .");
+  EXPECT_EQ(place_of([&](const JsonNode& root) { return inner(root)["d"]["e"]; }), "/a/1/d/e: .");
 }
 
 // Kills: keeping the last error instead of the first.

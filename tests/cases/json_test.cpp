@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -229,6 +230,17 @@ TEST(ValidUtf8, ReplacesOnlyWhatIsNone) {
             "a\xef\xbf\xbd"
             "b\xef\xbf\xbd");
   EXPECT_EQ(valid_utf8(""), "");
+}
+
+// Kills: members left out below the document; a member left out with those after it; faults of
+// syntax that pass because they are in a member left out.
+TEST(Json, LeavesOutMembersOfTheDocument) {
+  constexpr std::array<std::string_view, 2> kLeftOut{"b", "d"};
+  const auto parsed = [&](std::string_view text) { return parse_json(text, "f", kLeftOut); };
+  EXPECT_EQ(parsed(R"({"a": {"b": 1}, "b": [[], {"b": [2]}, {"a": 1}], "c": [], "d": 3, "e": 4})"),
+            json::parse(R"({"a": {"b": 1}, "c": [], "e": 4})"));
+  EXPECT_EQ(parsed(R"({"b": [1, ], "c": 2})").error().place, "1:11");
+  EXPECT_FALSE(parsed(R"({"c": 1, "b": {"c": 1}, "c": 2})"));
 }
 
 }  // namespace

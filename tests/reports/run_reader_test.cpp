@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cases/case_writer.h"
+#include "cases/files.h"
 #include "reports/format.h"
 #include "tests/records/random_inspection.h"
 #include "tests/records/random_record.h"
@@ -200,6 +201,17 @@ TEST(ReadRun, NamesAFileThatIsNotThere) {
   const Result<records::Run> run = read_run("no/such/run.json");
   ASSERT_FALSE(run.has_value());
   EXPECT_EQ(to_string(run.error()), "no/such/run.json: cannot be read: No such file or directory");
+}
+
+TEST(ReadRun, LeavesOutInspectionsIfAsked) {
+  const records::Run whole = sample_run();
+  const std::string file = testing::TempDir() + "/run_without_inspections.json";
+  ASSERT_TRUE(cases::write_file(file, written(whole)));
+  EXPECT_EQ(read_run(file).value(), whole);
+  records::Run rest = whole;
+  ASSERT_FALSE(rest.inspections.empty());
+  rest.inspections.clear();
+  EXPECT_EQ(read_run_without_inspections(file).value(), rest);
 }
 
 }  // namespace

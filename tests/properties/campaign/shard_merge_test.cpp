@@ -85,7 +85,7 @@ TEST(ShardMerge, AddsUpWhatWasFound) {
   EXPECT_THAT(run.cases.value(), SizeIs(3));
   EXPECT_THAT(run.counterexamples, ElementsAre(found_at(7)));
   EXPECT_THAT(run.unexpected, SizeIs(3));
-  EXPECT_THAT(all.looked_at, SizeIs(3));
+  EXPECT_THAT(all.files, SizeIs(3));
 }
 
 // Kills: labels judged by a single shard, or by the contracts on the machine that merges.

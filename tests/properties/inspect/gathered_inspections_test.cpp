@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 
 #include "properties/campaign/campaign.h"
 #include "properties/inspect/run_inspections.h"
@@ -41,25 +42,23 @@ TEST(GatheredInspections, AreThoseOfTheRun) {
   const records::Run whole = run_of(std::nullopt);
   EXPECT_EQ(whole.inspections.front().occasion, records::Occasion::counterexample);
   EXPECT_EQ(whole.inspections.back().occasion, records::Occasion::worst);
-  std::vector<MergedRun::LookedAt> shards;
+  GatheredInspections gathered(whole);
   for (const std::uint64_t index : std::array<std::uint64_t, 3>{3, 1, 2}) {
-    records::Run part = run_of(records::ShardNumber{index, 3});
-    shards.push_back({part.counterexamples, part.inspections});
+    const records::Run part = run_of(records::ShardNumber{index, 3});
     EXPECT_NE(part.inspections, whole.inspections);
+    gathered.add(part);
   }
-  EXPECT_EQ(gathered_inspections(whole, shards), whole.inspections);
+  EXPECT_EQ(std::move(gathered).finish(), whole.inspections);
 }
 
 TEST(GatheredInspections, AreNoneOfNothing) {
-  EXPECT_THAT(gathered_inspections({}, {}), IsEmpty());
-  const records::Run whole = run_of(std::nullopt);
-  EXPECT_THAT(gathered_inspections(whole, {}), IsEmpty());
+  EXPECT_THAT(GatheredInspections(records::Run()).finish(), IsEmpty());
+  EXPECT_THAT(GatheredInspections(run_of(std::nullopt)).finish(), IsEmpty());
 }
 
 // Kills: more inspections than a report has room for.
 TEST(GatheredInspections, AreNoMoreThanOfAnyRun) {
   records::Run run;
-  MergedRun::LookedAt shard;
   for (std::uint64_t i = 0; i < records::kMostInspections + 5; ++i) {
     records::Counterexample one;
     one.source = square();
@@ -67,10 +66,11 @@ TEST(GatheredInspections, AreNoMoreThanOfAnyRun) {
     run.counterexamples.push_back(one);
     records::Inspection inspection;
     inspection.counterexample = i;
-    shard.inspections.push_back(inspection);
+    run.inspections.push_back(inspection);
   }
-  shard.counterexamples = run.counterexamples;
-  EXPECT_EQ(gathered_inspections(run, {{shard}}).size(), records::kMostInspections);
+  GatheredInspections gathered(run);
+  gathered.add(run);
+  EXPECT_EQ(std::move(gathered).finish().size(), records::kMostInspections);
 }
 
 }  // namespace
