@@ -138,6 +138,7 @@ bool Capabilities::has(Feature feature) const { return !has_one(lacks, feature);
 
 std::string lacked_by(const Capabilities& capabilities, const Case& c) {
   if (!has_one(capabilities.rules, c.rules)) return std::string(words_for(c.rules));
+  if (!has_one(capabilities.primitives, c.primitive)) return std::string(name_of(c.primitive));
   for (const Feature feature : capabilities.lacks) {
     if (needs(c, feature)) return std::string(to_string(feature));
   }
@@ -164,6 +165,7 @@ std::string lacked_by(const Capabilities& capabilities, const Case& c) {
 }
 
 bool has_meaning(const Capabilities& capabilities) {
+  const std::vector kAllPrimitives{Primitive::triangles, Primitive::lines, Primitive::points};
   const Capabilities everything;
   const auto is_ordered = [](const auto& some) {
     return std::adjacent_find(some.begin(), some.end(), std::greater_equal()) == some.end();
@@ -176,8 +178,8 @@ bool has_meaning(const Capabilities& capabilities) {
   const auto is_size = [](int size) { return size >= 1 && size <= kMaxSize; };
   return are_some(capabilities.rules, everything.rules) &&
          are_some(capabilities.sample_counts, everything.sample_counts) &&
-         is_ordered(capabilities.lacks) && is_size(capabilities.max_size) &&
-         is_size(capabilities.size_multiple) &&
+         are_some(capabilities.primitives, kAllPrimitives) && is_ordered(capabilities.lacks) &&
+         is_size(capabilities.max_size) && is_size(capabilities.size_multiple) &&
          capabilities.size_multiple <= capabilities.max_size &&
          is_size(capabilities.max_viewport) && capabilities.max_attributes <= kMaxAttributes &&
          capabilities.max_clip_distances <= kMaxClipDistances && capabilities.numbers.least >= 0 &&

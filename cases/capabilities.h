@@ -15,7 +15,7 @@
 
 namespace rastercheck::cases {
 
-/// A feature that a case may need besides rules, sizes and numbers.
+/// A feature that a case may need besides rules, primitives, sizes and numbers.
 enum class Feature {
   nonpositive_w,       ///< a triangle's vertex with w <= 0
   depth_clipping,      ///< a vertex beyond the near or far plane, without depth clamp
@@ -57,6 +57,7 @@ bool needs(const Case& c, Feature feature);
 struct Capabilities {
   std::vector<Rules> rules{Rules::opengl, Rules::vulkan, Rules::d3d};  ///< in this order
   std::vector<int> sample_counts{1, 2, 4, 8, 16};                      ///< in this order
+  std::vector<Primitive> primitives{Primitive::triangles};  ///< in the enumeration's order
   std::vector<Feature> lacks = {};  ///< in the enumeration's order, each once
   int max_size = kMaxSize;          ///< largest width and height of a framebuffer, pixels
   int size_multiple = 1;            ///< width and height of a framebuffer are multiples of this

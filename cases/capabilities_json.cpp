@@ -17,6 +17,7 @@ void members(Archive& archive, T& all) {
   const Capabilities usual;
   archive.optional("rules", all.rules, usual.rules);
   archive.optional("sample_counts", all.sample_counts, usual.sample_counts);
+  archive.optional("primitives", all.primitives, usual.primitives);
   archive.optional("lacks", all.lacks);
   archive.optional("max_size", all.max_size, usual.max_size);
   archive.optional("size_multiple", all.size_multiple, usual.size_multiple);
@@ -28,6 +29,7 @@ void members(Archive& archive, T& all) {
     if constexpr (!std::is_const_v<T>) {
       std::sort(all.rules.begin(), all.rules.end());
       std::sort(all.sample_counts.begin(), all.sample_counts.end());
+      std::sort(all.primitives.begin(), all.primitives.end());
       std::sort(all.lacks.begin(), all.lacks.end());
     }
     if (!has_meaning(all)) node.refuse("is inconsistent or excludes every case");

@@ -14,6 +14,11 @@ TieRule default_fill_rule(Rules rules) {
   return rules == Rules::opengl ? TieRule::bottom_left : TieRule::top_left;
 }
 
+LineMode default_line_mode(Rules rules, int samples) {
+  const bool is_thin = rules == Rules::d3d || (rules == Rules::opengl && samples == 1);
+  return is_thin ? LineMode::bresenham : LineMode::rectangular;
+}
+
 Basis default_basis(Rules rules) { return rules == Rules::d3d ? Basis::snapped : Basis::ideal; }
 
 }  // namespace rastercheck::cases

@@ -22,6 +22,8 @@ inline constexpr int kMaxSize = 16384;
 inline constexpr std::size_t kMaxAttributes = 32;
 /// The largest number of user clip distances, inclusive.
 inline constexpr std::size_t kMaxClipDistances = 8;
+/// The largest line width and point size, in pixels, inclusive.
+inline constexpr float kMostPrimitiveSize = 16384;
 
 /// The API whose conventions apply: clip depth, direction of window y, depth map, provoking vertex.
 enum class Rules { opengl, vulkan, d3d };
@@ -55,6 +57,20 @@ struct DepthBias {
   /// True if nothing is added to any depth.
   bool is_none() const { return constant == 0 && slope == 0; }
 };
+
+/// What the vertices are joined to.
+enum class Primitive { triangles, lines, points };
+
+/// Which samples a line covers (RULES §10). a and b are the window positions of its ends; the
+/// *major axis* is that along which they are farther apart, x if equally far.
+///
+///   rectangular     those of the rectangle that is `line_width` wide, whose middle line is from a
+///                   to b
+///   parallelogram   those of the parallelogram whose middle line is from a to b and whose ends are
+///                   `line_width` long and parallel to the other axis
+///   bresenham       all samples of the pixels that the diamond-exit rule selects; if `line_width`
+///                   is more than 1, of as many pixels along the other axis as it has when rounded
+enum class LineMode { rectangular, parallelogram, bresenham };
 
 /// Pixels, and samples per pixel (1, 2, 4, 8 or 16).
 struct FramebufferSize {
@@ -129,7 +145,8 @@ struct Found {
   bool operator==(const Found&) const = default;
 };
 
-/// Indices of the triangle's vertices, in submission order.
+/// Indices of the triangle's vertices, in submission order. A line has its second vertex twice, a
+/// point has its vertex three times.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Everything that decides what is drawn. All numbers are finite.
@@ -163,7 +180,11 @@ struct Case {
   /// [vertex][distance], `clip_distance_count` numbers per vertex.
   std::vector<float> clip_distances;
   std::size_t clip_distance_count = 0;
-  std::vector<Triangle> triangles;
+  Primitive primitive = Primitive::triangles;
+  std::vector<Triangle> triangles;  ///< or the lines, or the points
+  float line_width = 1;             ///< in pixels; > 0, at most kMostPrimitiveSize
+  LineMode line_mode = LineMode::rectangular;
+  float point_size = 1;  ///< the side of the square that a point is, in pixels; as line_width
   /// The features that the case is about: names of cases::Feature, "rules", "samples" and "size".
   /// Everything else may be removed from the case if a backend could not draw the case otherwise.
   /// Empty: everything but rules and samples is essential. Ignored when drawn.
@@ -187,5 +208,7 @@ struct Case {
 /// the snapped positions.
 TieRule default_fill_rule(Rules rules);
 Basis default_basis(Rules rules);
+/// Bresenham's lines under `d3d`, and under `opengl` with one sample; else rectangular ones.
+LineMode default_line_mode(Rules rules, int samples);
 
 }  // namespace rastercheck::cases

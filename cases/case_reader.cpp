@@ -168,21 +168,63 @@ void read_vertices(const JsonNode& node, Case& c) {
   }
 }
 
-void read_triangles(const JsonNode& node, Case& c) {
+std::uint32_t read_index(const JsonNode& node, const Case& c) {
+  const std::int64_t value = node.integer(0, std::numeric_limits<std::uint32_t>::max());
+  if (value >= static_cast<std::int64_t>(c.positions.size())) {
+    node.refuse(
+        fmt::format("index {} out of range: there are {} vertices", value, c.positions.size()));
+  }
+  return static_cast<std::uint32_t>(value);
+}
+
+/// Reads the key that the case's primitives are named by.
+void read_primitives(const JsonNode& node, Case& c) {
   for (const JsonNode& element : node.elements()) {
     if (node.failed()) return;
-    Triangle triangle{};
-    std::size_t corner = 0;
-    for (const JsonNode& index : element.elements(3, 3, "indices")) {
-      const std::int64_t value = index.integer(0, std::numeric_limits<std::uint32_t>::max());
-      if (value >= static_cast<std::int64_t>(c.positions.size())) {
-        index.refuse(
-            fmt::format("index {} out of range: there are {} vertices", value, c.positions.size()));
-      }
-      triangle[corner++] = static_cast<std::uint32_t>(value);
+    if (c.primitive == Primitive::points) {
+      const std::uint32_t index = read_index(element, c);
+      c.triangles.push_back({index, index, index});
+      continue;
     }
-    c.triangles.push_back(triangle);
+    const std::size_t count = c.primitive == Primitive::lines ? 2 : 3;
+    const std::vector<JsonNode> indices = element.elements(count, count, "indices");
+    if (node.failed()) return;
+    c.triangles.push_back(
+        {read_index(indices[0], c), read_index(indices[1], c), read_index(indices.back(), c)});
   }
+}
+
+/// Refuses keys of other primitives than the case has, so that none is ignored.
+void refuse_keys_of_others(const JsonNode& root, Primitive primitive) {
+  const auto only = [&](std::string_view key, Primitive owner) {
+    if (primitive == owner || !root.has(key)) return;
+    root[key].refuse(
+        fmt::format("is of {} only, and the case has {}", name_of(owner), name_of(primitive)));
+  };
+  only("line_width", Primitive::lines);
+  only("line_mode", Primitive::lines);
+  only("point_size", Primitive::points);
+  only("cull", Primitive::triangles);
+  only("depth_bias", Primitive::triangles);
+}
+
+Primitive read_primitive(const JsonNode& root) {
+  std::optional<Primitive> found;
+  for (const Primitive one : {Primitive::triangles, Primitive::lines, Primitive::points}) {
+    if (!root.has(name_of(one))) continue;
+    if (found) {
+      root[name_of(one)].refuse(fmt::format("the case has {} already", name_of(*found)));
+    }
+    found = found.value_or(one);
+  }
+  if (!found) root.refuse("missing key 'triangles', 'lines' or 'points'");
+  return found.value_or(Primitive::triangles);
+}
+
+float read_size(const JsonNode& node) {
+  const float size = node.float32(0, kMostPrimitiveSize);
+  if (size == 0) node.refuse("must be more than 0");
+  return size;
 }
 
 Found read_found(const JsonNode& node) {
@@ -219,11 +261,12 @@ void check_header(const JsonNode& root) {
   // Checks the format first, because in a file of another format the error should not be about
   // keys.
   root.expect_format("rastercheck-case");
-  root.expect_object(
-      {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
-      {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
-       "depth_clear", "depth_clamp", "depth_bias", "depth_format", "attributes", "camera",
-       "essential", "choices", "found", "picture", "round"});
+  root.expect_object({"format", "version", "framebuffer", "viewport", "rules", "vertices"},
+                     {"triangles",   "lines",      "points",       "line_width", "line_mode",
+                      "point_size",  "name",       "coverage",     "basis",      "fill_rule",
+                      "cull",        "front_face", "scissor",      "depth_test", "depth_clear",
+                      "depth_clamp", "depth_bias", "depth_format", "attributes", "camera",
+                      "essential",   "choices",    "found",        "picture",    "round"});
   if (root.failed()) return;
   if (root["version"].integer(0, std::numeric_limits<std::int32_t>::max()) != 1) {
     root["version"].refuse("version must be 1");
@@ -252,6 +295,15 @@ Case read_rounded(const JsonNode& outer, DecimalRounding& rounding) {
   if (root.has("depth_clamp")) c.depth_clamp = root["depth_clamp"].boolean();
   if (root.has("depth_bias")) c.depth_bias = read_depth_bias(root["depth_bias"]);
   if (root.has("depth_format")) c.depth_format = read_depth_format(root["depth_format"]);
+  c.primitive = read_primitive(root);
+  refuse_keys_of_others(root, c.primitive);
+  if (root.has("line_width")) c.line_width = read_size(root["line_width"]);
+  if (root.has("line_mode")) {
+    c.line_mode = root["line_mode"].enumerator<LineMode>();
+  } else if (c.primitive == Primitive::lines) {
+    c.line_mode = default_line_mode(c.rules, c.framebuffer.samples);
+  }
+  if (root.has("point_size")) c.point_size = read_size(root["point_size"]);
   if (root.has("attributes")) c.attributes = read_attributes(root["attributes"]);
   if (root.has("camera")) c.camera = read_camera(root["camera"]);
   if (root.has("essential")) {
@@ -266,7 +318,7 @@ Case read_rounded(const JsonNode& outer, DecimalRounding& rounding) {
   if (root.failed()) return c;
   read_vertices(root["vertices"], c);
   if (root.failed()) return c;
-  read_triangles(root["triangles"], c);
+  read_primitives(root[name_of(c.primitive)], c);
   return c;
 }
 

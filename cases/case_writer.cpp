@@ -65,6 +65,18 @@ std::string vertex_text(const Case& c, std::size_t vertex) {
   return text + "}";
 }
 
+std::string primitive_text(Primitive primitive, const Triangle& t) {
+  switch (primitive) {
+    case Primitive::triangles:
+      return fmt::format("[{}, {}, {}]", t[0], t[1], t[2]);
+    case Primitive::lines:
+      return fmt::format("[{}, {}]", t[0], t[1]);
+    case Primitive::points:
+      break;
+  }
+  return fmt::to_string(t[0]);
+}
+
 std::string found_text(const Found& found) {
   std::string rest;
   if (!found.kind.empty()) rest += fmt::format(R"(, "kind": {})", json_string(found.kind));
@@ -98,7 +110,8 @@ std::string to_json(const Case& c) {
   add("coverage", coverage_text(c.coverage));
   if (c.basis != default_basis(c.rules)) add("basis", word(c.basis));
   if (c.fill_rule != default_fill_rule(c.rules)) add("fill_rule", word(c.fill_rule));
-  add("cull", word(c.cull));
+  const bool has_triangles = c.primitive == Primitive::triangles;
+  if (has_triangles) add("cull", word(c.cull));
   add("front_face", word(c.front_face));
   if (c.scissor) {
     add("scissor", fmt::format(R"({{"x": {}, "y": {}, "width": {}, "height": {}}})", c.scissor->x,
@@ -113,6 +126,11 @@ std::string to_json(const Case& c) {
                                   number(c.depth_bias.clamp)));
   }
   if (c.depth_format != DepthFormat::float32) add("depth_format", word(c.depth_format));
+  if (c.primitive == Primitive::lines) {
+    add("line_width", number(c.line_width));
+    add("line_mode", word(c.line_mode));
+  }
+  if (c.primitive == Primitive::points) add("point_size", number(c.point_size));
 
   std::vector<std::string> attributes;
   attributes.reserve(c.attributes.size());
@@ -131,12 +149,10 @@ std::string to_json(const Case& c) {
   vertices.reserve(c.positions.size());
   for (std::size_t i = 0; i < c.positions.size(); ++i) vertices.push_back(vertex_text(c, i));
   add("vertices", lines(vertices));
-  std::vector<std::string> triangles;
-  triangles.reserve(c.triangles.size());
-  for (const Triangle& t : c.triangles) {
-    triangles.push_back(fmt::format("[{}, {}, {}]", t[0], t[1], t[2]));
-  }
-  add("triangles", lines(triangles));
+  std::vector<std::string> primitives;
+  primitives.reserve(c.triangles.size());
+  for (const Triangle& t : c.triangles) primitives.push_back(primitive_text(c.primitive, t));
+  add(name_of(c.primitive), lines(primitives));
   if (c.essential) {
     std::vector<std::string> words;
     for (const std::string& one : *c.essential) words.push_back(json_string(one));

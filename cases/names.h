@@ -29,6 +29,12 @@ constexpr auto names_of(Interpolation /*type*/) {
 constexpr auto names_of(Location /*type*/) {
   return std::to_array<std::string_view>({"sample", "center", "centroid"});
 }
+constexpr auto names_of(Primitive /*type*/) {
+  return std::to_array<std::string_view>({"triangles", "lines", "points"});
+}
+constexpr auto names_of(LineMode /*type*/) {
+  return std::to_array<std::string_view>({"rectangular", "parallelogram", "bresenham"});
+}
 constexpr auto names_of(DepthTest /*type*/) {
   return std::to_array<std::string_view>({"none", "less"});
 }

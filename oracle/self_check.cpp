@@ -17,10 +17,10 @@ std::string difference(std::size_t triangle, int x, int y, int sample, const std
 
 std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& fragment) {
   const cases::Contract& contract = scene.contract();
-  const bool referee_applies = !contract.coverage &&
-                               contract.tie_rule == scene.source().fill_rule &&
-                               contract.draws_every_triangle() && !contract.sample_position &&
-                               fragment.decision.verdict == records::Verdict::required;
+  const bool referee_applies =
+      scene.source().primitive == cases::Primitive::triangles && !contract.coverage &&
+      contract.tie_rule == scene.source().fill_rule && contract.draws_every_triangle() &&
+      !contract.sample_position && fragment.decision.verdict == records::Verdict::required;
   if (!referee_applies) return std::nullopt;
 
   const std::size_t triangle = fragment.place.triangle;
@@ -62,7 +62,8 @@ std::optional<std::string> self_check(const SceneTruth& scene, std::size_t trian
   if (decision.verdict == records::Verdict::required) {
     return self_check(scene, fragment_at(scene, truth, triangle, x, y, sample, decision));
   }
-  const bool differs = decision.verdict == records::Verdict::forbidden &&
+  const bool differs = scene.source().primitive == cases::Primitive::triangles &&
+                       decision.verdict == records::Verdict::forbidden &&
                        referee(scene.source(), triangle, x, y, sample).has_value();
   if (!differs) return std::nullopt;
   return difference(triangle, x, y, sample, "covered or not");

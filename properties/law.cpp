@@ -119,10 +119,13 @@ Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend&
                         std::uint64_t index) {
   const bool is_excluded = (law.needs_samples && covers_pixels(backend)) ||
                            (law.excludes_outer && covers_touched_pixels(backend));
-  if (is_excluded) {
+  const bool is_of_triangles =
+      c.primitive != cases::Primitive::triangles && !law.takes_lines_and_points;
+  if (is_excluded || is_of_triangles) {
     Check none;
     none.is_applicable = false;
-    none.why_not = why_unpromised(law, backend);
+    none.why_not = is_excluded ? why_unpromised(law, backend)
+                               : std::string_view("the property is about triangles");
     return none;
   }
   if (law.check_given != nullptr) return law.check_given(c, backend, index);

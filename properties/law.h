@@ -101,6 +101,8 @@ struct Law {
   /// True if the law assumes that covered samples lie in their triangle, and that triangles without
   /// area draw nothing. It then applies to no backend with outer conservative coverage.
   bool excludes_outer = false;
+  /// True if the law also applies to cases of lines or points. Others assume triangles.
+  bool takes_lines_and_points = false;
   /// Labels that the law's random cases must reach.
   std::vector<Cover> covers = {};
 };

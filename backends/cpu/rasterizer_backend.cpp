@@ -116,6 +116,11 @@ std::vector<std::string> variants(const RasterizerOptions& options) {
   return all;
 }
 
+Result<void> refuse_lines_and_points(const cases::Case& c) {
+  if (c.primitive == cases::Primitive::triangles) return {};
+  return tl::unexpected(Error{"", "", "only triangles are drawn", Failure::unsupported});
+}
+
 class RasterizerBackend : public Backend,
                           private PictureDrawer,
                           private PictureContinuer,
@@ -155,6 +160,9 @@ class RasterizerBackend : public Backend,
   }
   bool is_conservative() const { return options_.conservative != ras::Conservative::off; }
   Result<cases::Fragments> draw_fragments(const cases::Case& asked_for) override {
+    if (const auto refused = refuse_lines_and_points(asked_for); !refused) {
+      return tl::unexpected(refused.error());
+    }
     const ras::OnSimdTarget target(options_.simd);
     std::optional<cases::Case> rounded;
     if (options_.rounds_down && asked_for.coverage) {
@@ -177,15 +185,22 @@ class RasterizerBackend : public Backend,
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override {
     const ras::OnSimdTarget target(options_.simd);
-    return backends::draw_picture(c, pipeline, {options_.conservative, options_.threads});
+    return refuse_lines_and_points(c).and_then([&] {
+      return backends::draw_picture(c, pipeline, {options_.conservative, options_.threads});
+    });
   }
   Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                          cases::Picture& picture) override {
     const ras::OnSimdTarget target(options_.simd);
-    return backends::draw_over(c, pipeline, {options_.conservative, options_.threads}, picture);
+    return refuse_lines_and_points(c).and_then([&] {
+      return backends::draw_over(c, pipeline, {options_.conservative, options_.threads}, picture);
+    });
   }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override {
+    if (const auto refused = refuse_lines_and_points(c); !refused) {
+      return tl::unexpected(refused.error());
+    }
     ras::State state = state_of(c);
     state.precision = options_.precision;
     const CaseMesh memory(c);

@@ -79,7 +79,8 @@ void members(Archive& archive, T& c) {
   archive(c.name, c.framebuffer, c.viewport, c.rules, c.coverage, c.basis, c.fill_rule, c.cull,
           c.front_face, c.scissor, c.depth_test, c.depth_clear, c.depth_clamp, c.depth_bias,
           c.depth_format, c.attributes, c.camera, c.positions, c.attribute_values, c.clip_distances,
-          c.clip_distance_count, c.triangles, c.essential, c.choices, c.found);
+          c.clip_distance_count, c.primitive, c.triangles, c.line_width, c.line_mode, c.point_size,
+          c.essential, c.choices, c.found);
 }
 template <typename Archive, cases::Either<cases::TrianglePromise> T>
 void members(Archive& archive, T& p) {
@@ -143,8 +144,8 @@ void members(Archive& archive, T& l) {
 }
 template <typename Archive, cases::Either<cases::Capabilities> T>
 void members(Archive& archive, T& c) {
-  archive(c.rules, c.sample_counts, c.lacks, c.max_size, c.size_multiple, c.max_viewport,
-          c.max_attributes, c.max_clip_distances, c.numbers);
+  archive(c.rules, c.sample_counts, c.primitives, c.lacks, c.max_size, c.size_multiple,
+          c.max_viewport, c.max_attributes, c.max_clip_distances, c.numbers);
 }
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {

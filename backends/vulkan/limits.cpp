@@ -63,6 +63,7 @@ std::string lacks_depth(const Limits& limits, const cases::Case& c) {
 }
 
 std::string lacks_rules(const Limits& limits, const cases::Case& c) {
+  if (c.primitive != cases::Primitive::triangles) return "lines and points";
   if (c.rules == cases::Rules::d3d) return "the rules of D3D";
   if (c.rules == cases::Rules::vulkan) return "";
   if (!limits.depth_clip_control) {

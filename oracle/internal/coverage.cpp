@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "oracle/internal/conservative.h"
+#include "oracle/internal/membership.h"
+#include "oracle/internal/primitive_coverage.h"
 
 namespace rastercheck::oracle {
 namespace {
@@ -11,48 +13,6 @@ namespace {
 using records::Reason;
 using records::SampleVerdict;
 using records::Verdict;
-
-/// Says whether a point is inside in some reading of the contract (`possible`), whether it is
-/// inside in every reading (`sure`), and whether a boundary goes exactly through the point (`tie`).
-struct Membership {
-  bool possible = true;
-  bool sure = true;
-  bool tie = false;
-
-  Membership& operator&=(const Membership& other) {
-    possible = possible && other.possible;
-    sure = sure && other.sure;
-    tie = tie || other.tie;
-    return *this;
-  }
-};
-
-constexpr Membership kOutside{.possible = false, .sure = false};
-
-/// The answer of a boundary whose value at the point has the sign `sign` and whose inward normal
-/// (A, B) has the signs `sign_a` and `sign_b`.
-Membership side(int sign, int sign_a, int sign_b, const Scene& scene) {
-  if (sign > 0) return {};
-  if (sign < 0) return kOutside;
-  if (scene.contract().tie_rule == cases::TieRule::unspecified) {
-    return {.possible = true, .sure = false, .tie = true};
-  }
-  const bool inside = scene.owns_tie(sign_a, sign_b);
-  return {.possible = inside, .sure = inside, .tie = true};
-}
-
-Membership side(const Line& boundary, const Point& p, const Scene& scene) {
-  return side(boundary.sign_at(p), sign_of(boundary.a), sign_of(boundary.b), scene);
-}
-
-Membership side(const ClipFunctional& functional, const Point& p, const Scene& scene) {
-  const Line& line = functional.line;
-  if (line.is_constant() && sign_of(line.c) == 0) return {};
-  if (functional.zero_is_tie) return side(line, p, scene);
-  const int sign = line.sign_at(p);
-  if (sign < 0) return kOutside;
-  return {.tie = sign == 0 && functional.is_user_distance};
-}
 
 Membership inside_edges(const ProjectiveMap& map, const Point& p, const Scene& scene) {
   if (map.orientation() == 0) return kOutside;
@@ -129,21 +89,6 @@ bool is_outside_hull(const Point& p, const Placements& placements) {
   return std::any_of(points.begin(), points.end(), [&separates](const auto& pivot) {
     return separates(pivot, 1) || separates(pivot, -1);
   });
-}
-
-/// Compares |line(p)| with tolerance · (|A| + |B|), the line's largest change if p moves by the
-/// tolerance along both axes. Returns 0 if |line(p)| is not larger, else 1 inside, −1 outside.
-int side_within(const Line& line, const Ring& tolerance, const Point& p) {
-  const double near_tolerance = near_double(tolerance);
-  if (has_normal_products(near_tolerance, tolerance)) {
-    const int side = line.certain_side(near_point(p), near_tolerance);
-    if (side != 0) return side;
-  }
-  const Ring value = line.at(p);
-  if (line.is_constant()) return sign_of(value) < 0 ? -1 : 1;
-  const Ring band = band_of(line, tolerance);
-  if (value > band) return 1;
-  return value < -band ? -1 : 0;
 }
 
 /// Decides by the distance from the exact edges (TriangleSetup::edge_bands), which settles nearly
@@ -305,13 +250,6 @@ SampleVerdict decide_cut_degenerate(const TriangleSetup& triangle, const Point& 
   return is_beside_a_vertex(triangle, p) ? open : never;  // all vertices are one point
 }
 
-/// The reason why samples near a boundary of a triangle of shape cut are open.
-Reason reason_of_cut(const TriangleSetup& triangle) {
-  if (triangle.has_nonpositive_w) return Reason::nonpositive_w;
-  const bool is_open = triangle.scene->contract().has_open_viewport();
-  return is_open ? Reason::viewport : Reason::clip_edge;
-}
-
 /// Decides for a triangle of Shape::cut. Clipping makes new vertices, which are snapped too, so a
 /// cut edge and the clip edge may be off by the tolerance along each axis. If a polygon's corners
 /// move by at most t per axis, every inner point farther than t per axis from the boundary stays
@@ -363,6 +301,7 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 }  // namespace
 
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle) {
+  if (!triangle.is_triangle()) return std::nullopt;
   if (triangle.is_left_out) return CoverageBoundary{&triangle.ideal, false, false};
   if (!triangle.promise.is_made || triangle.may_be_left_out) return std::nullopt;
   if (triangle.scene->contract().conservative) {
@@ -403,6 +342,7 @@ CutFacing facing_of_cut(const TriangleSetup& triangle) {
 SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
   if (!triangle.promise.is_made) return {Verdict::permitted, Reason::not_promised};
   if (triangle.is_left_out) return {Verdict::forbidden, Reason::clipped};
+  if (!triangle.is_triangle()) return decide_primitive(triangle, p);
   if (triangle.scene->contract().conservative) {
     const Scene& scene = *triangle.scene;
     const auto pixel = [&scene](const Ring& at) {
@@ -450,6 +390,11 @@ SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
                ? SampleVerdict{Verdict::permitted, Reason::not_promised}
                : SampleVerdict{Verdict::forbidden, Reason::viewport};
   }
+  if (!triangle.is_triangle()) {
+    return scene.target_pixels().holds(x, y)
+               ? decide_point(triangle, scene.sample_point(x, y, sample))
+               : SampleVerdict{Verdict::forbidden, Reason::viewport};
+  }
   if (scene.contract().conservative) {
     return triangle.is_left_out ? SampleVerdict{Verdict::forbidden, Reason::clipped}
                                 : if_drawn(triangle, decide_conservatively(triangle, x, y));
@@ -467,6 +412,7 @@ SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
 }
 
 std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangle, const Point& p) {
+  if (!triangle.is_triangle()) return std::nullopt;
   const ProjectiveMap& map = triangle.corner_count() == 1 ? triangle.corner(0) : triangle.ideal;
   if (map.orientation() == 0) return std::nullopt;
 

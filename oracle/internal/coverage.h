@@ -43,7 +43,8 @@ CutFacing facing_of_cut(const TriangleSetup& triangle);
 
 /// The signed distance from a point to the boundary that decides it, in pixels: the least over all
 /// edges, clip functionals and viewport sides, positive inside. With several placements, the
-/// distance to the exact triangle's boundary. Empty for a triangle without orientation.
+/// distance to the exact triangle's boundary. Empty for a triangle without orientation, and for
+/// lines and points.
 std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangle, const Point& p);
 
 }  // namespace rastercheck::oracle

@@ -60,7 +60,8 @@ Stratum stratum_of(const TriangleSetup& triangle) {
     longest = std::max(longest, du * du + dv * dv);
   }
   const double area = std::abs((u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]));
-  if (area * kSliver < longest) return Stratum::sliver;  // height = twice the area / longest edge
+  if (triangle.is_triangle() && area * kSliver < longest)
+    return Stratum::sliver;  // height = twice the area / longest edge
   return triangle.scene->source().framebuffer.samples > 1 ? Stratum::multisampled
                                                           : Stratum::ordinary;
 }
@@ -98,8 +99,8 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
 void PreparedValues::set_centroids() {
   centroids_.reset();
   const bool is_asked =
-      map_ != nullptr && !scene_->contract().conservative && first_level_ == Level::filter &&
-      !scene_->scene().conventions().centroid_is_a_sample &&
+      map_ != nullptr && triangle_->is_triangle() && !scene_->contract().conservative &&
+      first_level_ == Level::filter && !scene_->scene().conventions().centroid_is_a_sample &&
       std::any_of(scene_->source().attributes.begin(), scene_->source().attributes.end(),
                   [](const auto& a) { return a.location == cases::Location::centroid; });
   if (is_asked) centroids_ = CentroidFilter::make(*triangle_, *map_, edges_, coverage_->box());
@@ -109,6 +110,7 @@ void PreparedValues::set_shifts() {
   sample_shifts_.reset();
   center_shifts_.reset();
   if (!is_open_ || map_ == nullptr || first_level_ != Level::filter) return;
+  if (!triangle_->is_triangle()) return;
   // Samples of a covered pixel may lie outside every placement, which the filter does not expect.
   if (scene_->contract().conservative) return;
   const PixelBox& box = coverage_->box();

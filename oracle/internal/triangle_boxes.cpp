@@ -117,6 +117,9 @@ PixelBox box_of(const SceneTruth& scene, std::size_t triangle,
                 const cases::TrianglePromise& promise) {
   const cases::Case& source = scene.source();
   const PixelBox all{0, 0, source.framebuffer.width, source.framebuffer.height};
+  if (source.primitive != cases::Primitive::triangles) {
+    return TriangleTruth(scene, triangle).pixels();
+  }
   if (source.camera) return all;
   const std::optional<NearVertices> near = near_vertices(source, triangle);
   if (!near) return all;

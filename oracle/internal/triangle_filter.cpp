@@ -72,7 +72,7 @@ TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& bo
   set_inner_pixels();
   const bool has_lines =
       first_level_ == Level::filter && triangle.promise.is_made && !triangle.may_be_left_out;
-  if (is_empty_ || !has_lines) return;
+  if (is_empty_ || !has_lines || !triangle.is_triangle()) return;
   if (triangle.scene->contract().conservative) {
     add_conservative_lines();
     return;
@@ -113,7 +113,7 @@ void TriangleFilter::add_conservative_lines() {
 }
 
 bool TriangleFilter::is_cut_and_culled() const {
-  return triangle_->promise.is_made && triangle_->shape == Shape::cut &&
+  return triangle_->is_triangle() && triangle_->promise.is_made && triangle_->shape == Shape::cut &&
          triangle_->ideal.orientation() != 0 && facing_of_cut(*triangle_) == CutFacing::culled;
 }
 

@@ -27,7 +27,7 @@ TriangleSetup::TriangleSetup(const Scene& owner, std::size_t triangle)
       promise(cases::promise_of(owner.contract(), owner.source(), triangle)),
       indices(owner.source().triangles[triangle]),
       columns(window_columns(owner, indices)),
-      ideal(columns) {
+      ideal(map_of(columns)) {
   for (const RingVector3& column : columns) {
     has_nonpositive_w = has_nonpositive_w || sign_of(column[2]) <= 0;
   }
@@ -38,10 +38,34 @@ TriangleSetup::TriangleSetup(const Scene& owner, std::size_t triangle)
   if (scene->contract().coverage) {
     cases::Snapping snapping = *scene->contract().coverage;
     snapping.position_error = promise.position_error;
-    set_up_snapping(snapping);
+    if (is_triangle()) {
+      set_up_snapping(snapping);
+    } else {
+      set_up_snapped_primitive(snapping);
+    }
   }
   const float least_area = scene->contract().least_area;
-  may_be_left_out = least_area > 0 && has_less_area_than(double{least_area});
+  may_be_left_out = is_triangle() && least_area > 0 && has_less_area_than(double{least_area});
+}
+
+ProjectiveMap TriangleSetup::map_of(const std::array<RingVector3, 3>& at) const {
+  const cases::Case& source = scene->source();
+  switch (source.primitive) {
+    case cases::Primitive::triangles:
+      return ProjectiveMap(at);
+    case cases::Primitive::lines:
+      return ProjectiveMap::of_line(at[0], at[1],
+                                    source.line_mode == cases::LineMode::parallelogram);
+    case cases::Primitive::points:
+      break;
+  }
+  return ProjectiveMap::of_point(at[0]);
+}
+
+Ring TriangleSetup::primitive_size() const {
+  const cases::Case& source = scene->source();
+  const bool is_line = source.primitive == cases::Primitive::lines;
+  return exact_ring(is_line ? source.line_width : source.point_size) * scene->units_per_pixel();
 }
 
 namespace {
@@ -136,7 +160,7 @@ void TriangleSetup::for_each_clip_plane(const Take& take) const {
 
 void TriangleSetup::set_up_clipping() {
   const cases::Case& source = scene->source();
-  if (!source.camera && source.clip_distance_count == 0) {
+  if (!source.camera && source.clip_distance_count == 0 && is_triangle()) {
     // Comparisons are exact. The floats are first converted to double, so this holds even if the
     // processor flushes subnormal floats.
     for (std::size_t i = 0; i < 3 && !source.depth_clamp; ++i) {
@@ -256,6 +280,86 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   for (std::size_t i = 0; i < 3; ++i) edge_bands[i] = band_of(ideal.edge(i), reach);
 }
 
+namespace {
+
+/// How far any point that a line covers may move, at most, if its ends move by up to `reach` along
+/// each axis. `width` is the line's, `length` at most the distance between its ends.
+///
+/// Let ρ = √2 reach be the largest move of an end, and û, û' the directions before and after. As
+/// |û' − û| <= 2 |e| / (L + L') for a difference e of the two ends' moves (Dunkl & Williams 1964,
+/// in an inner product space), |e| <= 2ρ and L' >= L − 2ρ, it is at most 2ρ/(L − ρ). A point of the
+/// line is a mean of its ends and at most width/2 beside it, so it moves by at most
+/// ρ + width ρ/(L − ρ). Covered samples are those of a convex set each of whose points moves by no
+/// more than that.
+///
+/// Empty if nothing bounds it, because the ends may meet.
+std::optional<double> moved_line_reach(double reach, double width, double length) {
+  const double end = reach * 1.4142136;  // more than √2
+  if (!(length > 2 * end)) return std::nullopt;
+  // The factor is more than the roundings above and here.
+  return (end + width * end / (length - end)) * (1 + 0x1p-40);
+}
+
+}  // namespace
+
+/// Lines and points are of shape placed only if their vertices have one placement. With several, or
+/// if clip planes cut a line, they are of shape cut, known to within `reach`. Nothing is promised
+/// of lines of which that is not known.
+void TriangleSetup::set_up_snapped_primitive(const cases::Snapping& snapping) {
+  const cases::Case& source = scene->source();
+  for (std::size_t i = 0; i < 3; ++i) {
+    is_clipped[i] = is_clipped[i] || sign_of(columns[i][2]) <= 0 || is_beyond_guard_band(i) ||
+                    scene->contract().has_open_viewport();
+    is_whole = is_whole && !is_clipped[i];
+  }
+  const Ring unit(scene->grid_unit());
+  reach = candidate_radius(snapping) * unit;
+  long placements = 1;
+  const std::size_t vertices = source.primitive == cases::Primitive::lines ? 2 : 1;
+  for (std::size_t i = 0; is_whole && i < 3; ++i) {
+    snapped[i] = snap(columns[i], snapping, scene->units_per_pixel());
+    if (i < vertices) placements = std::min(placements * snapped[i]->placements(), kMostPlacements);
+  }
+  shape = is_whole && placements == 1 ? Shape::placed : Shape::cut;
+  if (shape == Shape::placed) {
+    corner_count_ = 1;
+    return;
+  }
+  if (!is_whole) {
+    tolerance = (Ring(promise.clip_tolerance) + exact_ring(promise.position_error)) * unit;
+    reach = std::max(reach, tolerance);
+    if (scene->contract().has_open_viewport()) open_viewport();
+  }
+  if (source.primitive == cases::Primitive::points) return;
+  if (has_nonpositive_w) {
+    promise.is_made = false;
+    return;
+  }
+  const auto& [w, u, v] = near_positions();
+  const double du = std::abs(u[1] - u[0]);
+  const double dv = std::abs(v[1] - v[0]);
+  // More than these differences are off, of positions that are known to within 2^-48 relative.
+  const double off = (std::abs(u[0]) + std::abs(u[1]) + std::abs(v[0]) + std::abs(v[1])) * 0x1p-46;
+  const double vertex_reach = reach.to_interval().second;
+  const double width = primitive_size().to_interval().second;
+  std::optional<double> moved = moved_line_reach(vertex_reach, width, std::hypot(du, dv) - 4 * off);
+  promise.is_made = moved.has_value();
+  if (!moved) return;
+  // If either axis may be the major one, a parallelogram may be either of two.
+  const bool may_turn_over = std::abs(du - dv) <= 4 * vertex_reach + 2 * off;
+  if (source.line_mode == cases::LineMode::parallelogram && may_turn_over) *moved += width;
+  reach = Ring(*moved);
+  tolerance = reach;
+}
+
+std::array<RingVector3, 3> TriangleSetup::placed_columns_of_all() const {
+  std::array<RingVector3, 3> all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    all[i] = placed_columns(*snapped[i], scene->grid_unit(), true).front();
+  }
+  return all;
+}
+
 /// Reduces an open viewport to the requested one. Let A be the affine map, one per axis, that takes
 /// the sides of the requested viewport to those of the drawn one. Moving a vertex by δ in the drawn
 /// viewport equals moving it by δ/s in the requested one, where s is the factor of A. The drawn
@@ -274,6 +378,9 @@ void TriangleSetup::open_viewport() {
 }
 
 const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
+  if (!is_triangle() && corners_.empty()) {
+    corners_.push_back(std::make_unique<const ProjectiveMap>(map_of(placed_columns_of_all())));
+  }
   if (corners_.empty()) {
     for (std::size_t i = 0; i < 3; ++i) {
       extreme_columns_[i] = placed_columns(*snapped[i], scene->grid_unit(), true);
@@ -451,6 +558,7 @@ std::pair<int, int> touched(std::span<const double> at, double spread, double un
 
 PixelBox TriangleSetup::pixels() const {
   if (!promise.is_made) return scene->target_pixels();
+  if (!is_triangle()) return pixels_of_primitive();
   const PixelBox all = has_open_sides ? scene->target_pixels() : scene->pixels();
   if (may_cover_far_pixels(*this)) return all;
   const Ring moved = (shape == Shape::exact ? Ring(0) : reach) + conservative_spread(*scene);
@@ -458,6 +566,19 @@ PixelBox TriangleSetup::pixels() const {
   const double spread = near_double(moved);
   const NearPositions& near = near_positions();
   const double units = near_double(scene->units_per_pixel());
+  const auto [x0, x1] = touched(near.u, spread, units, all.x1);
+  const auto [y0, y1] = touched(near.v, spread, units, all.y1);
+  return intersection(all, {x0, y0, x1, y1});
+}
+
+/// The box of a line or point. Half its size is enough to all sides of a square or a parallelogram,
+/// and of a rectangle at any angle; pixels that Bresenham's lines select are at most one more away.
+PixelBox TriangleSetup::pixels_of_primitive() const {
+  const PixelBox& all = scene->target_pixels();
+  if (has_nonpositive_w) return all;
+  const double units = near_double(scene->units_per_pixel());
+  const double spread = near_double(primitive_size()) + near_double(reach) + 2 * units;
+  const NearPositions& near = near_positions();
   const auto [x0, x1] = touched(near.u, spread, units, all.x1);
   const auto [y0, y1] = touched(near.v, spread, units, all.y1);
   return intersection(all, {x0, y0, x1, y1});

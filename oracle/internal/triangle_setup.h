@@ -1,6 +1,8 @@
 #pragma once
 
-// One triangle of a scene, prepared for questions about its samples.
+// One triangle, line or point of a scene, prepared for questions about its samples. What is said of
+// three vertices is true of lines and points as well, whose last vertex is there more than once
+// (cases::Triangle); what is said of edges and orientations is not (primitive_coverage.h).
 
 #include <array>
 #include <memory>
@@ -69,6 +71,11 @@ struct TriangleSetup {
   cases::Triangle indices;
   std::array<RingVector3, 3> columns;  ///< (X, Y, w) of each vertex
   ProjectiveMap ideal;                 ///< the map of the exact positions
+  /// The map of a triangle, line or point with these columns.
+  ProjectiveMap map_of(const std::array<RingVector3, 3>& at) const;
+  bool is_triangle() const { return scene->source().primitive == cases::Primitive::triangles; }
+  /// The width of lines or the size of points, in window units.
+  Ring primitive_size() const;
   /// True if some clip plane or clip distance affects coverage: a vertex lies beyond it or, for a
   /// user clip distance, on it, so that a tie is possible. If false, all planes and distances are
   /// positive wherever no edge function is negative.
@@ -100,10 +107,13 @@ struct TriangleSetup {
   const ProjectiveMap& corner(std::size_t number) const;
   /// Shape placed: found when first asked for.
   const Placements& placements() const;
+  /// Shape placed with one placement: the columns of the vertices there.
+  std::array<RingVector3, 3> placed_columns_of_all() const;
 
   /// Shape cut: the largest error of a cut boundary, per axis, in window units.
   Ring tolerance;
-  /// Shapes placed and cut: the largest move of any vertex, per axis, in window units.
+  /// Shapes placed and cut: the largest move of any vertex, per axis, in window units. Of a line of
+  /// shape cut: of any point that it covers (moved_line_reach() in triangle_setup.cpp).
   Ring reach;
   /// Shape cut: the part of `reach` by which each vertex may move on its own. The rest comes from
   /// the viewport and is the same for all vertices.
@@ -179,10 +189,12 @@ struct TriangleSetup {
   Ring clip_size(const std::array<Ring, 3>& distances, bool is_user_distance) const;
   Line widened(const Line& line, const Ring& more) const;
   PixelBox pixels_of_clipped(const PixelBox& all, const Ring& moved) const;
+  PixelBox pixels_of_primitive() const;
   void set_up_clipping();
   void set_up_leaving_out();
   bool has_less_area_than(double area) const;
   void set_up_snapping(const cases::Snapping& snapping);
+  void set_up_snapped_primitive(const cases::Snapping& snapping);
   void open_viewport();
   bool has_points_deeper_than(const Ring& distance) const;
   bool is_beyond_guard_band(std::size_t vertex) const;

@@ -340,7 +340,7 @@ const TriangleValues::Region& TriangleValues::centroid_region(int x, int y) cons
   } else {
     for (std::size_t i = 0; i < 3; ++i) points.clip(map->edge(i));
   }
-  if (map != nullptr && !scene.contract().conservative) {
+  if (map != nullptr && triangle_->is_triangle() && !scene.contract().conservative) {
     points.clip({Ring(1), Ring(0), -scene.viewport_lo().u});
     points.clip({Ring(-1), Ring(0), scene.viewport_hi().u});
     points.clip({Ring(0), Ring(1), -scene.viewport_lo().v});

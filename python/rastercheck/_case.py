@@ -193,14 +193,21 @@ class Found(Record):
 
 @dataclass(frozen=True, repr=False)
 class Case(Record):
-    """Everything that decides what is drawn. None stands for a default that the program chooses,
-    such as the fill rule of the rules."""
+    """Everything that decides what is drawn. A case has triangles, lines or points. None stands for
+    a default that the program chooses, such as the fill rule of the rules."""
 
     framebuffer: Framebuffer
     viewport: Viewport
     rules: Rules
     vertices: Sequence[Vertex]
-    triangles: Sequence[Sequence[int]]
+    triangles: Optional[Sequence[Sequence[int]]] = None
+    lines: Optional[Sequence[Sequence[int]]] = field(default=None, kw_only=True)
+    points: Optional[Sequence[int]] = field(default=None, kw_only=True)
+    line_width: float = field(default=1.0, kw_only=True)
+    line_mode: Optional[Literal["rectangular", "parallelogram", "bresenham"]] = field(
+        default=None, kw_only=True
+    )
+    point_size: float = field(default=1.0, kw_only=True)
     name: str = field(default="", kw_only=True)
     coverage: Union[Literal["exact"], Snapping] = field(default="exact", kw_only=True)
     basis: Optional[Basis] = field(default=None, kw_only=True)
@@ -306,6 +313,9 @@ _CASE = _json.Object(
     depth_clamp=_PLAIN,
     depth_bias=_json.Object(DepthBias, constant=_NUMBER, slope=_NUMBER, clamp=_NUMBER),
     depth_format=_PLAIN,
+    line_width=_NUMBER,
+    line_mode=_PLAIN,
+    point_size=_NUMBER,
     attributes=_json.Many(
         _json.Object(Attribute, name=_PLAIN, interpolation=_PLAIN, location=_PLAIN)
     ),
@@ -314,6 +324,8 @@ _CASE = _json.Object(
         _json.Object(Vertex, position=_NUMBERS, attributes=_NUMBERS, clip_distances=_NUMBERS)
     ),
     triangles=_json.Many(_json.Many(_WHOLE)),
+    lines=_json.Many(_json.Many(_WHOLE)),
+    points=_json.Many(_WHOLE),
     essential=_json.Many(_PLAIN),
     choices=_WHOLE,
     picture=_json.Object(

@@ -95,8 +95,24 @@ TEST(Capabilities, AreOfRulesSizesAndNumbersOfThings) {
 }
 
 // Kills: a limit that excludes too much. A clamp alone changes no depth.
+TEST(Capabilities, AreOfTrianglesUnlessTheySayMore) {
+  Case c;
+  c.framebuffer = {4, 4, 1};
+  c.primitive = Primitive::lines;
+  EXPECT_EQ(lacked_by({}, c), "lines");
+  Capabilities has;
+  has.primitives = {Primitive::triangles, Primitive::lines};
+  EXPECT_EQ(lacked_by(has, c), "");
+  EXPECT_TRUE(has_meaning(has));
+  c.primitive = Primitive::points;
+  EXPECT_EQ(lacked_by(has, c), "points");
+  has.primitives = {};
+  EXPECT_FALSE(has_meaning(has));
+}
+
 TEST(Capabilities, NeedNoBiasForAClampAlone) {
   Capabilities has;
+  has.primitives = {Primitive::triangles, Primitive::points};
   has.lacks = {Feature::depth_bias, Feature::unorm_depth};
   Case c = plain();
   c.depth_bias.clamp = 0.5F;

@@ -272,6 +272,73 @@ TEST(CaseReader, NothingToDrawIsACase) {
   EXPECT_EQ(c.positions.size(), 3U);
 }
 
+/// The minimal document with other primitives than triangles.
+json with_primitives(const std::string& key, const std::string& value) {
+  json document = minimal();
+  document.erase("triangles");
+  document[key] = json::parse(value);
+  return document;
+}
+
+// A line has its second vertex twice and a point its vertex three times, so that whoever asks for
+// the vertices of a primitive need not ask what it is.
+TEST(CaseReader, LinesAndPointsTakeThePlaceOfTriangles) {
+  const Case lines = read(with_primitives("lines", "[[0, 1], [2, 0]]").dump());
+  EXPECT_EQ(lines.primitive, Primitive::lines);
+  EXPECT_THAT(lines.triangles, ElementsAre(Triangle{0, 1, 1}, Triangle{2, 0, 0}));
+  EXPECT_EQ(lines.line_width, 1);
+  const Case points = read(with_primitives("points", "[2, 0]").dump());
+  EXPECT_EQ(points.primitive, Primitive::points);
+  EXPECT_THAT(points.triangles, ElementsAre(Triangle{2, 2, 2}, Triangle{0, 0, 0}));
+  EXPECT_EQ(points.point_size, 1);
+  EXPECT_EQ(read(minimal().dump()).primitive, Primitive::triangles);
+}
+
+TEST(CaseReader, LinesAreWhatTheRulesMakeOfThem) {
+  const auto mode = [](const char* rules, int samples) {
+    json document = with_primitives("lines", "[]");
+    document["rules"] = rules;
+    document["framebuffer"]["samples"] = samples;
+    return read(document.dump()).line_mode;
+  };
+  EXPECT_EQ(mode("opengl", 1), LineMode::bresenham);
+  EXPECT_EQ(mode("opengl", 4), LineMode::rectangular);
+  EXPECT_EQ(mode("vulkan", 1), LineMode::rectangular);
+  EXPECT_EQ(mode("d3d", 4), LineMode::bresenham);
+  json document = with_primitives("lines", "[]");
+  document["line_mode"] = "parallelogram";
+  document["line_width"] = 16384;
+  EXPECT_EQ(read(document.dump()).line_mode, LineMode::parallelogram);
+  EXPECT_EQ(read(document.dump()).line_width, 16384);
+}
+
+// What a case says of primitives that it does not have would be ignored without a word.
+TEST(CaseReader, KeysOfOtherPrimitivesAreRefused) {
+  const auto refusal = [](json document, const std::string& key, const std::string& value) {
+    document[key] = json::parse(value);
+    const Result<Case> c = parse_case(document.dump(), "f");
+    return c ? "" : to_string(c.error());
+  };
+  EXPECT_EQ(refusal(minimal(), "line_width", "2"),
+            "f: /line_width: is of lines only, and the case has triangles");
+  EXPECT_EQ(refusal(with_primitives("points", "[]"), "line_mode", "\"rectangular\""),
+            "f: /line_mode: is of lines only, and the case has points");
+  EXPECT_EQ(refusal(with_primitives("lines", "[]"), "point_size", "2"),
+            "f: /point_size: is of points only, and the case has lines");
+  EXPECT_EQ(refusal(with_primitives("lines", "[]"), "cull", "\"back\""),
+            "f: /cull: is of triangles only, and the case has lines");
+  EXPECT_EQ(refusal(with_primitives("points", "[]"), "depth_bias", "{}"),
+            "f: /depth_bias: is of triangles only, and the case has points");
+  EXPECT_EQ(refusal(minimal(), "points", "[0]"), "f: /points: the case has triangles already");
+  EXPECT_EQ(refusal(with_primitives("points", "[]"), "points", "[3]"),
+            "f: /points/0: index 3 out of range: there are 3 vertices");
+  EXPECT_EQ(refusal(with_primitives("points", "[]"), "point_size", "0"),
+            "f: /point_size: must be more than 0");
+  json none = minimal();
+  none.erase("triangles");
+  EXPECT_EQ(refusal(none, "name", "\"\""), "f: /: missing key 'triangles', 'lines' or 'points'");
+}
+
 TEST(CaseReader, LimitsAreInclusive) {
   read_with("scissor", R"({"x": -16384, "y": 16384, "width": 16384, "height": 0})");
   read_with("viewport", R"({"x": 1e9, "y": 0, "width": 16384, "height": -16384})");

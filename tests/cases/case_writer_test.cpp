@@ -190,6 +190,29 @@ TEST(CaseWriter, NamesOfAnyTextSurvive) {
   }
 }
 
+TEST(CaseWriter, LinesAndPointsSurvive) {
+  Case c;
+  c.framebuffer = {4, 4, 1};
+  c.viewport = {0, 0, 4, 4, 0, 1};
+  c.rules = Rules::opengl;
+  c.fill_rule = default_fill_rule(c.rules);
+  c.positions = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
+  c.primitive = Primitive::lines;
+  c.triangles = {{0, 1, 1}, {2, 0, 0}};
+  c.line_width = 0x1.99999ap-4F;
+  for (const LineMode mode :
+       {LineMode::rectangular, LineMode::parallelogram, LineMode::bresenham}) {
+    c.line_mode = mode;
+    EXPECT_EQ(parse_case(to_json(c), "").value(), c);
+  }
+  c.primitive = Primitive::points;
+  c.triangles = {{2, 2, 2}};
+  c.line_width = 1;
+  c.line_mode = LineMode::rectangular;
+  c.point_size = 3.5F;
+  EXPECT_EQ(parse_case(to_json(c), "").value(), c);
+}
+
 TEST(CaseWriter, ACaseWithNothingToDrawSurvives) {
   Case c = one_triangle();
   c.triangles.clear();

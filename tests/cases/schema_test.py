@@ -282,6 +282,22 @@ SMALL_CASE = {
     "triangles": [[0, 1, 2]],
 }
 
+LINES_CASE = {
+    **{key: value for key, value in SMALL_CASE.items() if key != "triangles"},
+    "lines": [[0, 1], [2, 0]],
+    "line_width": 2.5,
+    "line_mode": "parallelogram",
+}
+POINTS_CASE = {
+    **{key: value for key, value in SMALL_CASE.items() if key != "triangles"},
+    "points": [2, 0],
+    "point_size": "0x1p+1",
+}
+CASES = {"full": FULL_CASE, "small": SMALL_CASE, "lines": LINES_CASE, "points": POINTS_CASE}
+# Keys of one kind of primitive, added to cases of the others.
+OF_ONE_PRIMITIVE = {"triangles": [], "lines": [], "points": [], "line_width": 1, "line_mode": "bresenham",
+                    "point_size": 1, "cull": "none", "depth_bias": {}}
+
 REPLACEMENTS = (None, True, 0, -1, 1.5, "x", [], {}, 1e39)
 
 
@@ -292,7 +308,8 @@ def reader_only(case):
     check which numbers are float32, duplicate keys, syntax or nesting depth, but no mutation breaks
     these."""
     count = len(case["vertices"])
-    if any(not 0 <= index < count for triangle in case["triangles"] for index in triangle):
+    indices = [index for key in ("triangles", "lines") for one in case.get(key, []) for index in one]
+    if any(not 0 <= index < count for index in indices + case.get("points", [])):
         return "an index is not below the number of vertices"
 
     declared = len(case.get("attributes", []))
@@ -336,8 +353,8 @@ def at(value, path):
     return value
 
 
-def mutations(base):
-    """(what was done, mutated case) for every mutation of one step."""
+def mutations(base, keys):
+    """(what was done, mutated case) for every mutation of one step of the case or below one of these keys."""
 
     def mutated(path, change):
         case = copy.deepcopy(base)
@@ -345,6 +362,8 @@ def mutations(base):
         return case
 
     for path in places(base):
+        if path and path[0] not in keys:
+            continue
         pointer = "/" + "/".join(map(str, path))
         value = at(base, path)
         for new in REPLACEMENTS:
@@ -357,6 +376,8 @@ def mutations(base):
             yield f"{pointer} replaced by {json.dumps(new)}", case
         if isinstance(value, dict):
             yield f"{pointer} with an unknown key", mutated(path, lambda o: o.update(unknown=0))
+            for key in OF_ONE_PRIMITIVE.keys() - value.keys() if not path else ():
+                yield f"with {key}", mutated(path, lambda o: o.update({key: OF_ONE_PRIMITIVE[key]}))
             for key in value:
                 yield f"{pointer} without {key}", mutated(path, lambda o: o.pop(key))
         if isinstance(value, list):
@@ -373,8 +394,9 @@ def check_mutations(reader, validator, pool):
     reasons = {}
     failures = []
     jobs = []
-    for name, base in (("full", FULL_CASE), ("small", SMALL_CASE)):
-        for what, case in itertools.chain([("unchanged", base)], mutations(base)):
+    for name, base in CASES.items():
+        keys = base.keys() if name in ("full", "small") else OF_ONE_PRIMITIVE.keys()
+        for what, case in itertools.chain([("unchanged", base)], mutations(base, keys)):
             label = f"mutation: {name} case, {what}"
             accepted_by_schema = validator.is_valid(case)
             reason = reader_only(case) if accepted_by_schema else None

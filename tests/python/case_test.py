@@ -20,6 +20,7 @@ from rastercheck import (
     Vertex,
     Viewport,
     float32,
+    oracle,
     run,
 )
 
@@ -138,8 +139,10 @@ def test_all_members_come_back():
         picture=PictureLayout([Channel("R", "u", 0.5)], storage="unorm8", blend="off"),
         found=Found("values", "cpu", seed=2**63, index=3),
     )
+    # Of other primitives than triangles, which a case has instead.
+    others = ("lines", "points", "line_width", "line_mode", "point_size")
     for one in dataclasses.fields(case):
-        if one.name != "extra":
+        if one.name not in ("extra", *others):
             assert getattr(case, one.name) not in (None, one.default), f"{one.name} is not tried"
     written = case.to_json()
     assert repr(Case.from_json(written)) == repr(Case.from_json(written.encode()))
@@ -147,6 +150,21 @@ def test_all_members_come_back():
     assert again == case
     assert hash(again) == hash(case)
     assert math.copysign(1, again.vertices[0].attributes[1]) == -1
+
+
+@pytest.mark.parametrize(
+    "members",
+    [
+        {"lines": [(0, 1), (1, 0)], "line_width": 2.5, "line_mode": "parallelogram"},
+        {"points": [1, 0], "point_size": float32(2.1)},
+    ],
+)
+def test_lines_and_points_come_back(members):
+    vertices = [Vertex((0, 1, 0, 1)), Vertex((1, 0, 0, 1))]
+    case = Case(Framebuffer(8, 4), Viewport(0, 0, 8, 4), "vulkan", vertices, **members)
+    assert "triangles" not in case.to_dict()
+    assert Case.from_json(case.to_json()) == case
+    assert oracle(case).fragments
 
 
 def test_a_depth_bias_needs_not_have_all_members():

@@ -57,6 +57,7 @@ std::string lacks_of_viewport(const Capabilities& has, const cases::Viewport& v)
 }
 
 std::string lacks_of_rules(const Capabilities& has, const cases::Case& c) {
+  if (c.primitive != cases::Primitive::triangles) return "only triangles are drawn";
   if (c.rules == cases::Rules::d3d) return "OpenGL does not support the rules of d3d";
   if (c.rules != cases::Rules::vulkan) return "";
   if (!has.has_clip_control) {

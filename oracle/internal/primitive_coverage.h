@@ -1,0 +1,15 @@
+#pragma once
+
+// The verdict of a sample of a line or a point (RULES §9, §10), decided exactly.
+
+#include "oracle/internal/triangle_setup.h"
+#include "records/verdict.h"
+
+namespace rastercheck::oracle {
+
+/// The verdict of a point as if it were a sample, for a line or point about which something is
+/// promised. Neither is cut off at the viewport, whose sides only clip the middle of a line and
+/// drop points: what is wide may reach beyond.
+records::SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p);
+
+}  // namespace rastercheck::oracle
