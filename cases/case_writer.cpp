@@ -120,7 +120,7 @@ std::string to_json(const Case& c) {
   if (c.depth_test != DepthTest::none) add("depth_test", word(c.depth_test));
   if (c.depth_clear) add("depth_clear", number(*c.depth_clear));
   if (c.depth_clamp) add("depth_clamp", "true");
-  if (!is_default(c.depth_bias)) {
+  if (has_triangles && !is_default(c.depth_bias)) {
     add("depth_bias", fmt::format(R"({{"constant": {}, "slope": {}, "clamp": {}}})",
                                   number(c.depth_bias.constant), number(c.depth_bias.slope),
                                   number(c.depth_bias.clamp)));

@@ -80,6 +80,8 @@ std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
     return triangle.has_unbounded_depths() ? std::optional(NotJudged::left_free) : std::nullopt;
   }
   if (bound.per_condition >= kAllDigits) return NotJudged::without_bound;  // because K >= 1
+  // K is of the weights of triangles.
+  if (bound.per_condition > 0 && !triangle.is_triangle()) return NotJudged::without_bound;
   const Scene& scene = *triangle.scene;
   if (!cases::promises_values_of(scene.contract(), scene.source(), triangle.index, *attribute)) {
     return NotJudged::not_promised;

@@ -78,7 +78,11 @@ std::optional<Case> by_rules(Case c, Rules rules) {
     turn_display(c);
     // The provoking vertex must stay the same: it is the last one in OpenGL and the first under the
     // other rules.
+    if (c.primitive == cases::Primitive::lines && needs(c, cases::Feature::flat)) {
+      return std::nullopt;  // turned round, it would be another line
+    }
     for (cases::Triangle& t : c.triangles) {
+      if (c.primitive != cases::Primitive::triangles) break;
       std::rotate(t.begin(), t.begin() + (is_opengl ? 1 : 2), t.end());
     }
   }

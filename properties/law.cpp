@@ -119,9 +119,9 @@ Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend&
                         std::uint64_t index) {
   const bool is_excluded = (law.needs_samples && covers_pixels(backend)) ||
                            (law.excludes_outer && covers_touched_pixels(backend));
-  const bool is_of_triangles =
+  const bool lacks_triangles =
       c.primitive != cases::Primitive::triangles && !law.takes_lines_and_points;
-  if (is_excluded || is_of_triangles) {
+  if (is_excluded || lacks_triangles) {
     Check none;
     none.is_applicable = false;
     none.why_not = is_excluded ? why_unpromised(law, backend)

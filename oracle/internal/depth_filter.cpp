@@ -25,6 +25,7 @@ std::optional<double> placement_radius(const TriangleSetup& triangle) {
   constexpr double kUp = 1 + 0x1p-40;  // for roundings
   const double reach = triangle.reach.to_interval().second;
   if (triangle.shape == Shape::cut) return reach;
+  if (!triangle.is_triangle()) return std::nullopt;
   const std::optional<double> rho = placement_turn(triangle);
   if (!rho) return std::nullopt;
   double least_w = std::numeric_limits<double>::infinity();

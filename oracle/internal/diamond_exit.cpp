@@ -27,13 +27,12 @@ struct Course {
 };
 
 /// The courses of a line along x + y and x − y.
-std::array<Course, 2> courses_of(const ExactPosition& from, const ExactPosition& to, bool is_d3d) {
+std::array<Course, 2> courses_of(const ExactPosition& from, const ExactPosition& to) {
   const Field dx = to[0] - from[0];
   const Field dy = to[1] - from[1];
-  // Moves by (ε, ε²) or (ε², ε): their sum and their difference.
-  const Field sign(is_d3d ? -1 : 1);
+  // The sum and the difference of the moves by ε and ε².
   return {Course{from[0] + from[1], dx + dy, Field(1), Field(1)},
-          Course{from[0] - from[1], dx - dy, sign, -sign}};
+          Course{from[0] - from[1], dx - dy, Field(1), Field(-1)}};
 }
 
 /// The two ends of a diamond along x + y and x − y.
@@ -74,28 +73,57 @@ bool meets(const std::array<Course, 2>& courses,
   return after < before;
 }
 
-/// True if a line from `from` to `to` goes exactly through the right corner of the pixel's diamond.
-bool touches_right_corner(const ExactPosition& from, const ExactPosition& to, int x, int y) {
-  const ExactPosition corner{Field(x + 1), Field(2 * y + 1, 2)};
-  const Field dx = to[0] - from[0];
-  const Field dy = to[1] - from[1];
-  const Field across = dx * (corner[1] - from[1]) - dy * (corner[0] - from[0]);
-  const Field along = dx * (corner[0] - from[0]) + dy * (corner[1] - from[1]);
-  return sign_of(across) == 0 && sign_of(along) >= 0 && along <= dx * dx + dy * dy;
+// --- Direct3D ------------------------------------------------------------------------------------
+
+/// True if Direct3D's diamond of a pixel has the point: the open diamond, its two lower edges with
+/// the bottom corner (y is down) and, for lines that are longer along y, its right corner.
+bool d3d_diamond_has(const ExactPosition& p, int x, int y, bool is_y_major) {
+  const Field dx = p[0] - Field(2 * x + 1, 2);
+  const Field dy = p[1] - Field(2 * y + 1, 2);
+  const Field distance = magnitude(dx) + magnitude(dy);
+  if (distance != Field(1, 2)) return distance < Field(1, 2);
+  return sign_of(dy) > 0 || (is_y_major && sign_of(dy) == 0 && sign_of(dx) > 0);
+}
+
+/// The line meets the closed diamond from one t to another. If it meets the open one, then half-way
+/// between them; if it only touches an edge, that has the same owner everywhere but at its corners.
+bool d3d_diamond_meets(const ExactPosition& from, const ExactPosition& to, int x, int y,
+                       bool is_y_major) {
+  const auto diamond = diamond_of(x, y);
+  const std::array<Field, 2> begin{from[0] + from[1], from[0] - from[1]};
+  const std::array<Field, 2> end{to[0] + to[1], to[0] - to[1]};
+  Field first(0);
+  Field last(1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Field change = end[i] - begin[i];
+    if (sign_of(change) == 0) {
+      if (begin[i] < diamond[i][0] || begin[i] > diamond[i][1]) return false;
+      continue;
+    }
+    Field enters = (diamond[i][0] - begin[i]) / change;
+    Field leaves = (diamond[i][1] - begin[i]) / change;
+    if (leaves < enters) std::swap(enters, leaves);
+    first = std::max(first, enters);
+    last = std::min(last, leaves);
+  }
+  if (last < first) return false;
+  const auto has = [&](const Field& t) {
+    const ExactPosition p{from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])};
+    return d3d_diamond_has(p, x, y, is_y_major);
+  };
+  return has(first) || has(last) || has((first + last) / Field(2));
 }
 
 }  // namespace
 
 bool exits_diamond(const ExactPosition& from, const ExactPosition& to, int x, int y, bool is_d3d) {
   if (from == to) return false;
-  const std::array<Course, 2> courses = courses_of(from, to, is_d3d);
-  const auto diamond = diamond_of(x, y);
-  const bool is_y_major = magnitude(Field(to[1] - from[1])) > magnitude(Field(to[0] - from[0]));
-  if (is_d3d && is_y_major) {
-    const ExactPosition right{Field(x + 1), Field(2 * y + 1, 2)};
-    if (to == right) return false;
-    if (touches_right_corner(from, to, x, y)) return !holds_end(courses, diamond);
+  if (is_d3d) {
+    const bool is_y_major = magnitude(Field(to[1] - from[1])) > magnitude(Field(to[0] - from[0]));
+    return d3d_diamond_meets(from, to, x, y, is_y_major) && !d3d_diamond_has(to, x, y, is_y_major);
   }
+  const std::array<Course, 2> courses = courses_of(from, to);
+  const auto diamond = diamond_of(x, y);
   return meets(courses, diamond) && !holds_end(courses, diamond);
 }
 

@@ -4,9 +4,11 @@
 //
 // A line selects a pixel if it meets the open diamond |x − x_c| + |y − y_c| < 1/2 around the
 // pixel's centre, unless its end lies in that diamond. To decide ties, the line is first moved by
-// −(ε, ε²), or under D3D by −(ε², ε), for an infinitely small ε: a diamond then owns its right
-// corner's two edges, or under D3D its two lower edges. Under D3D it also owns its right corner for
-// lines that are longer along y (Direct3D 11.3 Functional Specification, section 3.4.3).
+// −(ε, ε²), for an infinitely small ε: a diamond then owns its two right edges.
+//
+// Under D3D nothing is moved. A diamond also has its two lower edges with the corner between them
+// and, for lines that are longer along y, its right corner (Direct3D 11.3 Functional Specification,
+// section 3.4.3).
 
 #include <array>
 

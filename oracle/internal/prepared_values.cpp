@@ -213,7 +213,7 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
 /// True if the value is affine and the filter, which tests 1/w only where it divides by it, might
 /// see a sample with 1/w <= 0: one of a conservatively covered pixel, outside the triangle.
 bool PreparedValues::may_lie_behind(const PreparedValue& value) const {
-  if (!scene_->contract().conservative || value.kind == AttributeKind::smooth) return false;
+  if (!scene_->scene().covers_outside() || value.kind == AttributeKind::smooth) return false;
   const auto& positions = scene_->source().positions;
   const float w = positions[triangle_->indices[0]].w;
   const bool is_alike =

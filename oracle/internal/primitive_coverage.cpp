@@ -60,9 +60,10 @@ Membership in_square(const RingVector3& column, const Ring& size, const Point& p
   return all;
 }
 
-SampleVerdict verdict_of(const Membership& all) {
+/// `open`: why a sample may be open.
+SampleVerdict verdict_of(const Membership& all, Reason open = Reason::tie) {
   if (!all.possible) return {Verdict::forbidden, Reason::outside};
-  if (!all.sure) return {Verdict::permitted, all.tie ? Reason::tie : Reason::snapping};
+  if (!all.sure) return {Verdict::permitted, open};
   return {Verdict::required, all.tie ? Reason::tie : Reason::inside};
 }
 
@@ -71,23 +72,6 @@ void take_reading(Membership& over_all, const Membership& one) {
   over_all.possible = over_all.possible || one.possible;
   over_all.sure = over_all.sure && one.sure;
   over_all.tie = over_all.tie || one.tie;
-}
-
-/// Over all positions up to `moved` away along each axis. A position between two others, along an
-/// axis, covers what both cover.
-Membership over_moves(const RingVector3& column, const Ring& moved, const Ring& size,
-                      const Point& p, const Scene& scene) {
-  Membership over_all{.possible = false, .sure = true};
-  for (const int along_u : {-1, 1}) {
-    for (const int along_v : {-1, 1}) {
-      RingVector3 there = column;
-      there[0] += Ring(along_u) * moved * column[2];
-      there[1] += Ring(along_v) * moved * column[2];
-      take_reading(over_all, in_square(there, size, p, scene));
-    }
-  }
-  over_all.possible = in_square(column, size + Ring(2) * moved, p, scene).possible;
-  return over_all;
 }
 
 /// Over the grid points that the vertex may be placed on and, unless the contract has vertices on
@@ -113,7 +97,7 @@ Membership over_grid_points(const TriangleSetup& point, const Point& p) {
   return over_all;
 }
 
-SampleVerdict decide_point_primitive(const TriangleSetup& point, const Point& p) {
+SampleVerdict decide_square(const TriangleSetup& point, const Point& p) {
   if (is_dropped(point)) return {Verdict::forbidden, Reason::clipped};
   const Scene& scene = *point.scene;
   const Ring size = point.primitive_size();
@@ -123,8 +107,7 @@ SampleVerdict decide_point_primitive(const TriangleSetup& point, const Point& p)
   if (point.shape == Shape::placed) {
     return verdict_of(in_square(point.placed_columns_of_all()[0], size, p, scene));
   }
-  if (point.is_whole) return verdict_of(over_grid_points(point, p));
-  return verdict_of(over_moves(point.columns[0], point.reach, size, p, scene));
+  return verdict_of(over_grid_points(point, p), Reason::snapping);
 }
 
 // --- Lines ---------------------------------------------------------------------------------------
@@ -157,8 +140,17 @@ class LineBody {
   Membership within(const Point& p, const Ring& reach) const {
     const Ring across = middle_.at(p);
     const Ring twice = Ring(2) * reach;
-    Membership all{.possible = sign_of(distance_inside(across, twice)) >= 0,
-                   .sure = width_ > twice && sign_of(distance_inside(across, -twice)) > 0};
+    Membership all;
+    if (is_rectangular_) {
+      all.possible = sign_of(distance_inside(across, twice)) >= 0;
+      all.sure = width_ > twice && sign_of(distance_inside(across, -twice)) > 0;
+    } else {
+      // The distance from the nearer long side is that along the minor axis times along/|d|.
+      const Ring inside = distance_inside(across, Ring(0));
+      const bool is_far = inside * inside > twice * twice * square_of_length_;
+      all.possible = sign_of(inside) >= 0 || !is_far;
+      all.sure = sign_of(inside) > 0 && is_far;
+    }
     for (std::size_t i = 0; i < 2; ++i) {
       const int where = side_within(map_->edge(i), reach, p);
       all &= {.possible = where >= 0, .sure = where > 0};
@@ -185,50 +177,36 @@ class LineBody {
   Ring square_of_length_;  ///< |d|²
 };
 
-/// Whether what clip planes and the viewport's sides leave of a line has the sample's share.
-Membership inside_planes(const TriangleSetup& line, const ProjectiveMap& map, const Point& p) {
+/// Whether what clip planes and the viewport's sides leave of an exact line has the sample's share.
+Membership inside_planes(const TriangleSetup& line, const Point& p) {
   Membership all;
   for (const ClipFunctional& functional : line.clip_functionals()) {
     all &= side(functional, p, *line.scene);
   }
   for (const auto& values : values_at_sides(line)) {
-    if (sign_of(map.combine(values).at(p)) < 0) return kOutside;
+    if (sign_of(line.ideal.combine(values).at(p)) < 0) return kOutside;
   }
   return all;
 }
 
-SampleVerdict decide_area(const TriangleSetup& line, const Columns& at, const ProjectiveMap& map,
-                          const Point& p) {
-  if (map.orientation() == 0) return {Verdict::forbidden, Reason::degenerate};
+SampleVerdict decide_area(const TriangleSetup& line, const Point& p) {
   const Scene& scene = *line.scene;
+  const bool is_exact = line.shape == Shape::exact;
+  const Columns at = is_exact ? line.columns : line.placed_columns_of_all();
+  const ProjectiveMap& map = is_exact ? line.ideal : line.corner(0);
+  if (map.orientation() == 0) return {Verdict::forbidden, Reason::degenerate};
   Membership all = LineBody(at, map, line.primitive_size(), scene.source().line_mode).at(p, scene);
   if (!all.possible) return {Verdict::forbidden, Reason::outside};
-  all &= inside_planes(line, map, p);
+  if (is_exact) all &= inside_planes(line, p);  // what is placed is not clipped
   if (!all.possible) return {Verdict::forbidden, Reason::clipped};
   return verdict_of(all);
 }
 
 /// Decides for a line of shape cut, all of whose points may move by `reach`.
 SampleVerdict decide_moved_area(const TriangleSetup& line, const Point& p) {
-  if (line.ideal.orientation() == 0) return {Verdict::permitted, Reason::snapping};
   const LineBody body(line.columns, line.ideal, line.primitive_size(),
                       line.scene->source().line_mode);
-  Membership all = body.within(p, line.reach);
-  if (!all.possible) return {Verdict::forbidden, Reason::outside};
-  for (const ClipFunctional& functional : line.clip_functionals()) {
-    if (!functional.is_violated) continue;
-    if (side_within(functional.outer, line.reach, p) < 0) {
-      return {Verdict::forbidden, Reason::clipped};
-    }
-    all.sure = all.sure && side_within(functional.inner, line.reach, p) > 0;
-  }
-  for (const auto& values : values_at_sides(line)) {
-    const int where = side_within(line.ideal.combine(values), line.reach, p);
-    if (where < 0) return {Verdict::forbidden, Reason::clipped};
-    all.sure = all.sure && where > 0;
-  }
-  if (all.sure) return {Verdict::required, Reason::inside};
-  return {Verdict::permitted, line.is_whole ? Reason::snapping : reason_of_cut(line)};
+  return verdict_of(body.within(p, line.reach), Reason::snapping);
 }
 
 // --- Bresenham's lines ---------------------------------------------------------------------------
@@ -247,8 +225,8 @@ std::optional<Part> visible_part(const TriangleSetup& line) {
   const auto cut = [&](const Ring& at_first, const Ring& at_second) {
     const int first = sign_of(at_first);
     const int second = sign_of(at_second);
-    if (first < 0 && second < 0) is_seen = false;
-    if (first >= 0 && second >= 0) return;
+    is_seen = is_seen && (first >= 0 || second >= 0);
+    if ((first < 0) == (second < 0)) return;
     const Field where = quotient(at_first, at_first - at_second);
     if (first < 0) {
       part.from = std::max(part.from, where);
@@ -276,38 +254,73 @@ std::optional<ExactPosition> position_at(const TriangleSetup& line, const Column
                        mixed(at[0][1], at[1][1]) / (w * units)};
 }
 
-/// True if the diamond-exit rule selects a pixel of a line drawn with its ends at these columns.
-bool selects(const TriangleSetup& line, const Columns& at, int x, int y) {
-  const std::optional<Part> part = visible_part(line);
-  if (!part) return false;
-  std::optional<ExactPosition> from = position_at(line, at, part->from);
-  std::optional<ExactPosition> to = position_at(line, at, part->to);
-  if (!from || !to) return false;
-  const std::size_t minor = 1 - major_axis(direction_of(at[0], at[1]));
-  const cases::Case& source = line.scene->source();
-  // The nearest integer, at least 1; halves are rounded up.
-  const long width = std::max(1L, floor_to_long(exact_field(source.line_width) + Field(1, 2)));
+/// The nearest whole number of pixels to the line's width, at least 1; halves are rounded up.
+long rounded_width(const TriangleSetup& line) {
+  const Field width = exact_field(line.scene->source().line_width);
+  return std::max(1L, floor_to_long(width + Field(1, 2)));
+}
+
+/// True if a pixel's centre is too far from the line, along the minor axis, to be selected. A line
+/// that meets a diamond is less than 1 pixel from its centre there, and the diamonds that a pixel
+/// is replicated from are at most (width − 1)/2 away from the line that was moved.
+bool is_far_beside(const TriangleSetup& line, const Columns& at, int x, int y) {
+  const RingVector3 row = at[0].cross(at[1]);
+  const auto direction = direction_of(at[0], at[1]);
+  const Ring along = magnitude(direction[major_axis(direction)]);
+  const Ring across = Line{row[0], row[1], row[2]}.at(line.scene->pixel_middle(x, y));
+  const Ring width(static_cast<double>(rounded_width(line) + 1));
+  return Ring(2) * magnitude(across) >= width * line.scene->units_per_pixel() * along;
+}
+
+/// True if the diamond-exit rule selects the pixel for a line with these ends.
+bool selects(const TriangleSetup& line, ExactPosition from, ExactPosition to, int x, int y) {
+  if (from == to) return false;
+  const std::array<Field, 2> direction{to[0] - from[0], to[1] - from[1]};
+  const std::size_t major = magnitude(direction[0]) < magnitude(direction[1]) ? 1 : 0;
+  const std::size_t minor = 1 - major;
+  const long width = rounded_width(line);
   const Field shift(static_cast<int>(width - 1), 2);
-  (*from)[minor] -= shift;
-  (*to)[minor] -= shift;
-  const bool is_d3d = source.rules == cases::Rules::d3d;
-  for (int k = 0; k < width; ++k) {
-    const int there_x = minor == 0 ? x - k : x;
-    const int there_y = minor == 1 ? y - k : y;
-    if (exits_diamond(*from, *to, there_x, there_y, is_d3d)) return true;
+  from[minor] -= shift;
+  to[minor] -= shift;
+  // The pixel is copy k of one that is k before it. The moved line is less than 1 pixel from that
+  // one's centre.
+  const std::array<Field, 2> center{Field(2 * x + 1, 2), Field(2 * y + 1, 2)};
+  const Field there =
+      from[minor] + (center[major] - from[major]) * direction[minor] / direction[major];
+  const long first = std::max(0L, floor_to_long(center[minor] - there - Field(1)));
+  const long last = std::min(width - 1, ceil_to_long(center[minor] - there + Field(1)));
+  const bool is_d3d = line.scene->source().rules == cases::Rules::d3d;
+  for (long k = first; k <= last; ++k) {
+    const int back = static_cast<int>(k);
+    const bool is_selected = minor == 0 ? exits_diamond(from, to, x - back, y, is_d3d)
+                                        : exits_diamond(from, to, x, y - back, is_d3d);
+    if (is_selected) return true;
   }
   return false;
 }
 
-/// Bresenham's line of a few placements: a pixel that each of them selects is required.
+/// True if a pixel is so near to a new end that clipping made that it depends on how clipping is
+/// done whether the pixel is selected.
+bool is_near_cut(const TriangleSetup& line, const ExactPosition& cut, int x, int y) {
+  const Field most = Field(static_cast<int>(rounded_width(line)), 2) + Field(2);
+  return magnitude(Field(Field(2 * x + 1, 2) - cut[0])) <= most &&
+         magnitude(Field(Field(2 * y + 1, 2) - cut[1])) <= most;
+}
+
 SampleVerdict decide_bresenham(const TriangleSetup& line, int x, int y) {
-  constexpr SampleVerdict kSelected{Verdict::required, Reason::inside};
-  constexpr SampleVerdict kNot{Verdict::forbidden, Reason::outside};
-  if (line.shape == Shape::exact) return selects(line, line.columns, x, y) ? kSelected : kNot;
-  if (line.shape == Shape::placed) {
-    return selects(line, line.placed_columns_of_all(), x, y) ? kSelected : kNot;
-  }
-  return {Verdict::permitted, line.is_whole ? Reason::snapping : reason_of_cut(line)};
+  const bool is_exact = line.shape == Shape::exact;
+  const Columns at = is_exact ? line.columns : line.placed_columns_of_all();
+  if (is_far_beside(line, at, x, y)) return {Verdict::forbidden, Reason::outside};
+  const std::optional<Part> part = is_exact ? visible_part(line) : Part{};
+  if (!part) return {Verdict::forbidden, Reason::clipped};
+  const std::optional<ExactPosition> from = position_at(line, at, part->from);
+  const std::optional<ExactPosition> to = position_at(line, at, part->to);
+  if (!from || !to) return {Verdict::forbidden, Reason::clipped};
+  const bool is_open = (sign_of(part->from) > 0 && is_near_cut(line, *from, x, y)) ||
+                       (part->to < Field(1) && is_near_cut(line, *to, x, y));
+  if (is_open) return {Verdict::permitted, Reason::clip_edge};
+  return selects(line, *from, *to, x, y) ? SampleVerdict{Verdict::required, Reason::inside}
+                                         : SampleVerdict{Verdict::forbidden, Reason::outside};
 }
 
 }  // namespace
@@ -315,20 +328,15 @@ SampleVerdict decide_bresenham(const TriangleSetup& line, int x, int y) {
 SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p) {
   const Scene& scene = *primitive.scene;
   const cases::Case& source = scene.source();
-  if (source.primitive == cases::Primitive::points) return decide_point_primitive(primitive, p);
+  if (source.primitive == cases::Primitive::points) return decide_square(primitive, p);
   if (source.line_mode == cases::LineMode::bresenham) {
     const auto pixel = [&scene](const Ring& at) {
       return static_cast<int>(floor_to_long(quotient(at, scene.units_per_pixel())));
     };
     return decide_bresenham(primitive, pixel(p.u), pixel(p.v));
   }
-  if (primitive.shape == Shape::exact) {
-    return decide_area(primitive, primitive.columns, primitive.ideal, p);
-  }
-  if (primitive.shape == Shape::placed) {
-    return decide_area(primitive, primitive.placed_columns_of_all(), primitive.corner(0), p);
-  }
-  return decide_moved_area(primitive, p);
+  return primitive.shape == Shape::cut ? decide_moved_area(primitive, p)
+                                       : decide_area(primitive, p);
 }
 
 }  // namespace rastercheck::oracle

@@ -84,6 +84,12 @@ class Scene {
   bool has_own_sample() const {
     return contract_->sample_position.has_value() && case_->framebuffer.samples == 1;
   }
+  /// True if a covered sample may lie outside what covers its pixel: under conservative coverage,
+  /// and of Bresenham's lines.
+  bool covers_outside() const {
+    return contract_->conservative || (case_->primitive == cases::Primitive::lines &&
+                                       case_->line_mode == cases::LineMode::bresenham);
+  }
   /// Where an attribute is evaluated: at the sample, if the contract has a position of its own.
   cases::Location location_of(const cases::Attribute& attribute) const {
     return has_own_sample() ? cases::Location::sample : attribute.location;

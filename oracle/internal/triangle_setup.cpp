@@ -282,6 +282,8 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
 
 namespace {
 
+double near_double_above(const Ring& value) { return value.to_interval().second; }
+
 /// How far any point that a line covers may move, at most, if its ends move by up to `reach` along
 /// each axis. `width` is the line's, `length` at most the distance between its ends.
 ///
@@ -302,54 +304,79 @@ std::optional<double> moved_line_reach(double reach, double width, double length
 
 }  // namespace
 
-/// Lines and points are of shape placed only if their vertices have one placement. With several, or
-/// if clip planes cut a line, they are of shape cut, known to within `reach`. Nothing is promised
-/// of lines of which that is not known.
+/// True if no vertex lies beyond a plane, a clip distance, the guard band or a side of the
+/// viewport, or as near to one as the contract leaves open.
+bool TriangleSetup::is_surely_unclipped() const {
+  const Ring share(promise.clip_error);
+  bool is_inside = true;
+  for_each_clip_plane([&](const std::array<Ring, 3>& values, bool, bool is_user_distance) {
+    const Ring slack = sign_of(share) == 0 ? share : share * clip_size(values, is_user_distance);
+    for (const Ring& value : values) is_inside = is_inside && value >= slack;
+  });
+  const Point& lo = scene->viewport_lo();
+  const Point& hi = scene->viewport_hi();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const RingVector3& column = columns[i];
+    const Ring& w = column[2];
+    is_inside = is_inside && sign_of(w) > 0 && !is_beyond_guard_band(i) && column[0] >= lo.u * w &&
+                column[0] <= hi.u * w && column[1] >= lo.v * w && column[1] <= hi.v * w;
+  }
+  return is_inside;
+}
+
+/// Lines and points are of shape placed only if their vertices have one placement. With several
+/// they are of shape cut, known to within `reach`. What clipping makes of one whose vertices are
+/// moved as well is not known well enough: then nothing is promised of it, nor if the viewport is
+/// open, and of Bresenham's lines only with one placement.
 void TriangleSetup::set_up_snapped_primitive(const cases::Snapping& snapping) {
   const cases::Case& source = scene->source();
-  for (std::size_t i = 0; i < 3; ++i) {
-    is_clipped[i] = is_clipped[i] || sign_of(columns[i][2]) <= 0 || is_beyond_guard_band(i) ||
-                    scene->contract().has_open_viewport();
-    is_whole = is_whole && !is_clipped[i];
-  }
-  const Ring unit(scene->grid_unit());
-  reach = candidate_radius(snapping) * unit;
+  const bool is_line = source.primitive == cases::Primitive::lines;
+  promise.is_made = is_surely_unclipped() && !scene->contract().has_open_viewport();
+  if (!promise.is_made) return;
   long placements = 1;
-  const std::size_t vertices = source.primitive == cases::Primitive::lines ? 2 : 1;
-  for (std::size_t i = 0; is_whole && i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     snapped[i] = snap(columns[i], snapping, scene->units_per_pixel());
-    if (i < vertices) placements = std::min(placements * snapped[i]->placements(), kMostPlacements);
+    if (i < (is_line ? 2U : 1U)) {
+      placements = std::min(placements * snapped[i]->placements(), kMostPlacements);
+    }
   }
-  shape = is_whole && placements == 1 ? Shape::placed : Shape::cut;
-  if (shape == Shape::placed) {
+  const Ring vertex_reach = candidate_radius(snapping) * Ring(scene->grid_unit());
+  if (placements == 1) {
+    const bool has_two_values = scene->contract().basis == cases::Basis::unspecified;
+    const bool is_thin = is_line && source.line_mode == cases::LineMode::bresenham;
+    promise.is_made = !(is_thin && has_two_values);
+    if (!promise.is_made) return;
+    shape = Shape::placed;
     corner_count_ = 1;
+    reach = vertex_reach;
     return;
   }
-  if (!is_whole) {
-    tolerance = (Ring(promise.clip_tolerance) + exact_ring(promise.position_error)) * unit;
-    reach = std::max(reach, tolerance);
-    if (scene->contract().has_open_viewport()) open_viewport();
-  }
-  if (source.primitive == cases::Primitive::points) return;
-  if (has_nonpositive_w) {
-    promise.is_made = false;
-    return;
-  }
+  const std::optional<Ring> moved =
+      is_line ? reach_of_line(near_double_above(vertex_reach)) : vertex_reach;
+  promise.is_made = moved.has_value();
+  if (!promise.is_made) return;
+  shape = Shape::cut;
+  reach = *moved;
+  tolerance = reach;
+}
+
+/// moved_line_reach() for ends that move by up to `vertex_reach`; empty if nothing bounds it, or if
+/// the line is one of Bresenham's, whose pixels may change altogether.
+std::optional<Ring> TriangleSetup::reach_of_line(double vertex_reach) const {
+  const cases::LineMode mode = scene->source().line_mode;
+  if (mode == cases::LineMode::bresenham) return std::nullopt;
   const auto& [w, u, v] = near_positions();
   const double du = std::abs(u[1] - u[0]);
   const double dv = std::abs(v[1] - v[0]);
   // More than these differences are off, of positions that are known to within 2^-48 relative.
   const double off = (std::abs(u[0]) + std::abs(u[1]) + std::abs(v[0]) + std::abs(v[1])) * 0x1p-46;
-  const double vertex_reach = reach.to_interval().second;
-  const double width = primitive_size().to_interval().second;
+  const double width = near_double_above(primitive_size());
   std::optional<double> moved = moved_line_reach(vertex_reach, width, std::hypot(du, dv) - 4 * off);
-  promise.is_made = moved.has_value();
-  if (!moved) return;
+  if (!moved) return std::nullopt;
   // If either axis may be the major one, a parallelogram may be either of two.
   const bool may_turn_over = std::abs(du - dv) <= 4 * vertex_reach + 2 * off;
-  if (source.line_mode == cases::LineMode::parallelogram && may_turn_over) *moved += width;
-  reach = Ring(*moved);
-  tolerance = reach;
+  if (mode == cases::LineMode::parallelogram && may_turn_over) *moved += width;
+  return Ring(*moved);
 }
 
 std::array<RingVector3, 3> TriangleSetup::placed_columns_of_all() const {

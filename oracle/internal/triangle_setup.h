@@ -195,6 +195,8 @@ struct TriangleSetup {
   bool has_less_area_than(double area) const;
   void set_up_snapping(const cases::Snapping& snapping);
   void set_up_snapped_primitive(const cases::Snapping& snapping);
+  bool is_surely_unclipped() const;
+  std::optional<Ring> reach_of_line(double vertex_reach) const;
   void open_viewport();
   bool has_points_deeper_than(const Ring& distance) const;
   bool is_beyond_guard_band(std::size_t vertex) const;

@@ -245,12 +245,12 @@ bool ValueErrors::is_attained(const Subject& subject, const cases::Attribute& de
   if (declared.location == cases::Location::centroid) {
     // For a triangle of shape placed, centroids at samples beyond the horizon are undefined.
     const bool is_anywhere = !scene.conventions().centroid_is_a_sample &&
-                             triangle_->shape != Shape::placed && !scene.contract().conservative;
+                             triangle_->shape != Shape::placed && !scene.covers_outside();
     return is_anywhere && values_->centroid_region(x, y).attains(ideal(subject), computed);
   }
   const bool is_sample =
       declared.location == cases::Location::sample || scene.source().framebuffer.samples == 1;
-  return is_sample && !scene.contract().conservative && triangle_->shape == Shape::cut &&
+  return is_sample && !scene.covers_outside() && triangle_->shape == Shape::cut &&
          values_->single_map() == nullptr &&
          values_->cut_region(p).attains(ideal(subject), computed);
 }
@@ -299,7 +299,7 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
       (scene.source().framebuffer.samples > 1 || values_->single_map() != nullptr);
   const Point p = at_center ? scene.center_point(x, y) : scene.sample_point(x, y, sample);
   // Under conservative coverage a sample may lie outside the triangle, as centres may.
-  const bool may_lie_outside = at_center || scene.contract().conservative;
+  const bool may_lie_outside = at_center || scene.covers_outside();
   const Place place = may_lie_outside ? Place::center : Place::sample;
   const bool is_centroid = declared.location == cases::Location::centroid;
   const bool has_one_map = values_->single_map() != nullptr;

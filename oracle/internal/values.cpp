@@ -111,7 +111,7 @@ bool TriangleValues::is_defined_at(std::size_t attribute, const Point& p) const 
   const Scene& scene = *triangle_->scene;
   const bool at_center =
       scene.location_of(scene.source().attributes[attribute]) == cases::Location::center;
-  const bool may_lie_outside = at_center || scene.contract().conservative;
+  const bool may_lie_outside = at_center || scene.covers_outside();
   return map != nullptr && map->orientation() != 0 &&
          (!may_lie_outside || has_positive_inverse_w(*map, p));
 }
@@ -126,9 +126,9 @@ Point TriangleValues::location(std::size_t attribute, int x, int y, int sample) 
 std::optional<FractionRange> TriangleValues::value_at(const Quantity& quantity,
                                                       const FractionRange& ends, const Point& p,
                                                       Place place) const {
-  const bool is_conservative = triangle_->scene->contract().conservative.has_value();
   // A sample of a covered pixel may lie outside the triangle, as centres may.
-  if (is_conservative) place = Place::center;
+  const bool may_lie_outside = triangle_->scene->covers_outside();
+  if (may_lie_outside) place = Place::center;
   if (const ProjectiveMap* map = single_map()) {
     // If the centre lies behind the eye's horizon, no value is defined there, not even an affine
     // one (RULES §4).
@@ -138,7 +138,7 @@ std::optional<FractionRange> TriangleValues::value_at(const Quantity& quantity,
   // The only sample is at the centre and is covered, so its value is a mean of the vertices'
   // values.
   const bool is_only = triangle_->scene->source().framebuffer.samples == 1;
-  if (is_only && !is_conservative) place = Place::sample;
+  if (is_only && !may_lie_outside) place = Place::sample;
   return triangle_->shape == Shape::cut ? cut_value(quantity, p, place)
                                         : placed_value(quantity, ends, p, place);
 }
@@ -282,7 +282,7 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
 TriangleValues::CentroidSamples TriangleValues::centroid_samples(int x, int y) const {
   const int count = triangle_->scene->source().framebuffer.samples;
   CentroidSamples found{{}, true};
-  if (triangle_->scene->contract().conservative) return found;  // all samples are covered together
+  if (triangle_->scene->covers_outside()) return found;  // all samples are covered together
   bool all_sure = true;
   bool first_found = false;
   for (int s = 0; s < count; ++s) {
@@ -333,14 +333,14 @@ const TriangleValues::Region& TriangleValues::centroid_region(int x, int y) cons
   const Ring& units = scene.units_per_pixel();
   ConvexRegion points(Point{Ring(x) * units - spread, Ring(y) * units - spread},
                       Point{Ring(x + 1) * units + spread, Ring(y + 1) * units + spread});
-  if (scene.contract().conservative) {
+  if (scene.covers_outside()) {
     // Any point of the pixel: all of it counts as covered.
   } else if (map == nullptr || map == &triangle_->ideal) {
     points = triangle_->clipped_to_triangle(std::move(points));
   } else {
     for (std::size_t i = 0; i < 3; ++i) points.clip(map->edge(i));
   }
-  if (map != nullptr && triangle_->is_triangle() && !scene.contract().conservative) {
+  if (map != nullptr && triangle_->is_triangle() && !scene.covers_outside()) {
     points.clip({Ring(1), Ring(0), -scene.viewport_lo().u});
     points.clip({Ring(-1), Ring(0), scene.viewport_hi().u});
     points.clip({Ring(0), Ring(1), -scene.viewport_lo().v});
@@ -354,11 +354,11 @@ std::optional<FractionRange> TriangleValues::centroid_range(const Quantity& quan
                                                             int y) const {
   const Scene& scene = *triangle_->scene;
   const ProjectiveMap* map = single_map();
-  if (scene.contract().conservative && (map == nullptr || centroid_region(x, y).has_pole())) {
+  if (scene.covers_outside() && (map == nullptr || centroid_region(x, y).has_pole())) {
     return std::nullopt;
   }
   std::optional<FractionRange> range = range_over(quantity, centroid_region(x, y));
-  if (scene.contract().conservative) return range;
+  if (scene.covers_outside()) return range;
   if (triangle_->shape == Shape::exact) return range;
 
   // The drawn part need not lie in the exact triangle, so an implementation may evaluate at a

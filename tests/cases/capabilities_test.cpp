@@ -94,7 +94,6 @@ TEST(Capabilities, AreOfRulesSizesAndNumbersOfThings) {
   EXPECT_EQ(lacked_by(has, c), "2 clip distances");
 }
 
-// Kills: a limit that excludes too much. A clamp alone changes no depth.
 TEST(Capabilities, AreOfTrianglesUnlessTheySayMore) {
   Case c;
   c.framebuffer = {4, 4, 1};
@@ -110,9 +109,9 @@ TEST(Capabilities, AreOfTrianglesUnlessTheySayMore) {
   EXPECT_FALSE(has_meaning(has));
 }
 
+// Kills: a limit that excludes too much. A clamp alone changes no depth.
 TEST(Capabilities, NeedNoBiasForAClampAlone) {
   Capabilities has;
-  has.primitives = {Primitive::triangles, Primitive::points};
   has.lacks = {Feature::depth_bias, Feature::unorm_depth};
   Case c = plain();
   c.depth_bias.clamp = 0.5F;
@@ -121,6 +120,7 @@ TEST(Capabilities, NeedNoBiasForAClampAlone) {
 
 TEST(Capabilities, ComeBackAsTheyWere) {
   Capabilities has;
+  has.primitives = {Primitive::triangles, Primitive::points};
   has.rules = {Rules::vulkan, Rules::d3d};
   has.sample_counts = {1, 8};
   has.lacks = {Feature::depth_range, Feature::depth_bias, Feature::unorm_depth, Feature::centroid};

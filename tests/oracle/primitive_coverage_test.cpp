@@ -210,6 +210,55 @@ TEST(LineCoverage, ReachesBeyondTheViewportBesideItsMiddle) {
   EXPECT_EQ(picture(c), "......../......../......../......../..##..../..##..../..##....");
 }
 
+/// The verdict under a contract that snaps to a grid of 2^-bits pixels.
+records::SampleVerdict snapped_verdict(const cases::Case& c, int bits, cases::Rounding rounding,
+                                       int x, int y) {
+  cases::Contract contract = cases::contract_of(c);
+  contract.coverage = cases::Snapping{bits, rounding};
+  const SceneTruth scene(c, contract);
+  return TriangleTruth(scene, 0).judge(x, y, 0);
+}
+
+// What clipping makes of lines whose vertices are moved is not known.
+TEST(LineCoverage, OfALineThatIsSnappedAndCutIsNotPromised) {
+  constexpr auto kNearest = cases::Rounding::nearest_even;
+  for (const cases::Case& c : {line(at_window(1, 2.5F, 1, 0.5F), at_window(7, 2.5F, 1, 1.5F)),
+                               line(at_window(1, 2.5F), at_window(9, 2.5F)),
+                               line(at_window(1, 2.5F, 1, 0.5F), at_window(-5, 2.5F, -1, -0.5F))}) {
+    EXPECT_EQ(snapped_verdict(c, 8, kNearest, 2, 2).reason, Reason::not_promised);
+  }
+  cases::Case thin = line(at_window(1, 2.25F), at_window(7, 2.25F), LineMode::bresenham);
+  EXPECT_EQ(snapped_verdict(thin, 8, kNearest, 2, 2).verdict, Verdict::required);
+  thin.positions[0].x += 0x1p-12F;
+  EXPECT_EQ(snapped_verdict(thin, 8, cases::Rounding::unspecified, 2, 2).reason,
+            Reason::not_promised);
+}
+
+// A vertex on the near plane that snapping moves along the line: nothing is clipped.
+TEST(LineCoverage, OfASnappedLineOnAPlaneIsWhole) {
+  const cases::Case c =
+      line(at_window(1, 2.5F, 1, 0.5F), at_window(4.40625F, 2.5F, 1, 0), LineMode::rectangular);
+  EXPECT_EQ(snapped_verdict(c, 0, cases::Rounding::ceil, 4, 2).verdict, Verdict::required);
+  EXPECT_EQ(verdict(c, 4, 2).verdict, Verdict::forbidden);
+}
+
+// Kills: distances along the minor axis compared with moves in any direction. By hand: moved to
+// (17/16, 1) and (101 + 1/16, 91), the line leaves the sample.
+TEST(LineCoverage, OfALongParallelogramIsOpenNearItsSides) {
+  cases::Case c = empty_case(Rules::vulkan);
+  c.primitive = Primitive::lines;
+  c.framebuffer = {128, 128, 1};
+  c.viewport.width = c.viewport.height = 128;
+  c.line_mode = LineMode::parallelogram;
+  const auto at = [](float u, float v) { return ClipVertex{u / 64 - 1, v / 64 - 1, 0, 1}; };
+  c.positions = {at(1 + 0x1p-8F, 1 + 15 * 0x1p-8F), at(101 + 0x1p-8F, 91 + 15 * 0x1p-8F)};
+  c.triangles = {{0, 1, 1}};
+  EXPECT_EQ(verdict(c, 5, 5).verdict, Verdict::required);
+  EXPECT_EQ(snapped_verdict(c, 4, cases::Rounding::unspecified, 5, 5).verdict, Verdict::permitted);
+  c.positions = {at(17 * 0x1p-4F, 1), at(101 + 0x1p-4F, 91)};
+  EXPECT_EQ(verdict(c, 5, 5).verdict, Verdict::forbidden);
+}
+
 TEST(LineCoverage, IsNothingOfALineWithoutLength) {
   for (const LineMode mode :
        {LineMode::rectangular, LineMode::parallelogram, LineMode::bresenham}) {
@@ -264,6 +313,20 @@ TEST(BresenhamsLine, IsReplicatedAlongTheMinorAxis) {
   EXPECT_EQ(bresenham(0.5F, 2.5F, 3.5F, 2.5F, 2.4375F), "......../###...../###.....");
   EXPECT_EQ(bresenham(2.5F, 0.5F, 2.5F, 2.5F, 3), ".###..../.###....");
   EXPECT_EQ(bresenham(0.5F, 2.5F, 3.5F, 2.5F, 0.25F), "......../......../###.....");
+}
+
+// Kills: a division by the difference of equal distances from a plane.
+TEST(BresenhamsLine, IsNothingBeyondAPlane) {
+  EXPECT_EQ(picture(line(at_window(1, 2.5F, 1, 2), at_window(5, 2.5F, 1, 2), LineMode::bresenham)),
+            "........");
+}
+
+// Whether a pixel beside a new end is selected depends on how clipping is done.
+TEST(BresenhamsLine, IsOpenNearWhereItIsCut) {
+  const cases::Case far =
+      line(at_window(0.5F, 0.5F, 1, 0.5F), at_window(7.5F, 0.5F, 1, 1.375F), LineMode::bresenham);
+  EXPECT_EQ(picture(far), "##?????.");  // cut at u = 4.5
+  EXPECT_EQ(verdict(far, 4, 0).reason, Reason::clip_edge);
 }
 
 TEST(BresenhamsLine, CoversAllSamplesOfAPixel) {
@@ -389,6 +452,67 @@ TEST(BresenhamsLine, OfRandomEndsIsThatOfAReallyMovedOne) {
       }
     }
   }
+}
+
+/// D3D's diamond, by its parts: y is down.
+bool is_in_d3d_diamond(const Field& dx, const Field& dy, bool is_y_major) {
+  const Field half(1, 2);
+  const Field distance = magnitude(dx) + magnitude(dy);
+  const bool is_on_lower_edge = distance == half && dy > 0;
+  const bool is_right_corner = dx == half && dy == 0;
+  return distance < half || is_on_lower_edge || (is_y_major && is_right_corner);
+}
+
+// Along a line the diamond can begin or end only at the line's ends, where it is level with the
+// centre, and where it crosses one of the four edges' lines: the test looks there and between.
+TEST(BresenhamsLine, OfRandomEndsUnderD3DIsThatOfDiamondsMadeOfParts) {
+  Dice dice(5);
+  int on_border = 0;
+  for (int i = 0; i < 300; ++i) {
+    const RandomLine l(dice);
+    cases::Case c = line(at_grid(l.a), at_grid(l.b), LineMode::bresenham, 1, Rules::d3d);
+    const SceneTruth scene(c, cases::contract_of(c));
+    const TriangleTruth truth(scene, 0);
+    const std::array a{Field(l.a[0], 16), Field(kSize * 16 - l.a[1], 16)};
+    const std::array b{Field(l.b[0], 16), Field(kSize * 16 - l.b[1], 16)};
+    const Field dx = b[0] - a[0];
+    const Field dy = b[1] - a[1];
+    const bool is_y_major = magnitude(dy) > magnitude(dx);
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const Field u = a[0] - Field(2 * x + 1, 2);
+        const Field v = a[1] - Field(2 * y + 1, 2);
+        std::vector<Field> times{Field(0), Field(1)};
+        const auto add_zero_of = [&times](const Field& begin, const Field& change) {
+          if (change == 0) return;
+          const Field t = -begin / change;
+          if (t > 0 && t < 1) times.push_back(t);
+        };
+        add_zero_of(u, dx);
+        add_zero_of(v, dy);
+        for (const int sign : {-1, 1}) {
+          add_zero_of(u + v + Field(sign, 2), dx + dy);
+          add_zero_of(u - v + Field(sign, 2), dx - dy);
+        }
+        std::sort(times.begin(), times.end());
+        bool is_met = false;
+        for (std::size_t k = 0; k < times.size(); ++k) {
+          const Field between = k == 0 ? times[0] : Field((times[k - 1] + times[k]) / Field(2));
+          for (const Field& t : {times[k], between}) {
+            is_met = is_met || is_in_d3d_diamond(u + t * dx, v + t * dy, is_y_major);
+          }
+          on_border += magnitude(Field(u + times[k] * dx)) + magnitude(Field(v + times[k] * dy)) ==
+                       Field(1, 2);
+        }
+        const bool expected =
+            l.a != l.b && is_met && !is_in_d3d_diamond(u + dx, v + dy, is_y_major);
+        ASSERT_EQ(truth.judge(x, y, 0).verdict == Verdict::required, expected)
+            << "(" << l.a[0] << ", " << l.a[1] << ") to (" << l.b[0] << ", " << l.b[1]
+            << ") in 1/16, pixel " << x << " " << y;
+      }
+    }
+  }
+  EXPECT_GT(on_border, 1000);
 }
 
 // Kills: a bound of the moves that is too small, of either kind; one placement forgotten.
