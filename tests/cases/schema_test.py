@@ -353,8 +353,9 @@ def at(value, path):
     return value
 
 
-def mutations(base, keys):
-    """(what was done, mutated case) for every mutation of one step of the case or below one of these keys."""
+def mutations(base, keys=None, added=()):
+    """(what was done, mutated document) for every mutation of one step, all of them or those below these keys; and with
+    each of the added members that the document lacks."""
 
     def mutated(path, change):
         case = copy.deepcopy(base)
@@ -362,7 +363,7 @@ def mutations(base, keys):
         return case
 
     for path in places(base):
-        if path and path[0] not in keys:
+        if path and keys is not None and path[0] not in keys:
             continue
         pointer = "/" + "/".join(map(str, path))
         value = at(base, path)
@@ -376,8 +377,6 @@ def mutations(base, keys):
             yield f"{pointer} replaced by {json.dumps(new)}", case
         if isinstance(value, dict):
             yield f"{pointer} with an unknown key", mutated(path, lambda o: o.update(unknown=0))
-            for key in OF_ONE_PRIMITIVE.keys() - value.keys() if not path else ():
-                yield f"with {key}", mutated(path, lambda o: o.update({key: OF_ONE_PRIMITIVE[key]}))
             for key in value:
                 yield f"{pointer} without {key}", mutated(path, lambda o: o.pop(key))
         if isinstance(value, list):
@@ -386,6 +385,8 @@ def mutations(base, keys):
                 mutated(path, lambda a: a.insert(0, copy.deepcopy(a[0]))),
             )
             yield f"{pointer} without its last element", mutated(path, lambda a: a.pop())
+    for key in [key for key in added if key not in base]:
+        yield f"with {key}", mutated((), lambda o: o.update({key: added[key]}))
 
 
 def check_mutations(reader, validator, pool):
@@ -395,8 +396,9 @@ def check_mutations(reader, validator, pool):
     failures = []
     jobs = []
     for name, base in CASES.items():
-        keys = base.keys() if name in ("full", "small") else OF_ONE_PRIMITIVE.keys()
-        for what, case in itertools.chain([("unchanged", base)], mutations(base, keys)):
+        keys = None if name in ("full", "small") else OF_ONE_PRIMITIVE.keys()
+        mutated = mutations(base, keys, OF_ONE_PRIMITIVE)
+        for what, case in itertools.chain([("unchanged", base)], mutated):
             label = f"mutation: {name} case, {what}"
             accepted_by_schema = validator.is_valid(case)
             reason = reader_only(case) if accepted_by_schema else None
