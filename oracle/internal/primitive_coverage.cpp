@@ -67,7 +67,7 @@ SampleVerdict verdict_of(const Membership& all, Reason open = Reason::tie) {
   return {Verdict::required, all.tie ? Reason::tie : Reason::inside};
 }
 
-/// What is so in some, or in every one, of several readings.
+/// Adds a reading of the contract to those seen so far; begin with `possible` false.
 void take_reading(Membership& over_all, const Membership& one) {
   over_all.possible = over_all.possible || one.possible;
   over_all.sure = over_all.sure && one.sure;

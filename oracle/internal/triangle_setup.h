@@ -113,7 +113,7 @@ struct TriangleSetup {
   /// Shape cut: the largest error of a cut boundary, per axis, in window units.
   Ring tolerance;
   /// Shapes placed and cut: the largest move of any vertex, per axis, in window units. Of a line of
-  /// shape cut: of any point that it covers (moved_line_reach() in triangle_setup.cpp).
+  /// shape cut: of any point that it covers (moved_line_reach() in primitive_setup.cpp).
   Ring reach;
   /// Shape cut: the part of `reach` by which each vertex may move on its own. The rest comes from
   /// the viewport and is the same for all vertices.
