@@ -27,6 +27,10 @@ std::string_view to_string(Error error) {
       return "the subpixel bits of the snapping are not within 0 to 16";
     case Error::snapped_conservative:
       return "conservative coverage cannot be combined with snapping";
+    case Error::primitive_size:
+      return "the line width or the point size is not a finite number above 0";
+    case Error::primitive_state:
+      return "conservative coverage and depth bias apply to triangles only";
     case Error::attribute_count:
       return "there are more than 32 attributes, or not as many as the framebuffer has";
     case Error::clip_distance_count:

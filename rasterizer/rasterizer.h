@@ -1,7 +1,7 @@
 #pragma once
 
-// Public interface of the rasterizer, which is a library of its own: clip-space triangles in,
-// fragments or pictures out. It depends on GLM and on nothing else of this project.
+// Public interface of the rasterizer, which is a library of its own: clip-space triangles, lines
+// and points in, fragments or pictures out. It depends on GLM and on nothing else of this project.
 //
 // Conventions. Window coordinates are in pixels; pixel (i, j) has its centre at (i + 1/2, j + 1/2).
 // A vertex is a clip position (x, y, z, w) as a vertex shader writes it; w <= 0 is allowed. All
@@ -192,9 +192,33 @@ struct Rectangle {
   glm::ivec2 size{0, 0};
 };
 
+/// What the vertices of a mesh are joined to.
+enum class Primitive { triangles, lines, points };
+
+/// The samples that a line covers. a and b are the window positions of its ends; the *major axis*
+/// is the one along which they are farther apart, x if equally far.
+///
+///   rectangular     at most half of `line_width` from the line through a and b, and between the
+///                   two perpendiculars through a and b
+///   parallelogram   at most half of `line_width` from it along the minor axis, and between a and b
+///                   along the major one
+///   bresenham       all samples of the pixels that the diamond-exit rule selects, replicated along
+///                   the minor axis to as many as `line_width` is when rounded, at least 1
+///
+/// Decided as exact arithmetic does; samples on borders by the fill rule. A line without length
+/// covers nothing. Clip planes, clip distances and the viewport's sides cut the line through the
+/// middle.
+enum class LineMode { rectangular, parallelogram, bresenham };
+
 /// The settings of a draw.
 struct State {
   Convention convention = Convention::vulkan;
+  Primitive primitive = Primitive::triangles;
+  LineMode line_mode = LineMode::rectangular;
+  /// In pixels, above 0. A point covers the samples of the square that is `point_size` wide around
+  /// its vertex; it is not drawn if the vertex has w <= 0 or is clipped.
+  float line_width = 1;
+  float point_size = 1;
   Viewport viewport = {};
   /// The pixels that may be drawn; by default, all.
   Rectangle scissor{{0, 0}, {kMaxSize, kMaxSize}};
@@ -220,7 +244,10 @@ struct State {
   std::size_t clip_distance_count = 0;     ///< user clip distances of a vertex
 };
 
-/// Indexed triangles. The spans must outlive the draw.
+/// Indexed triangles, lines or points (State::primitive). A line has the vertices a, b, b, and a
+/// point a, a, a; so the provoking vertex of a line is b with Convention::opengl, else a. Culling
+/// and Precision do not apply to lines and points, which count as front faces. The spans must
+/// outlive the draw.
 struct Mesh {
   std::span<const glm::vec4> positions = {};   ///< [vertex], clip space
   std::span<const float> attributes = {};      ///< [vertex][attribute]
@@ -244,6 +271,8 @@ enum class Error {
   depth_bias,            ///< a number that is not finite
   subpixel_bits,         ///< not 0…16
   snapped_conservative,  ///< conservative coverage of snapped vertices
+  primitive_size,        ///< a line width or point size that is not finite and above 0
+  primitive_state,       ///< conservative coverage or a depth bias of lines or points
   attribute_count,       ///< more than kMaxAttributes, or not the framebuffer's
   clip_distance_count,   ///< more than kMaxClipDistances
   attribute_values,      ///< too few or too many values for the vertices and attributes

@@ -21,6 +21,30 @@ ras::Cull cull(cases::Cull cull) {
   return ras::Cull::front;
 }
 
+ras::Primitive primitive(cases::Primitive primitive) {
+  switch (primitive) {
+    case cases::Primitive::triangles:
+      return ras::Primitive::triangles;
+    case cases::Primitive::lines:
+      return ras::Primitive::lines;
+    case cases::Primitive::points:
+      break;
+  }
+  return ras::Primitive::points;
+}
+
+ras::LineMode line_mode(cases::LineMode mode) {
+  switch (mode) {
+    case cases::LineMode::rectangular:
+      return ras::LineMode::rectangular;
+    case cases::LineMode::parallelogram:
+      return ras::LineMode::parallelogram;
+    case cases::LineMode::bresenham:
+      break;
+  }
+  return ras::LineMode::bresenham;
+}
+
 ras::Qualifier qualifier(const cases::Attribute& attribute) {
   ras::Qualifier q;
   switch (attribute.interpolation) {
@@ -151,6 +175,10 @@ ras::Snapping snapping(const cases::Snapping& asked_for) {
 ras::State state_of(const cases::Case& c, ras::Conservative conservative) {
   ras::State s;
   s.convention = convention(c.rules);
+  s.primitive = primitive(c.primitive);
+  s.line_mode = line_mode(c.line_mode);
+  s.line_width = c.line_width;
+  s.point_size = c.point_size;
   s.viewport = {{c.viewport.x, c.viewport.y},
                 {c.viewport.width, c.viewport.height},
                 c.viewport.min_depth,

@@ -116,11 +116,6 @@ std::vector<std::string> variants(const RasterizerOptions& options) {
   return all;
 }
 
-Result<void> refuse_lines_and_points(const cases::Case& c) {
-  if (c.primitive == cases::Primitive::triangles) return {};
-  return tl::unexpected(Error{"", "", "only triangles are drawn", Failure::unsupported});
-}
-
 class RasterizerBackend : public Backend,
                           private PictureDrawer,
                           private PictureContinuer,
@@ -132,7 +127,8 @@ class RasterizerBackend : public Backend,
   explicit RasterizerBackend(RasterizerOptions options) : options_(std::move(options)) {}
 
   About about() const override {
-    return {.same_as = variants(options_),
+    return {.capabilities = capabilities(),
+            .same_as = variants(options_),
             .answers_occlusion_queries = true,
             .draws_pictures = draws_pictures()};
   }
@@ -143,6 +139,11 @@ class RasterizerBackend : public Backend,
       contract.coverage->rounding = cases::Rounding::floor;
     }
     if (is_conservative()) promise_conservative(options_.conservative, contract);
+    if (c.primitive != cases::Primitive::triangles) {
+      // The bounds of differences and derivatives are derived for triangles.
+      contract.derivative_bound.reset();
+      contract.quad_share.reset();
+    }
     return contract;
   }
   /// Framebuffers hold values computed in double, so only the backend in double draws pictures.
@@ -158,11 +159,16 @@ class RasterizerBackend : public Backend,
   bool draws_pictures() const {
     return options_.precision == ras::Precision::float64 && !options_.rounds_down;
   }
+  cases::Capabilities capabilities() const {
+    cases::Capabilities has;
+    if (!is_conservative()) {
+      has.primitives = {cases::Primitive::triangles, cases::Primitive::lines,
+                        cases::Primitive::points};
+    }
+    return has;
+  }
   bool is_conservative() const { return options_.conservative != ras::Conservative::off; }
   Result<cases::Fragments> draw_fragments(const cases::Case& asked_for) override {
-    if (const auto refused = refuse_lines_and_points(asked_for); !refused) {
-      return tl::unexpected(refused.error());
-    }
     const ras::OnSimdTarget target(options_.simd);
     std::optional<cases::Case> rounded;
     if (options_.rounds_down && asked_for.coverage) {
@@ -175,7 +181,7 @@ class RasterizerBackend : public Backend,
     }
     ras::State state = state_of(c, options_.conservative);
     state.precision = options_.precision;
-    state.derivatives = true;
+    state.derivatives = c.primitive == cases::Primitive::triangles;  // others have no bound
     const CaseMesh memory(c);
     ras::Fragments fragments;
     const ras::DrawResult drawn =
@@ -185,21 +191,17 @@ class RasterizerBackend : public Backend,
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override {
     const ras::OnSimdTarget target(options_.simd);
-    return refuse_lines_and_points(c).and_then([&] {
-      return backends::draw_picture(c, pipeline, {options_.conservative, options_.threads});
-    });
+    return backends::draw_picture(c, pipeline, {options_.conservative, options_.threads});
   }
   Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                          cases::Picture& picture) override {
     const ras::OnSimdTarget target(options_.simd);
-    return refuse_lines_and_points(c).and_then([&] {
-      return backends::draw_over(c, pipeline, {options_.conservative, options_.threads}, picture);
-    });
+    return backends::draw_over(c, pipeline, {options_.conservative, options_.threads}, picture);
   }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override {
-    if (const auto refused = refuse_lines_and_points(c); !refused) {
-      return tl::unexpected(refused.error());
+    if (c.primitive != cases::Primitive::triangles) {
+      return tl::unexpected(Error{"", "", "only triangles are traced", Failure::unsupported});
     }
     ras::State state = state_of(c);
     state.precision = options_.precision;

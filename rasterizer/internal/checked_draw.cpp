@@ -59,6 +59,12 @@ std::optional<Error> check_state(const State& state) {
   if (state.snapping && state.conservative != Conservative::off) {
     return Error::snapped_conservative;
   }
+  const auto is_size = [](float size) { return std::isfinite(size) && size > 0; };
+  if (!is_size(state.line_width) || !is_size(state.point_size)) return Error::primitive_size;
+  if (state.primitive != Primitive::triangles &&
+      (state.conservative != Conservative::off || !state.depth_bias.is_none())) {
+    return Error::primitive_state;
+  }
   if (state.attributes.size() > kMaxAttributes) return Error::attribute_count;
   if (state.clip_distance_count > kMaxClipDistances) return Error::clip_distance_count;
   return std::nullopt;

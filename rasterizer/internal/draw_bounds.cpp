@@ -80,6 +80,11 @@ DrawBounds draw_bounds(const State& state, const TargetSize& size) {
   bounds.columns = scissored(size.width, state.scissor.origin.x, state.scissor.size.x);
   bounds.rows = scissored(size.height, state.scissor.origin.y, state.scissor.size.y);
 
+  if (state.primitive != Primitive::triangles) {  // the viewport cuts what they are around
+    bounds.sample_columns.fill(bounds.columns);
+    bounds.sample_rows.fill(bounds.rows);
+    return bounds;
+  }
   if (state.conservative != Conservative::off) {
     const auto& [origin, extent, min_depth, max_depth] = state.viewport;
     PixelRange columns;

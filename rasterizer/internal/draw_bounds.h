@@ -46,8 +46,8 @@ struct DrawBounds {
   PixelRange whole_rows;
 };
 
-/// Returns the bounds of a draw. The viewport limits samples, to [origin, origin + size) after
-/// sorting its ends; target and scissor limit pixels.
+/// Returns the bounds of a draw. The viewport limits samples of triangles, to [origin, origin +
+/// size) after sorting its ends; target and scissor limit pixels.
 DrawBounds draw_bounds(const State& state, const TargetSize& size);
 /// Returns the bounds that the draw would have without its scissor.
 DrawBounds draw_bounds_of_window(const State& state, const TargetSize& size);

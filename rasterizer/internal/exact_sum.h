@@ -49,6 +49,14 @@ class ExactSum {
     add(high);
   }
 
+  /// Adds `factor` times another sum.
+  void add_product(const ExactSum& sum, double factor) {
+    for (const double component : sum.components()) add_product(component, factor);
+  }
+  void add_product(const ExactSum& a, const ExactSum& b) {
+    for (const double component : b.components()) add_product(a, component);
+  }
+
   /// Returns the sign: −1, 0 or 1.
   int sign() const {
     if (size_ == 0) return 0;

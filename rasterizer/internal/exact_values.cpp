@@ -62,9 +62,7 @@ double float_scale(const Weights& weights) {
 
 ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& k) {
   ExactSum sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const double component : e[i].components()) sum.add_product(component, k[i]);
-  }
+  for (std::size_t i = 0; i < 3; ++i) sum.add_product(e[i], k[i]);
   return sum;
 }
 
@@ -233,18 +231,9 @@ double exact_value_at(const ValueLine& line, const Weights& weights, double u, d
   return sum > 0 ? numerator / sum : line.copy;
 }
 
-double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
-                      double u, double v, double scale, double period) {
-  const auto of_copy = [&] { return std::fmod(std::floor(line.copy * scale), period); };
-  if (line.kind == ValueLine::Kind::copied) return of_copy();
-  const std::array<ExactSum, 3> e = weights.exact_at(u, v);
-  // The denominator is Σ E_i or, for an affine value, Σ w_i E_i, which is constant.
-  const bool is_affine = line.kind == ValueLine::Kind::affine;
-  ExactSum denominator = combine(e, is_affine ? triangle.w : std::array<double, 3>{1, 1, 1});
-  if (denominator.sign() <= 0) return of_copy();
-  const ExactSum numerator = combine(e, line.numerators);
+double exact_floor(const ExactSum& numerator, ExactSum denominator, double scale, double period) {
   ExactSum rest;
-  for (const double component : numerator.components()) rest.add_product(component, scale);
+  rest.add_product(numerator, scale);
   // Long division: each step adds an estimate of ⌊rest / denominator⌋ to `floor` and subtracts this
   // multiple of the denominator from the rest, until the estimate is 0.
   double floor = 0;
@@ -252,9 +241,7 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
     const double quotient = std::floor(rest.nearest() / denominator.nearest());
     ExactSum left;
     for (const double component : rest.components()) left.add(component);
-    for (const double component : denominator.components()) {
-      left.add_product(component, -quotient);
-    }
+    left.add_product(denominator, -quotient);
     if (left.sign() < 0 && std::abs(quotient) <= 1) return floor + quotient - 1;
     floor = std::fmod(floor + std::fmod(quotient, period), period);
     if (quotient == 0) {
@@ -264,6 +251,18 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
     }
     rest = left;
   }
+}
+
+double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+                      double u, double v, double scale, double period) {
+  const auto of_copy = [&] { return std::fmod(std::floor(line.copy * scale), period); };
+  if (line.kind == ValueLine::Kind::copied) return of_copy();
+  const std::array<ExactSum, 3> e = weights.exact_at(u, v);
+  // The denominator is Σ E_i or, for an affine value, Σ w_i E_i, which is constant.
+  const bool is_affine = line.kind == ValueLine::Kind::affine;
+  ExactSum denominator = combine(e, is_affine ? triangle.w : std::array<double, 3>{1, 1, 1});
+  if (denominator.sign() <= 0) return of_copy();
+  return exact_floor(combine(e, line.numerators), denominator, scale, period);
 }
 
 bool is_certain(const ValueLine& line, const TriangleValues& triangle, double det_t,

@@ -127,9 +127,11 @@ bool is_certain(const ValueLine& line, const TriangleValues& triangle, double de
 /// Returns value_at(), always from exact sums: relative error at most 2^-50.
 double exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);
 /// Returns a number of magnitude below 2 · period that differs from ⌊scale · r⌋ by an exact
-/// multiple of `period`, where r is the exact value. `period` must be a whole number below 2^51, or
-/// infinite. If `period` is infinite, returns ⌊scale · r⌋ itself or, beyond 2^53, a neighbouring
-/// double.
+/// multiple of `period`, where r is the quotient of two sums; the denominator must be positive.
+/// `period` must be a whole number below 2^51, or infinite. If `period` is infinite, returns
+/// ⌊scale · r⌋ itself or, beyond 2^53, a neighbouring double.
+double exact_floor(const ExactSum& numerator, ExactSum denominator, double scale, double period);
+/// Does the same for the exact value at (u, v).
 double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                       double u, double v, double scale, double period);
 /// Returns 1/w = Σ E_i / Σ w_i E_i from exact sums: relative error at most 2^-50.

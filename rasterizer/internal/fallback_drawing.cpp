@@ -11,6 +11,7 @@
 #include "rasterizer/internal/exact_values.h"
 #include "rasterizer/internal/grid_coverage.h"
 #include "rasterizer/internal/part_set_up.h"
+#include "rasterizer/internal/primitive_drawing.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -250,6 +251,7 @@ class FallbackDrawingBy : public FallbackDrawing {
 
 std::unique_ptr<FallbackDrawing> make_fallback_drawing(const DrawSetting& setting, const Mesh& mesh,
                                                        bool has_derivatives) {
+  if (setting.state.primitive != Primitive::triangles) return make_primitive_drawing(setting, mesh);
   if (setting.state.snapping) {
     return std::make_unique<FallbackDrawingBy<GridCoverage>>(setting, mesh, has_derivatives);
   }

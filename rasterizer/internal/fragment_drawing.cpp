@@ -16,6 +16,7 @@
 #include "rasterizer/internal/grid_coverage.h"
 #include "rasterizer/internal/masks.h"
 #include "rasterizer/internal/part_set_up.h"
+#include "rasterizer/internal/primitive_drawing.h"
 #include "rasterizer/internal/tap.h"
 
 namespace rastercheck::rasterizer {
@@ -343,12 +344,16 @@ DrawCounts draw_with(const State& state, const Mesh& mesh, const TargetSize& siz
 
 DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                      Fragments& fragments) {
+  if (state.primitive != Primitive::triangles) {
+    return draw_primitives(state, mesh, size, fragments);
+  }
   NoTap tap;
   return draw_with(state, mesh, size, fragments, tap);
 }
 
 std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                                 const SamplePlace& address) {
+  if (state.primitive != Primitive::triangles) return std::nullopt;
   Mesh alone = mesh;
   alone.triangles = mesh.triangles.subspan(address.triangle, 1);
   RecordingTap tap({0, address.x, address.y, address.sample});

@@ -96,14 +96,20 @@ std::int64_t tie_point(Rounding rounding, std::int64_t below) {
   return rounding == Rounding::nearest_even && below % 2 == 0 ? below : below + 1;
 }
 
+std::array<GridAxis, 2> window_axes(const State& state) {
+  const auto& [origin, size, min_depth, max_depth] = state.viewport;
+  const double up = state.convention == Convention::d3d ? -1 : 1;
+  return {GridAxis{size.x, 2 * double{origin.x}, size.x},
+          GridAxis{up * size.y, 2 * double{origin.y}, size.y}};
+}
+
 Grid grid_of(const State& state) {
-  const Viewport& viewport = state.viewport;
   Grid grid;
   grid.snapping = *state.snapping;
   grid.unit_bits = unit_bits(grid.snapping);
-  grid.x = {viewport.size.x, 2 * double{viewport.origin.x}, viewport.size.x};
-  grid.y = {viewport.size.y, 2 * double{viewport.origin.y}, viewport.size.y};
-  if (state.convention == Convention::d3d) grid.y.slope = -grid.y.slope;
+  const auto [x, y] = window_axes(state);
+  grid.x = x;
+  grid.y = y;
   return grid;
 }
 

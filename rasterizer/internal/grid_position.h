@@ -16,6 +16,7 @@
 // Points are counted in units of 2^-u pixels, where u is the larger of b and 4. Samples, whose
 // offsets are sixteenths of a pixel, are then grid points too.
 
+#include <array>
 #include <cstdint>
 #include <glm/vec4.hpp>
 
@@ -44,6 +45,9 @@ struct Grid {
   Snapping snapping;
   int unit_bits = 0;  ///< u
 };
+
+/// Returns the axes of a draw's window.
+std::array<GridAxis, 2> window_axes(const State& state);
 
 /// Returns u for a snapping.
 int unit_bits(const Snapping& snapping);

@@ -55,6 +55,7 @@ bool is_snapped_by_kernels(const State& state) {
 
 std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile_columns) {
   const State& state = setting.state;
+  if (state.primitive != Primitive::triangles) return std::nullopt;
   const bool snaps = state.snapping.has_value();
   const SampleFrame frame =
       snaps ? grid_frame(setting.window, unit_bits(*state.snapping)) : setting.frame;
