@@ -78,7 +78,8 @@ void add_line(Draw& draw, cases::Case& c) {
 }
 
 cases::Case make(Draw& draw) {
-  cases::Case c = random_primitive_state(draw, cases::Primitive::lines);
+  const bool is_on_grid = draw.one_in(2);
+  cases::Case c = random_primitive_state(draw, cases::Primitive::lines, is_on_grid);
   set_line_mode(draw, c);
   const int lines = draw.between(3, 6 + draw.size() / 8);
   for (int i = 0; i < lines; ++i) add_line(draw, c);

@@ -35,7 +35,8 @@ void add_point(Draw& draw, cases::Case& c) {
 }
 
 cases::Case make(Draw& draw) {
-  cases::Case c = random_primitive_state(draw, cases::Primitive::points);
+  const bool is_on_grid = draw.one_in(2);
+  cases::Case c = random_primitive_state(draw, cases::Primitive::points, is_on_grid);
   set_point_size(draw, c);
   const int points = draw.between(4, 12 + draw.size() / 4);
   for (int i = 0; i < points; ++i) add_point(draw, c);

@@ -18,6 +18,7 @@ const LawRegistration kRegistration(
      .exceptions = "samples that the contract permits either way",
      .generate = &generate_any,
      .check = &check,
+     .takes_lines_and_points = true,
      .covers = {cover(14, "clipped"), cover(43, "drawn"), cover(6, "extrapolated centre"),
                 cover(18, "several samples"), cover_decided(10, "tie"), cover(8, "w <= 0")}});
 

@@ -147,6 +147,7 @@ const LawRegistration kRegistration(
      .exceptions = "nothing: every case has something to say",
      .generate = &generate,
      .check = &check,
+     .takes_lines_and_points = true,
      .covers = {cover(40, "drawn"), cover(10, "clipped"), cover(15, "several samples"),
                 cover(7, "w <= 0")}});
 

@@ -127,6 +127,7 @@ const LawRegistration kRegistration(
      .exceptions = "cases without flat attributes; triangles that nothing is promised of",
      .generate = &generate,
      .check = &check,
+     .takes_lines_and_points = true,
      .covers = {cover(24, "negative zero"), cover(29, "subnormal"), cover(15, "culling"),
                 cover(7, "provoked from behind the eye"), cover(20, "several samples"),
                 cover(16, "snapped"), cover(15, "clipped")}});

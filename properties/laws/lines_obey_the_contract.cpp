@@ -4,7 +4,7 @@
 
 #include "properties/generator.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/primitive_promise.h"
+#include "properties/laws/internal/primitive_cases.h"
 
 namespace rastercheck::properties::lines_obey_the_contract_law {
 namespace {

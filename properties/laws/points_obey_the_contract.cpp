@@ -3,7 +3,7 @@
 
 #include "properties/generator.h"
 #include "properties/judged_law.h"
-#include "properties/laws/internal/primitive_promise.h"
+#include "properties/laws/internal/primitive_cases.h"
 
 namespace rastercheck::properties::points_obey_the_contract_law {
 namespace {
@@ -28,8 +28,7 @@ const LawRegistration kRegistration(
      .is_promised = &draws_points,
      .unpromised = kDrawsNoPoints,
      .takes_lines_and_points = true,
-     .covers = {cover(10, "clipped"), cover(43, "drawn"), cover(15, "several samples"),
-                cover_decided(10, "tie")}});
+     .covers = {cover(43, "drawn"), cover(15, "several samples"), cover_decided(10, "tie")}});
 
 }  // namespace
 }  // namespace rastercheck::properties::points_obey_the_contract_law

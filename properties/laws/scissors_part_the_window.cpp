@@ -158,6 +158,7 @@ const LawRegistration kRegistration(
      .exceptions = "nothing: every case has something to say",
      .generate = &generate_any,
      .check = &check,
+     .takes_lines_and_points = true,
      .covers = {cover(14, "clipped"), cover(37, "parted"), cover(6, "scissor"),
                 cover(18, "several samples"), cover(9, "w <= 0")}});
 

@@ -20,6 +20,7 @@ const LawRegistration kRegistration(
                    "leave free or undefined",
      .generate = &generate_any,
      .check = &check,
+     .takes_lines_and_points = true,
      .covers = {cover(12, "clipped"), cover(42, "drawn"), cover(5, "extrapolated centre"),
                 cover(15, "several samples"), cover_decided(9, "tie"), cover(8, "w <= 0")}});
 

@@ -120,6 +120,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &is_promised,
      .unpromised = "needs another backend that promises identical bits",
+     .takes_lines_and_points = true,
      .covers = {cover(40, "drawn"), cover(10, "beyond 64 pixels"), cover(15, "several samples"),
                 cover(20, "three attributes and more"), cover(10, "clipped")}});
 

@@ -134,6 +134,7 @@ const LawRegistration kRegistration(
      .check = &check,
      .is_promised = &is_promised,
      .unpromised = "the backend draws in one way only",
+     .takes_lines_and_points = true,
      .covers = {cover(30, "drawn"), cover(4, "many triangles"), cover(10, "clipped")}});
 
 }  // namespace

@@ -153,6 +153,7 @@ const LawRegistration kRegistration(
      .exceptions = "cases whose moved viewport is no float32; what leaves the window",
      .generate = &generate,
      .check = &check,
+     .takes_lines_and_points = true,
      .covers = {cover(25, "partly out of the window"), cover(30, "odd"), cover(7, "far"),
                 cover(10, "snapped")}});
 

@@ -6,10 +6,10 @@
 
 namespace rastercheck::properties {
 
-cases::Case random_primitive_state(Draw& draw, cases::Primitive primitive) {
+cases::Case random_primitive_state(Draw& draw, cases::Primitive primitive, bool is_on_grid) {
   StateRequest request;
   request.most_side = 40;
-  request.is_on_grid = draw.one_in(2);
+  request.is_on_grid = is_on_grid;
   cases::Case c = random_state(draw, request);
   c.cull = cases::Cull::none;
   c.primitive = primitive;

@@ -1,0 +1,90 @@
+#include "properties/laws/internal/primitive_cases.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace rastercheck::properties {
+namespace {
+
+bool draws(backends::Backend& backend, cases::Primitive primitive) {
+  const std::vector<cases::Primitive> all = backend.about().capabilities.primitives;
+  return std::find(all.begin(), all.end(), primitive) != all.end();
+}
+
+bool is_inside(const cases::Case& c, std::uint32_t vertex) {
+  const cases::ClipVertex& p = c.positions[vertex];
+  const float near = c.rules == cases::Rules::opengl ? -p.w : 0.0F;
+  const auto distances = c.clip_distances_of(vertex);
+  return p.w > 0 && std::abs(p.x) < p.w && std::abs(p.y) < p.w && near < p.z && p.z < p.w &&
+         std::all_of(distances.begin(), distances.end(), [](float d) { return d > 0; });
+}
+
+}  // namespace
+
+bool draws_lines(backends::Backend& backend) { return draws(backend, cases::Primitive::lines); }
+bool draws_points(backends::Backend& backend) { return draws(backend, cases::Primitive::points); }
+
+void set_area_mode(Draw& draw, cases::Case& c) {
+  c.line_mode = draw.pick(std::array{cases::LineMode::rectangular, cases::LineMode::parallelogram});
+}
+
+void leave_out_flat_attributes(cases::Case& c) {
+  for (cases::Attribute& attribute : c.attributes) {
+    if (attribute.interpolation == cases::Interpolation::flat) {
+      attribute.interpolation = cases::Interpolation::smooth;
+    }
+  }
+}
+
+void leave_out_centroids(cases::Case& c) {
+  for (cases::Attribute& attribute : c.attributes) {
+    if (attribute.location == cases::Location::centroid) {
+      attribute.location = cases::Location::center;
+    }
+  }
+}
+
+WindowPoint window_point(const cases::Case& c, const cases::ClipVertex& vertex) {
+  const cases::Viewport& viewport = c.viewport;
+  const double turn = c.rules == cases::Rules::d3d ? -1 : 1;
+  const double w = vertex.w;
+  return {viewport.x + double{viewport.width} * (1 + vertex.x / w) / 2,
+          viewport.y + double{viewport.height} * (1 + turn * vertex.y / w) / 2};
+}
+
+bool is_inside(const cases::Case& c, const cases::Triangle& vertices) {
+  return std::all_of(vertices.begin(), vertices.end(),
+                     [&c](std::uint32_t vertex) { return is_inside(c, vertex); });
+}
+
+double rounded_to_eighths(double at) { return std::floor(at * 8) / 8; }
+
+bool is_on_eighths(const WindowPoint& p) {
+  return rounded_to_eighths(p.u) == p.u && rounded_to_eighths(p.v) == p.v;
+}
+
+bool keeps_eighths(const cases::Contract& contract) {
+  if (!contract.has_one_owner_of_ties()) return false;
+  const auto& grid = contract.coverage;
+  return !grid || (std::fmod(grid->steps(), 8.0) == 0 && grid->position_error == 0);
+}
+
+void for_each_sample(
+    const cases::Case& c, const cases::Contract& contract,
+    const std::function<void(const cases::SamplePlace&, const WindowPoint&)>& visit) {
+  const std::vector<WindowPoint> pattern = sample_points(c, contract);
+  const cases::Scissor all{0, 0, c.framebuffer.width, c.framebuffer.height};
+  const cases::Scissor scissor = c.scissor.value_or(all);
+  for (int y = std::max(scissor.y, 0); y < std::min(scissor.y + scissor.height, all.height); ++y) {
+    for (int x = std::max(scissor.x, 0); x < std::min(scissor.x + scissor.width, all.width); ++x) {
+      for (std::uint32_t s = 0; s < pattern.size(); ++s) {
+        visit({0, static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x), s},
+              {x + pattern[s].u, y + pattern[s].v});
+      }
+    }
+  }
+}
+
+}  // namespace rastercheck::properties
