@@ -134,6 +134,12 @@ bool needs(const Case& c, Feature feature) {
   return false;
 }
 
+bool Capabilities::is_everything() const {
+  Capabilities of_triangles = *this;
+  of_triangles.primitives = {Primitive::triangles};
+  return of_triangles == Capabilities();
+}
+
 bool Capabilities::has(Feature feature) const { return !has_one(lacks, feature); }
 
 std::string lacked_by(const Capabilities& capabilities, const Case& c) {

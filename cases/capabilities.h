@@ -69,7 +69,8 @@ struct Capabilities {
   MagnitudeRange numbers;
   bool operator==(const Capabilities&) const = default;
 
-  bool is_everything() const { return *this == Capabilities(); }
+  /// True if nothing limits cases of triangles.
+  bool is_everything() const;
   bool has(Feature feature) const;
 };
 

@@ -117,8 +117,7 @@ bool covers_touched_pixels(backends::Backend& backend) {
 
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
                         std::uint64_t index) {
-  const bool is_excluded = (law.needs_samples && covers_pixels(backend)) ||
-                           (law.excludes_outer && covers_touched_pixels(backend));
+  const bool is_excluded = !is_promised(law, backend);
   const bool lacks_triangles =
       c.primitive != cases::Primitive::triangles && !law.takes_lines_and_points;
   if (is_excluded || lacks_triangles) {

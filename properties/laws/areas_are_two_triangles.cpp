@@ -131,18 +131,18 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std
 
 /// Points and parallelograms whose ends are on eighths of pixels.
 Generated generate(Draw& draw) {
-  const auto& all = draw.capabilities().primitives;
-  const bool has_points = std::find(all.begin(), all.end(), cases::Primitive::points) != all.end();
-  const bool has_lines = std::find(all.begin(), all.end(), cases::Primitive::lines) != all.end();
-  const bool is_of_points = has_points && (draw.one_in(2) || !has_lines);
+  const bool is_of_points = draw.one_in(2);
   cases::Case c = random_primitive_state(
       draw, is_of_points ? cases::Primitive::points : cases::Primitive::lines, true);
-  set_line_mode(draw, c);
-  c.line_mode = cases::LineMode::parallelogram;
-  set_point_size(draw, c);
   // Half of a size must be a multiple of an eighth.
-  c.line_width = std::floor(c.line_width * 4) / 4;
-  c.point_size = std::floor(c.point_size * 4) / 4;
+  if (is_of_points) {
+    set_point_size(draw, c);
+    c.point_size = std::floor(c.point_size * 4) / 4;
+  } else {
+    set_line_mode(draw, c);
+    c.line_mode = cases::LineMode::parallelogram;
+    c.line_width = std::floor(c.line_width * 4) / 4;
+  }
   const int count = draw.between(2, 6 + draw.size() / 10);
   for (int i = 0; i < count; ++i) {
     std::array<std::uint32_t, 2> ends{};
@@ -157,7 +157,7 @@ Generated generate(Draw& draw) {
   }
   add_attribute_values(draw, c);
   add_clip_distances(draw, c);
-  return {c, is_of_points ? "points" : "lines"};
+  return {c, is_of_points ? "points" : "parallelograms"};
 }
 
 bool draws_either(backends::Backend& backend) {

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "cases/some_fragments.h"
-#include "properties/generator.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -59,7 +58,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std
 
 /// Lines with clip distances of both signs.
 Generated generate(Draw& draw) {
-  Generated made{find_generator("lines")->make(draw), "lines"};
+  Generated made = random_lines(draw);
   cases::Case& c = made.source;
   c.coverage.reset();
   if (!draw.capabilities().has(cases::Feature::clip_distances)) return made;

@@ -2,7 +2,6 @@
 // values stay within the bounds. A line is a rectangle, a parallelogram, or the pixels whose
 // diamonds it leaves, and its values are those of the share of its second end (RULES §10).
 
-#include "properties/generator.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/primitive_cases.h"
 
@@ -14,15 +13,13 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check_judged(c, backend, {}, index);
 }
 
-Generated generate(Draw& draw) { return {find_generator("lines")->make(draw), "lines"}; }
-
 const LawRegistration kRegistration(
     {.id = "lines-obey-the-contract",
      .sentence = "lines obey the contract",
      .reason = "A line is a rectangle, a parallelogram or the pixels whose diamonds it leaves, and "
                "its values are those of the share of its second end (RULES §10).",
      .exceptions = "samples that the contract permits either way",
-     .generate = &generate,
+     .generate = &random_lines,
      .check = &check,
      .is_promised = &draws_lines,
      .unpromised = kDrawsNoLines,

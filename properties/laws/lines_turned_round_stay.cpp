@@ -17,7 +17,6 @@
 #include <set>
 #include <utility>
 
-#include "properties/generator.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -90,15 +89,13 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std
   return check;
 }
 
-Generated generate(Draw& draw) { return {find_generator("lines")->make(draw), "lines"}; }
-
 const LawRegistration kRegistration(
     {.id = "a-line-turned-round-stays",
      .sentence = "a line turned round stays where it is",
      .reason = "A rectangle and a parallelogram have no direction; Bresenham's lines differ only "
                "at their ends.",
      .exceptions = "flat attributes; Bresenham's lines if the contract leaves their pixels open",
-     .generate = &generate,
+     .generate = &random_lines,
      .check = &check,
      .is_promised = &draws_lines,
      .unpromised = kDrawsNoLines,

@@ -1,7 +1,6 @@
 // Points obey the contract: a point covers the samples of the square around its vertex and no
 // other, has its vertex's values, and is dropped if the vertex is clipped (RULES §9).
 
-#include "properties/generator.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/primitive_cases.h"
 
@@ -15,15 +14,13 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   return check_judged(c, backend, {}, index);
 }
 
-Generated generate(Draw& draw) { return {find_generator("points")->make(draw), "points"}; }
-
 const LawRegistration kRegistration(
     {.id = "points-obey-the-contract",
      .sentence = "points obey the contract",
      .reason = "A point is the square around its vertex's window position, with the vertex's "
                "values (RULES §9).",
      .exceptions = "samples that the contract permits either way",
-     .generate = &generate,
+     .generate = &random_points,
      .check = &check,
      .is_promised = &draws_points,
      .unpromised = kDrawsNoPoints,

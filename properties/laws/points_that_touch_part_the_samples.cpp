@@ -119,13 +119,14 @@ Generated generate(Draw& draw) {
   cases::Case c = random_primitive_state(draw, cases::Primitive::points, true);
   c.coverage.reset();
   c.clip_distance_count = 0;
+  set_square_viewport(draw, c);
   set_point_size(draw, c);
   const double size = c.point_size;
-  const int columns = draw.between(1, 5);
-  const int rows = draw.between(1, 5);
+  const int columns = draw.between(1, 4);
+  const int rows = draw.between(1, 4);
   const WindowPoint middle = visible_middle(c);
-  const int u = draw.between(-32, 32);
-  const int v = draw.between(-32, 32);
+  const int u = draw.between(-16, 16);
+  const int v = draw.between(-16, 16);
   const WindowPoint first{rounded_to_eighths(middle.u - size * columns / 2) + u / 8.0,
                           rounded_to_eighths(middle.v - size * rows / 2) + v / 8.0};
   for (int row = 0; row < rows; ++row) {

@@ -13,7 +13,6 @@
 #include <map>
 #include <vector>
 
-#include "properties/generator.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/primitive_cases.h"
@@ -98,13 +97,8 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
 }
 
 Generated generate(Draw& draw) {
-  Generated made{find_generator("points")->make(draw), "points"};
-  // Whole pixels of the framebuffer, where centres are exact.
-  cases::Viewport& viewport = made.source.viewport;
-  viewport.x = 0;
-  viewport.y = 0;
-  viewport.width = static_cast<float>(made.source.framebuffer.width);
-  viewport.height = static_cast<float>(made.source.framebuffer.height);
+  Generated made = random_points(draw);
+  set_square_viewport(draw, made.source);
   for (cases::ClipVertex& p : made.source.positions) {
     if (draw.one_in(2)) p.w = 1;
   }

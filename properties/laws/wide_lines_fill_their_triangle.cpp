@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <string>
+#include <string_view>
 
 #include "properties/generator.h"
 #include "properties/judged_law.h"
@@ -110,8 +112,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
 }
 
 Generated generate(Draw& draw) {
-  Generated made{find_generator("ordinary")->make(draw), "ordinary"};
-  // A contract that covers more than the triangle has samples beyond its border.
+  const std::string_view stratum =
+      draw.pick(std::array<std::string_view, 4>{"ordinary", "ordinary", "on-grid", "slivers"});
+  Generated made{find_generator(stratum)->make(draw), std::string(stratum)};
   made.source.depth_clamp = false;
   return made;
 }

@@ -9,8 +9,8 @@
 
 #include <cstddef>
 
+#include "cases/names.h"
 #include "properties/choices.h"
-#include "properties/generator.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/primitive_cases.h"
@@ -58,8 +58,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
 }
 
 Generated generate(Draw& draw) {
-  Generated made{find_generator("lines")->make(draw), "lines"};
+  Generated made = random_lines(draw);
   set_area_mode(draw, made.source);
+  made.stratum = cases::name_of(made.source.line_mode);
   return made;
 }
 

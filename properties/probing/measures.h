@@ -63,6 +63,8 @@ void measure_depth_bias(Subject& subject, Sight& sight);
 void measure_pictures(Subject& subject);
 /// Measures the weights of bilinear filtering, and which texel is looked up at a border.
 void measure_textures(Subject& subject);
+/// Measures which samples lines and points cover, and how their sizes are rounded.
+void measure_primitives(Subject& subject);
 /// Measures the least and greatest usable numbers, including subnormal numbers and overflow.
 void measure_numbers(Subject& subject);
 /// Measures whether the same case gives the same picture, and which values are returned exactly.

@@ -43,6 +43,7 @@ std::vector<Step> steps() {
       {{"depth bias", {"depth_bias"}}, &measure_depth_bias},
       {{"pictures", {}}, of(&measure_pictures)},
       {{"textures", {}}, of(&measure_textures)},
+      {{"lines and points", {}}, of(&measure_primitives)},
       {{"numbers", {"numbers"}}, of(&measure_numbers)},
       {{"promises to the bit",
         {"keeps_constants", "keeps_equal_depth", "keeps_vertex_values", "is_invariant"}},

@@ -88,7 +88,8 @@ TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
       EXPECT_EQ(*read, made.source) << law.id << i;
       strata.insert(made.stratum);
     }
-    EXPECT_GE(strata.size(), 3U) << law.id;
+    // The kinds of lines are three; points have one, and so may laws that make a kind of their own.
+    EXPECT_GE(strata.size(), law.takes_lines_and_points ? 1U : 3U) << law.id;
     EXPECT_FALSE(strata.contains("")) << law.id;
   }
 }

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "cases/names.h"
+#include "properties/generator.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -26,8 +31,26 @@ bool is_inside(const cases::Case& c, std::uint32_t vertex) {
 bool draws_lines(backends::Backend& backend) { return draws(backend, cases::Primitive::lines); }
 bool draws_points(backends::Backend& backend) { return draws(backend, cases::Primitive::points); }
 
+Generated random_lines(Draw& draw) {
+  cases::Case c = find_generator("lines")->make(draw);
+  std::string stratum(cases::name_of(c.line_mode));
+  return {std::move(c), std::move(stratum)};
+}
+
+Generated random_points(Draw& draw) { return {find_generator("points")->make(draw), "points"}; }
+
 void set_area_mode(Draw& draw, cases::Case& c) {
   c.line_mode = draw.pick(std::array{cases::LineMode::rectangular, cases::LineMode::parallelogram});
+}
+
+void set_square_viewport(Draw& draw, cases::Case& c) {
+  const int side = draw.one_in(2) ? 16 : 32;
+  c.framebuffer.width = side;
+  c.framebuffer.height = side;
+  c.viewport.x = 0;
+  c.viewport.y = 0;
+  c.viewport.width = static_cast<float>(side);
+  c.viewport.height = static_cast<float>(side);
 }
 
 void leave_out_flat_attributes(cases::Case& c) {

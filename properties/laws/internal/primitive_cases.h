@@ -10,6 +10,7 @@
 #include "cases/contract.h"
 #include "cases/sample_place.h"
 #include "properties/draw.h"
+#include "properties/law.h"
 #include "properties/window_position.h"
 
 namespace rastercheck::properties {
@@ -25,8 +26,16 @@ inline constexpr std::string_view kDrawsNoPoints = "the backend draws no points"
 inline constexpr std::string_view kNotLines = "the property is about lines";
 inline constexpr std::string_view kNotPoints = "the property is about points";
 
+/// Cases of the generators “lines” and “points”. The stratum of lines is their mode.
+Generated random_lines(Draw& draw);
+Generated random_points(Draw& draw);
+
 /// Makes the lines of a case rectangles or parallelograms.
 void set_area_mode(Draw& draw, cases::Case& c);
+
+/// Makes the framebuffer 16 or 32 pixels wide and high, and the viewport all of it: window
+/// positions with few bits are then exact in clip space.
+void set_square_viewport(Draw& draw, cases::Case& c);
 
 /// Makes flat attributes smooth: another vertex would provoke their values.
 void leave_out_flat_attributes(cases::Case& c);

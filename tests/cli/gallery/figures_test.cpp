@@ -86,7 +86,8 @@ TEST(Gallery, IsWithinOneUlpWherePerspectiveIsMeant) {
       EXPECT_EQ(picture.violations, 0U) << picture.name;
       if (picture.scale != &reports::ulp_scale()) continue;
       EXPECT_LT(picture.worst, 1) << picture.name;
-      EXPECT_GT(picture.samples, 10000U) << picture.name;
+      const bool has_large_pixels = picture.name.starts_with("005-lines");
+      EXPECT_GT(picture.samples, has_large_pixels ? 100U : 10000U) << picture.name;
       ++maps;
     }
   }

@@ -28,7 +28,8 @@ std::string source_of(const std::string& name) {
                                                  {"001", "Rasterization"},
                                                  {"002", "Moreton"},
                                                  {"003", "varying variables"},
-                                                 {"004", "MIT 6.837"}};
+                                                 {"004", "MIT 6.837"},
+                                                 {"005", "OpenGL"}};
   return texts.at(name.substr(0, 3));
 }
 
