@@ -104,6 +104,7 @@
 #include "backends/internal/affine_condition.h"
 #include "backends/internal/picture_promise.h"
 #include "backends/internal/plane_error.h"
+#include "backends/internal/primitive_promise.h"
 #include "backends/internal/rounded_up.h"
 #include "backends/internal/view_clipping.h"
 
@@ -171,6 +172,7 @@ class OneTriangle {
   cases::TrianglePromise promise();
 
  private:
+  cases::TrianglePromise promise_without_area(const Clipped& clipped);
   /// True if no vertex is behind the eye.
   bool is_before_the_eye() const {
     return std::all_of(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.w > 0; });
@@ -265,6 +267,7 @@ cases::TrianglePromise OneTriangle::promise() {
     return promise_;
   }
   const Clipped clipped = clipped_to_view(*case_, vertices_);
+  if (case_->primitive != cases::Primitive::triangles) return promise_without_area(clipped);
   const double of_weights = condition_of(case_->viewport, vertices_) * larger_condition();
   // If rounding can lose the triangle's area, one of its edges may pass through the eye, where
   // clipping divides 0 by 0.
@@ -309,6 +312,19 @@ cases::TrianglePromise OneTriangle::promise() {
   } else {
     set_values(has_area && has_values_of_spec() ? of_weights : kInfinity);
   }
+  return promise_;
+}
+
+/// The promise for a line or a point.
+cases::TrianglePromise OneTriangle::promise_without_area(const Clipped& clipped) {
+  add_positions(vertices_);
+  const double position = position_ * std::ldexp(kRest, limits_.subpixel_bits);
+  promise_.is_made = position < double{cases::kMaxPositionError};
+  if (!promise_.is_made) return promise_;
+  promise_.position_error = no_less(position);
+  const bool is_clipped = clipped.planes > 0 || !is_before_the_eye();
+  promise_primitive(*case_, promised_, {arithmetic_.operation, depth_scale(), is_clipped},
+                    promise_);
   return promise_;
 }
 

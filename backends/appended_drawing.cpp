@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "backends/primitive_vertices.h"
+
 namespace rastercheck::backends {
 namespace {
 
@@ -36,7 +38,7 @@ cases::Case without_triangles(const cases::Case& c) {
   return state;
 }
 
-/// Returns a case with the given triangles of `c`, each with its own vertices. `state` is the rest
+/// Returns a case with the given primitives of `c`, each with its own vertices. `state` is the rest
 /// of the case.
 cases::Case part_of(const cases::Case& c, cases::Case state,
                     std::span<const std::size_t> triangles) {
@@ -45,8 +47,10 @@ cases::Case part_of(const cases::Case& c, cases::Case state,
   };
   for (const std::size_t t : triangles) {
     const auto first = static_cast<std::uint32_t>(state.positions.size());
-    state.triangles.push_back({first, first + 1, first + 2});
-    for (const std::uint32_t vertex : c.triangles[t]) {
+    const auto vertices = vertices_of(c.primitive, c.triangles[t]);
+    const auto last = first + static_cast<std::uint32_t>(vertices.size()) - 1;
+    state.triangles.push_back({first, std::min(first + 1, last), last});
+    for (const std::uint32_t vertex : vertices) {
       state.positions.push_back(c.positions[vertex]);
       append(state.attribute_values, c.attributes_of(vertex));
       append(state.clip_distances, c.clip_distances_of(vertex));

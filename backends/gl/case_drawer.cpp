@@ -213,23 +213,22 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
                                          int layer_count, Layers& layers) {
   const cases::Case& c = *plan.c;
   const std::size_t count = static_cast<std::size_t>(layer_count) * plan.triangles;
-  const Result<GLuint> program = programs.get(pass, c.framebuffer.samples > 1);
+  const Result<GLuint> program = programs.get(c, pass);
   if (!program) return tl::unexpected(program.error());
   hand_over_vertices(has, c, std::span(c.triangles).subspan(first, count), pass,
                      vertex_array.name(), vertices.name());
-  glUseProgram(*program);
+  use_program(*program, c);
   set_case_state(has, c);
-  const auto corners = static_cast<GLsizei>(3 * plan.triangles);
   constexpr std::array<GLfloat, 4> kNoNumber{};
   const bool is_beyond_one = has.clears_beyond_one && c.depth_format == cases::DepthFormat::float32;
   const float farthest = c.depth_clear.value_or(is_beyond_one ? kFarthest : 1.0F);
-  for (GLint layer = 0; layer < layer_count; ++layer) {
-    glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(static_cast<std::size_t>(layer)));
+  for (std::size_t layer = 0; layer < static_cast<std::size_t>(layer_count); ++layer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(layer));
     glDisable(GL_SCISSOR_TEST);
     glClearBufferfv(GL_COLOR, 0, kNoNumber.data());
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     set_scissor(c);
-    glDrawArrays(GL_TRIANGLES, layer * corners, corners);
+    draw_primitives(c, layer * plan.triangles, plan.triangles);
   }
   reset_case_state(has);
   return check("drawing");
@@ -246,17 +245,17 @@ Result<void> CaseDrawer::Impl::recover_depths(const Batches& plan, const Pass& p
   LayerContent ones;
   if (is_open) {
     const cases::Case all = covering_at_one(*plan.c);
-    const Result<GLuint> program = programs.get(pass, all.framebuffer.samples > 1);
+    const Result<GLuint> program = programs.get(all, pass);
     if (!program) return tl::unexpected(program.error());
     hand_over_vertices(has, all, all.triangles, pass, vertex_array.name(), vertices.name());
-    glUseProgram(*program);
+    use_program(*program, all);
     set_case_state(has, all);
     glDepthFunc(GL_EQUAL);
     constexpr std::array<GLfloat, 4> kNoNumber{};
     glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(layer));
     glDisable(GL_SCISSOR_TEST);
     glClearBufferfv(GL_COLOR, 0, kNoNumber.data());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    draw_primitives(all, 0, 1);
     reset_case_state(has);
     const std::vector<bool> none(pass.size());
     if (auto read = layers.read(layer, none, ones); !read) return read;

@@ -63,19 +63,51 @@ std::string lacks_depth(const Limits& limits, const cases::Case& c) {
 }
 
 std::string lacks_rules(const Limits& limits, const cases::Case& c) {
-  if (c.primitive != cases::Primitive::triangles) return "lines and points";
   if (c.rules == cases::Rules::d3d) return "the rules of D3D";
   if (c.rules == cases::Rules::vulkan) return "";
   if (!limits.depth_clip_control) {
     return "OpenGL's clip depth (VK_EXT_depth_clip_control)";
   }
+  const bool has_choice = c.primitive != cases::Primitive::points;
   const bool has_flat = std::any_of(
       c.attributes.begin(), c.attributes.end(),
       [](const cases::Attribute& a) { return a.interpolation == cases::Interpolation::flat; });
-  if (has_flat && !limits.provoking_vertex_last) {
+  if (has_choice && has_flat && !limits.provoking_vertex_last) {
     return "OpenGL's provoking vertex (VK_EXT_provoking_vertex)";
   }
   return "";
+}
+
+std::string lacks_line_mode(const Limits& limits, cases::LineMode mode) {
+  switch (mode) {
+    case cases::LineMode::rectangular:
+      if (limits.strict_lines || limits.rectangular_lines) return "";
+      return "rectangular lines (rectangularLines, strictLines)";
+    case cases::LineMode::parallelogram:
+      if (!limits.strict_lines) return "";
+      return "lines that are parallelograms: its default mode has rectangles (strictLines)";
+    case cases::LineMode::bresenham:
+      break;
+  }
+  return limits.bresenham_lines ? "" : "Bresenham's lines (bresenhamLines)";
+}
+
+std::string lacks_primitives(const Limits& limits, const cases::Case& c) {
+  const auto lacks_size = [](const SizeRange& has, float size, const char* what,
+                             const char* feature, const char* range) -> std::string {
+    if (has.has(size)) return "";
+    if (!(has.greatest > has.least)) return fmt::format("{} {} ({})", what, size, feature);
+    return fmt::format("{} {}: {} ({})", what, size, has.in_words(), range);
+  };
+  if (c.primitive == cases::Primitive::points) {
+    return lacks_size(limits.point_sizes, c.point_size, "points of size", "largePoints",
+                      "pointSizeRange, pointSizeGranularity");
+  }
+  if (c.primitive != cases::Primitive::lines) return "";
+  const std::string mode = lacks_line_mode(limits, c.line_mode);
+  if (!mode.empty()) return mode;
+  return lacks_size(limits.line_widths, c.line_width, "lines of width", "wideLines",
+                    "lineWidthRange, lineWidthGranularity");
 }
 
 std::string lacks_attributes(const Limits& limits, const cases::Case& c) {
@@ -100,6 +132,7 @@ cases::Capabilities drawable(const Limits& limits) {
   if (limits.depth_clip_control) {
     all.rules.insert(all.rules.begin(), cases::Rules::opengl);
   }
+  all.primitives = {cases::Primitive::triangles, cases::Primitive::lines, cases::Primitive::points};
   const bool has_samples = limits.standard_sample_locations && limits.sample_rate_shading;
   std::erase_if(all.sample_counts, [&](int count) {
     return count > 1 &&
@@ -119,7 +152,8 @@ cases::Capabilities drawable(const Limits& limits) {
 std::string lacks(const Limits& limits, const cases::Case& c) {
   for (const std::string& reason :
        {lacks_rules(limits, c), lacks_size(limits, c), lacks_viewport(limits, c.viewport),
-        lacks_state(limits, c), lacks_depth(limits, c), lacks_attributes(limits, c)}) {
+        lacks_state(limits, c), lacks_depth(limits, c), lacks_attributes(limits, c),
+        lacks_primitives(limits, c)}) {
     if (!reason.empty()) return reason;
   }
   return "";

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "backends/size_range.h"
 #include "cases/capabilities.h"
 #include "cases/case.h"
 #include "cases/picture.h"
@@ -37,6 +38,11 @@ struct Limits {
   bool float_blending = false;   ///< blends colours of float32
   unsigned byte_samples = 1;     ///< bit mask like `sample_counts`, of images with bytes as colours
   int max_texture = 0;           ///< width and height of a texture, texels
+  SizeRange line_widths;         ///< 1 alone without wideLines
+  SizeRange point_sizes;         ///< 1 alone without largePoints
+  bool strict_lines = false;     ///< lines of the default mode are rectangles, else parallelograms
+  bool rectangular_lines = false;
+  bool bresenham_lines = false;
 };
 
 /// The cases that a device can draw.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/names.h"
 #include "cases/sample_pattern.h"
 
 namespace rastercheck::backends::gl {
@@ -15,6 +16,38 @@ GLint integer(GLenum what) {
   GLint value = 0;
   glGetIntegerv(what, &value);
   return value;
+}
+
+SizeRange size_range(GLenum range, GLenum granularity) {
+  std::array<GLfloat, 2> ends = {1, 1};
+  GLfloat step = 0;
+  glGetFloatv(range, ends.data());
+  if (granularity != GL_NONE) glGetFloatv(granularity, &step);
+  return {ends[0], ends[1], step};
+}
+
+/// Forward-compatible contexts have ranges of widths and yet refuse all widths above 1.
+bool has_wide_lines() {
+  glLineWidth(2);
+  const bool has_them = glGetError() == GL_NO_ERROR;
+  glLineWidth(1);
+  return has_them;
+}
+
+void read_sizes(Capabilities& has) {
+  has.line_widths = size_range(GL_ALIASED_LINE_WIDTH_RANGE, GL_NONE);
+  if (!has.is_es) {
+    has.multisampled_line_widths =
+        size_range(GL_SMOOTH_LINE_WIDTH_RANGE, GL_SMOOTH_LINE_WIDTH_GRANULARITY);
+    has.point_sizes = size_range(GL_POINT_SIZE_RANGE, GL_POINT_SIZE_GRANULARITY);
+  } else {
+    if (has.version >= 32) {
+      has.multisampled_line_widths =
+          size_range(GL_MULTISAMPLE_LINE_WIDTH_RANGE, GL_MULTISAMPLE_LINE_WIDTH_GRANULARITY);
+    }
+    has.point_sizes = size_range(GL_ALIASED_POINT_SIZE_RANGE, GL_NONE);
+  }
+  if (!has_wide_lines()) has.line_widths = has.multisampled_line_widths = SizeRange();
 }
 
 /// The sample counts that cases may have and that both colour and depth targets support.
@@ -57,20 +90,43 @@ std::string lacks_of_viewport(const Capabilities& has, const cases::Viewport& v)
 }
 
 std::string lacks_of_rules(const Capabilities& has, const cases::Case& c) {
-  if (c.primitive != cases::Primitive::triangles) return "only triangles are drawn";
   if (c.rules == cases::Rules::d3d) return "OpenGL does not support the rules of d3d";
   if (c.rules != cases::Rules::vulkan) return "";
   if (!has.has_clip_control) {
     return has.api + " has no clip control (GL_ARB_clip_control), which the rules of vulkan need";
   }
+  const bool has_choice = c.primitive != cases::Primitive::points;
   const bool has_flat = std::any_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
     return a.interpolation == cases::Interpolation::flat;
   });
-  if (has_flat && !has.has_provoking_vertex) {
+  if (has_choice && has_flat && !has.has_provoking_vertex) {
     return has.api +
            " takes flat values from the last vertex, but the rules of vulkan from the first";
   }
   return "";
+}
+
+/// With several samples, lines are rectangles. With one they are Bresenham's, of a width that is
+/// rounded to an integer and is at least 1.
+std::string lacks_of_lines(const Capabilities& has, const cases::Case& c) {
+  const bool is_single = c.framebuffer.samples == 1;
+  const cases::LineMode drawn =
+      is_single ? cases::LineMode::bresenham : cases::LineMode::rectangular;
+  if (c.line_mode != drawn) {
+    return fmt::format("OpenGL's lines are {} with {}; the case asks for {}", cases::name_of(drawn),
+                       is_single ? "one sample" : "several samples", cases::name_of(c.line_mode));
+  }
+  const SizeRange& widths = is_single ? has.line_widths : has.multisampled_line_widths;
+  if (widths.has(is_single ? std::max(std::round(c.line_width), 1.0F) : c.line_width)) return "";
+  return fmt::format("{} draws lines of width {}; the case needs {}", has.api, widths.in_words(),
+                     c.line_width);
+}
+
+std::string lacks_of_primitives(const Capabilities& has, const cases::Case& c) {
+  if (c.primitive == cases::Primitive::lines) return lacks_of_lines(has, c);
+  if (c.primitive != cases::Primitive::points || has.point_sizes.has(c.point_size)) return "";
+  return fmt::format("{} draws points of size {}; the case needs {}", has.api,
+                     has.point_sizes.in_words(), c.point_size);
 }
 
 std::string lacks_of_attributes(const Capabilities& has, const cases::Case& c) {
@@ -186,6 +242,7 @@ Capabilities read_capabilities() {
     has.viewport_bounds = {-32768, 32767};
   }
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, has.max_viewport.data());
+  read_sizes(has);
   return has;
 }
 
@@ -194,6 +251,7 @@ cases::Capabilities drawable(const Capabilities& has) {
   cases::Capabilities all;
   all.rules = {cases::Rules::opengl};
   if (has.has_clip_control) all.rules.push_back(cases::Rules::vulkan);
+  all.primitives = {cases::Primitive::triangles, cases::Primitive::lines, cases::Primitive::points};
   all.sample_counts = has.has_sample_qualifier ? has.sample_counts : std::vector{1};
   const auto add = [&all](bool has_it, Feature feature) {
     if (!has_it) all.lacks.push_back(feature);
@@ -211,7 +269,7 @@ cases::Capabilities drawable(const Capabilities& has) {
 std::string lacks(const Capabilities& has, const cases::Case& c) {
   for (const std::string& what :
        {lacks_of_rules(has, c), lacks_of_viewport(has, c.viewport), lacks_of_attributes(has, c),
-        lacks_of_target(has, c.framebuffer), lacks_of_depth(has, c)}) {
+        lacks_of_target(has, c.framebuffer), lacks_of_depth(has, c), lacks_of_primitives(has, c)}) {
     if (!what.empty()) return what;
   }
   if (c.clip_distance_count > static_cast<std::size_t>(has.max_clip_distances)) {

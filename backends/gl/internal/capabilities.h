@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "backends/size_range.h"
 #include "cases/capabilities.h"
 #include "cases/case.h"
 #include "cases/picture.h"
@@ -44,6 +45,9 @@ struct Capabilities {
   std::size_t max_storage = 0;             ///< bytes of a storage buffer
   std::array<float, 2> viewport_bounds{};  ///< pixels; inclusive, for x and y
   std::array<int, 2> max_viewport{};       ///< pixels
+  SizeRange line_widths;                   ///< of targets with one sample, rounded to integers
+  SizeRange multisampled_line_widths;
+  SizeRange point_sizes;
 
   /// The number of four-float vectors that the clip distances of one vertex take.
   std::size_t clip_vectors() const { return static_cast<std::size_t>(max_clip_distances) / 4; }

@@ -80,11 +80,16 @@ std::string shader_head(const Capabilities& has) {
   return head;
 }
 
-std::string case_vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
+std::string case_vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings,
+                               bool is_of_points) {
   const std::size_t clip_vectors = has.clip_vectors();
   std::string outside = shader_head(has) + "layout(location = 0) in vec4 position;\n";
   std::string inside = "  gl_Position = position;\n  number = number_in;\n";
   outside += "flat out float number;\n";
+  if (is_of_points) {
+    outside += "uniform float point_size;\n";
+    inside += "  gl_PointSize = point_size;\n";
+  }
   for (std::size_t i = 0; i < varyings.size(); ++i) {
     outside += fmt::format("layout(location = {}) in vec4 in{};\n{} out vec4 value{};\n", i + 1, i,
                            qualifiers(varyings[i]), i);
@@ -114,15 +119,16 @@ std::string value_of(const Capabilities& has, const VaryingClass& varies, std::s
   return asks ? fmt::format("interpolateAtOffset(value{}, vec2(0))", i) : fmt::format("value{}", i);
 }
 
-Result<GLuint> CasePrograms::get(const Pass& pass, bool is_multisampled, Output output) {
-  Key key{{}, is_multisampled, output};
+Result<GLuint> CasePrograms::get(const cases::Case& c, const Pass& pass, Output output) {
+  const bool is_multisampled = c.framebuffer.samples > 1;
+  Key key{{}, is_multisampled, c.primitive == cases::Primitive::points, output};
   for (const Varying& varying : pass) key.varyings.push_back(varying.varies);
   if (const auto found = made_.find(key); found != made_.end()) return found->second.name();
   const std::string fragments = output == Output::colors
                                     ? fragment_shader(*has_, key.varyings, is_multisampled)
                                     : appending_shader(*has_, key.varyings);
-  Result<Object> program =
-      make_program(case_vertex_shader(*has_, key.varyings).c_str(), fragments.c_str());
+  Result<Object> program = make_program(
+      case_vertex_shader(*has_, key.varyings, key.is_of_points).c_str(), fragments.c_str());
   if (!program) return tl::unexpected(program.error());
   const GLuint name = program->name();
   made_.emplace(std::move(key), *std::move(program));

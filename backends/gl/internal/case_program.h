@@ -9,6 +9,7 @@
 #include "backends/gl/internal/capabilities.h"
 #include "backends/gl/internal/objects.h"
 #include "backends/gl/internal/varyings.h"
+#include "cases/case.h"
 #include "cases/error.h"
 
 namespace rastercheck::backends::gl {
@@ -30,13 +31,15 @@ class CasePrograms {
   /// `has` must outlive this object.
   explicit CasePrograms(const Capabilities& has) : has_(&has) {}
 
-  /// Returns the program for a pass, made on first request. Fails if the program does not compile.
-  Result<GLuint> get(const Pass& pass, bool is_multisampled, Output output = Output::colors);
+  /// Returns the program for a pass of a case, made on first request. Fails if the program does not
+  /// compile.
+  Result<GLuint> get(const cases::Case& c, const Pass& pass, Output output = Output::colors);
 
  private:
   struct Key {
     std::vector<VaryingClass> varyings;
     bool is_multisampled = false;
+    bool is_of_points = false;
     Output output = Output::colors;
     auto operator<=>(const Key&) const = default;
   };
@@ -49,8 +52,9 @@ class CasePrograms {
 std::string shader_head(const Capabilities& has);
 
 /// A vertex shader with the inputs of CasePrograms. It hands on varying i as `value`i, and the
-/// number as `number`.
-std::string case_vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings);
+/// number as `number`. With `is_of_points`, the uniform `point_size` is the size of points.
+std::string case_vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings,
+                               bool is_of_points);
 
 /// The declaration of varying i as a fragment shader's input, and the expression for its value.
 std::string input_of(const VaryingClass& varies, std::size_t i);

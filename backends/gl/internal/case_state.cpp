@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "backends/primitive_vertices.h"
+
 namespace rastercheck::backends::gl {
 namespace {
 
@@ -70,6 +72,24 @@ void set_depth_bias(const Capabilities& has, const cases::DepthBias& bias) {
   }
 }
 
+GLenum mode_of(cases::Primitive primitive) {
+  switch (primitive) {
+    case cases::Primitive::triangles:
+      return GL_TRIANGLES;
+    case cases::Primitive::lines:
+      return GL_LINES;
+    case cases::Primitive::points:
+      break;
+  }
+  return GL_POINTS;
+}
+
+/// Sets the width of lines. Points get their size from the program (use_program()).
+void set_primitive(const Capabilities& has, const cases::Case& c) {
+  if (c.primitive == cases::Primitive::lines) glLineWidth(c.line_width);
+  if (c.primitive == cases::Primitive::points && !has.is_es) glEnable(GL_PROGRAM_POINT_SIZE);
+}
+
 }  // namespace
 
 std::size_t inputs_of(const Capabilities& has, const Pass& pass) {
@@ -79,12 +99,12 @@ std::size_t inputs_of(const Capabilities& has, const Pass& pass) {
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass) {
   const std::size_t stride = 4 * vectors_of(has, pass) + 1;
-  std::vector<float> values(3 * triangles.size() * stride);
+  std::vector<float> values(vertices_per(c.primitive) * triangles.size() * stride);
   float* to = values.data();
   float number = 0;
   for (const cases::Triangle& triangle : triangles) {
     ++number;
-    for (const std::uint32_t vertex : triangle) {
+    for (const std::uint32_t vertex : backends::vertices_of(c.primitive, triangle)) {
       const cases::ClipVertex& p = c.positions[vertex];
       std::copy_n(std::array{p.x, p.y, p.z, p.w}.data(), 4, to);
       const auto attributes = c.attributes_of(vertex);
@@ -127,7 +147,20 @@ void hand_over_vertices(const Capabilities& has, const cases::Case& c,
   }
 }
 
+void draw_primitives(const cases::Case& c, std::size_t first, std::size_t count) {
+  const std::size_t vertices = vertices_per(c.primitive);
+  glDrawArrays(mode_of(c.primitive), static_cast<GLint>(first * vertices),
+               static_cast<GLsizei>(count * vertices));
+}
+
+void use_program(GLuint program, const cases::Case& c) {
+  glUseProgram(program);
+  if (c.primitive != cases::Primitive::points) return;
+  glUniform1f(glGetUniformLocation(program, "point_size"), c.point_size);
+}
+
 void set_case_state(const Capabilities& has, const cases::Case& c) {
+  set_primitive(has, c);
   set_conventions(has, c);
   set_viewport(has, c.viewport);
   set_faces(c);

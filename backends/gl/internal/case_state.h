@@ -20,10 +20,10 @@ inline constexpr std::size_t kMostInputs = 16;
 /// The number of vertex inputs of a pass.
 std::size_t inputs_of(const Capabilities& has, const Pass& pass);
 
-/// The vertex data of a pass, three vertices per triangle. Each vertex has its position, varyings
-/// and clip distances as vectors of four floats, then the triangle's number in the span, counted
-/// from 1. Missing values are 0. Clip distances that the case lacks are positive, so that they clip
-/// nothing.
+/// The vertex data of a pass: three vertices per triangle, two per line, one per point. Each vertex
+/// has its position, varyings and clip distances as vectors of four floats, then the number of its
+/// triangle, line or point in the span, counted from 1. Missing values are 0. Clip distances that
+/// the case lacks are positive, so that they clip nothing.
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass);
 
@@ -31,6 +31,13 @@ std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
 void hand_over_vertices(const Capabilities& has, const cases::Case& c,
                         std::span<const cases::Triangle> triangles, const Pass& pass,
                         GLuint vertex_array, GLuint buffer);
+
+/// Makes a case's program the current one, and hands over the size of points.
+void use_program(GLuint program, const cases::Case& c);
+
+/// Draws `count` triangles, lines or points, from that with index `first` on, of those that were
+/// handed over.
+void draw_primitives(const cases::Case& c, std::size_t first, std::size_t count);
 
 /// Sets the case's state except the scissor test, which also affects clears: set that with
 /// set_scissor() after clearing the target.

@@ -37,7 +37,7 @@ void FragmentBuffer::bind_target(const cases::FramebufferSize& size) {
 Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
                                          std::span<const cases::Triangle> triangles,
                                          const Pass& pass, std::size_t room) {
-  const Result<GLuint> program = programs_->get(pass, false, Output::records);
+  const Result<GLuint> program = programs_->get(c, pass, Output::records);
   if (!program) return tl::unexpected(program.error());
   hand_over_vertices(*has_, c, triangles, pass, vertex_array_.name(), vertices_.name());
   const std::size_t words_of_record = kRecordHead + 4 * pass.size();
@@ -53,13 +53,13 @@ Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, records_.name());
 
   bind_target(c.framebuffer);
-  glUseProgram(*program);
+  use_program(*program, c);
   glUniform1ui(glGetUniformLocation(*program, "room"), static_cast<GLuint>(room));
   set_case_state(*has_, c);
   // A depth test that runs before the shader would discard fragments.
   glDisable(GL_DEPTH_TEST);
   set_scissor(c);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles.size()));
+  draw_primitives(c, 0, triangles.size());
   reset_case_state(*has_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::uint32_t count = 0;

@@ -181,12 +181,13 @@ Result<void> PictureDrawing::draw_into(const Layers& layers, const cases::Case& 
   shading.discards = pipeline.discard_below.has_value();
   shading.discarding_attribute = c.attributes.empty() ? 0 : c.attributes.size() - 1;
   shading.is_multisampled = c.framebuffer.samples > 1;
+  shading.is_of_points = c.primitive == cases::Primitive::points;
   shading.channels = channels_of(c, pipeline);
   const Result<PictureProgram> program = programs_.get(shading);
   if (!program) return tl::unexpected(program.error());
 
   hand_over_vertices(*has_, c, c.triangles, shading.pass, vertex_array_.name(), vertices_.name());
-  glUseProgram(program->name);
+  use_program(program->name, c);
   glActiveTexture(GL_TEXTURE0);
   Object texture;
   if (pipeline.texturing) {
@@ -198,7 +199,7 @@ Result<void> PictureDrawing::draw_into(const Layers& layers, const cases::Case& 
   clear(layers, pipeline.clear_depth);
   set_pipeline_state(pipeline);
   set_scissor(c);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * c.triangles.size()));
+  draw_primitives(c, 0, c.triangles.size());
   reset_case_state(*has_);
   if (pipeline.texturing) glBindTexture(GL_TEXTURE_2D, 0);
   return check("drawing a picture");

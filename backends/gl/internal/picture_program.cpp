@@ -105,7 +105,7 @@ Result<PictureProgram> PicturePrograms::get(const PictureShading& shading) {
   constexpr std::size_t kMostKept = 64;
   std::vector<VaryingClass> varyings;
   for (const Varying& varying : shading.pass) varyings.push_back(varying.varies);
-  const std::string vertices = case_vertex_shader(*has_, varyings);
+  const std::string vertices = case_vertex_shader(*has_, varyings, shading.is_of_points);
   const std::string fragments = picture_fragment_shader(*has_, shading);
   std::string source = vertices + fragments;
   auto found = made_.find(source);

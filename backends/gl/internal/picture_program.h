@@ -22,6 +22,7 @@ struct PictureShading {
   /// The attribute that discarding depends on, if there is no texture.
   std::size_t discarding_attribute = 0;
   bool is_multisampled = false;
+  bool is_of_points = false;
   std::size_t channels = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "backends/primitive_vertices.h"
 #include "backends/vulkan/internal/shaders.h"
 
 namespace rastercheck::backends::vulkan {
@@ -19,6 +20,7 @@ void append_vertex(const cases::Case& c, Pass pass, const VertexLayout& layout, 
   // Clip distances that the case lacks are 1, so that they clip nothing.
   std::ranges::fill(all.subspan(layout.clip_distances, layout.slots - layout.clip_distances), 1.0F);
   std::ranges::copy(c.clip_distances_of(vertex), all.subspan(layout.clip_distances).begin());
+  if (c.primitive == cases::Primitive::points) all[layout.point_size] = c.point_size;
   const std::span<const float> values = c.attributes_of(vertex);
   for (std::size_t s = 0; s < pass.size(); ++s) {
     const std::vector<std::size_t>& attributes = pass[s].attributes;
@@ -65,10 +67,21 @@ VkCompareOp compare_op_of(const cases::Case& c) {
   return c.depth_clear ? VK_COMPARE_OP_LESS : VK_COMPARE_OP_LESS_OR_EQUAL;
 }
 
+/// The mode that draws a case's lines as it asks; lacks() says which a device has.
+VkLineRasterizationModeEXT line_mode_of(const cases::Case& c, const Limits& limits) {
+  if (c.primitive != cases::Primitive::lines) return VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT;
+  if (c.line_mode == cases::LineMode::bresenham) return VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT;
+  const bool is_rectangular = c.line_mode == cases::LineMode::rectangular;
+  return is_rectangular && limits.rectangular_lines ? VK_LINE_RASTERIZATION_MODE_RECTANGULAR_EXT
+                                                    : VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT;
+}
+
 }  // namespace
 
 PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
   PipelineKind kind;
+  kind.primitive = c.primitive;
+  kind.line_mode = line_mode_of(c, limits);
   kind.samples = c.framebuffer.samples;
   kind.depth_clamp = c.depth_clamp;
   kind.negative_one_to_one = c.rules == cases::Rules::opengl;
@@ -80,11 +93,15 @@ PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
   return kind;
 }
 
-void append_triangle(const cases::Case& c, Pass pass, const VertexLayout& layout,
-                     std::size_t triangle, std::size_t number, std::vector<float>& floats) {
-  for (const std::uint32_t vertex : c.triangles[triangle]) {
+void append_primitive(const cases::Case& c, Pass pass, const VertexLayout& layout,
+                      std::size_t index, std::size_t number, std::vector<float>& floats) {
+  for (const std::uint32_t vertex : backends::vertices_of(c.primitive, c.triangles[index])) {
     append_vertex(c, pass, layout, number, vertex, floats);
   }
+}
+
+std::uint32_t vertices_of(const cases::Case& c, std::size_t primitives) {
+  return static_cast<std::uint32_t>(vertices_per(c.primitive) * primitives);
 }
 
 void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
@@ -102,6 +119,7 @@ void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline
   const cases::DepthBias bias = c.depth_bias.is_none() ? cases::DepthBias() : c.depth_bias;
   vkCmdSetDepthBiasEnable(buffer, bias.is_none() ? VK_FALSE : VK_TRUE);
   vkCmdSetDepthBias(buffer, bias.constant, bias.clamp, bias.slope);
+  if (c.primitive == cases::Primitive::lines) vkCmdSetLineWidth(buffer, c.line_width);
 }
 
 }  // namespace rastercheck::backends::vulkan

@@ -5,6 +5,7 @@
 #include <vulkan/vulkan_core.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,9 +21,12 @@ using Pass = std::span<const Slot>;
 
 PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass);
 
-/// Appends the vertices of a triangle, with `number` as the triangle's number.
-void append_triangle(const cases::Case& c, Pass pass, const VertexLayout& layout,
-                     std::size_t triangle, std::size_t number, std::vector<float>& floats);
+/// Appends the vertices of the triangle, line or point with this index, with `number` as its
+/// number.
+void append_primitive(const cases::Case& c, Pass pass, const VertexLayout& layout,
+                      std::size_t index, std::size_t number, std::vector<float>& floats);
+/// The number of vertices that append_primitive() appends for so many triangles, lines or points.
+std::uint32_t vertices_of(const cases::Case& c, std::size_t primitives);
 
 /// Call while recording, before draws: binds the pipeline, the vertices and all state of the case.
 void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,

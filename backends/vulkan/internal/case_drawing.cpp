@@ -226,7 +226,7 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
   std::vector<float> floats;
   for (const Layer& layer : layers) {
     for (const std::size_t triangle : layer) {
-      append_triangle(c, pass, layout, triangle, triangle + 1, floats);
+      append_primitive(c, pass, layout, triangle, triangle + 1, floats);
     }
   }
   if (Result<void> handed = shared->hand_over(floats); !handed) return handed;
@@ -244,7 +244,7 @@ Result<void> CaseDrawing::Impl::draw_ones(const cases::Case& c, Pass pass, std::
   const Result<VkPipeline> pipeline = shared->pipelines.get(*shared->device, kind);
   if (!pipeline) return tl::unexpected(pipeline.error());
   std::vector<float> floats;
-  append_triangle(all, pass, vertex_layout(kind), 0, 1, floats);
+  append_primitive(all, pass, vertex_layout(kind), 0, 1, floats);
   if (Result<void> handed = shared->hand_over(floats); !handed) return handed;
   return shared->commands.run(*shared->device, [&](VkCommandBuffer buffer) {
     target_of.begin_over_depths(buffer);
@@ -252,7 +252,7 @@ Result<void> CaseDrawing::Impl::draw_ones(const cases::Case& c, Pass pass, std::
     vkCmdSetDepthCompareOp(buffer, VK_COMPARE_OP_EQUAL);
     for (std::size_t i = 0; i < layer_count; ++i) {
       target_of.begin_layer(buffer, i, std::nullopt);
-      vkCmdDraw(buffer, 3, 1, 0, 0);
+      vkCmdDraw(buffer, vertices_of(all, 1), 1, 0, 0);
       Target::end_layer(buffer);
     }
     target_of.end(buffer, shared->reader, layer_count);
@@ -265,7 +265,7 @@ void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkP
   bind_case(buffer, c, pipeline, shared->vertices.buffer.get());
   std::uint32_t first = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const auto count = static_cast<std::uint32_t>(3 * layers[i].size());
+    const std::uint32_t count = vertices_of(c, layers[i].size());
     target_of.begin_layer(buffer, i, c.depth_clear.value_or(1));
     vkCmdDraw(buffer, count, 1, first, 0);
     Target::end_layer(buffer);
@@ -338,7 +338,7 @@ Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pa
   const VertexLayout layout = vertex_layout(kind);
   std::vector<float> floats;
   for (std::size_t t = 0; t < count; ++t) {
-    append_triangle(c, pass, layout, first + t, t + 1, floats);
+    append_primitive(c, pass, layout, first + t, t + 1, floats);
   }
   if (Result<void> handed = shared->hand_over(floats); !handed)
     return tl::unexpected(handed.error());
@@ -350,7 +350,7 @@ Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pa
     begin_without_images(buffer, c.framebuffer);
     bind_case(buffer, c, *pipeline, shared->vertices.buffer.get());
     records.bind(buffer, shared->pipelines.appending_layout(), room);
-    vkCmdDraw(buffer, static_cast<std::uint32_t>(3 * count), 1, 0, 0);
+    vkCmdDraw(buffer, vertices_of(c, count), 1, 0, 0);
     vkCmdEndRendering(buffer);
     FragmentBuffer::show_host(buffer);
   });

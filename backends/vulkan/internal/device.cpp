@@ -120,6 +120,7 @@ struct Features {
   VkPhysicalDeviceVulkan13Features vulkan13{};
   VkPhysicalDeviceDepthClipControlFeaturesEXT depth_clip_control{};
   VkPhysicalDeviceProvokingVertexFeaturesEXT provoking_vertex{};
+  VkPhysicalDeviceLineRasterizationFeaturesEXT lines{};
   std::vector<const char*> extensions;
 
   explicit Features(const std::set<std::string>& available) {
@@ -127,6 +128,7 @@ struct Features {
     vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     depth_clip_control.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT;
     provoking_vertex.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT;
+    lines.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_LINE_RASTERIZATION_FEATURES_EXT;
     core.pNext = &vulkan13;
     if (available.contains(VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME)) {
       depth_clip_control.pNext = std::exchange(core.pNext, &depth_clip_control);
@@ -135,6 +137,10 @@ struct Features {
     if (available.contains(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME)) {
       provoking_vertex.pNext = std::exchange(core.pNext, &provoking_vertex);
       extensions.push_back(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME);
+    }
+    if (available.contains(VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME)) {
+      lines.pNext = std::exchange(core.pNext, &lines);
+      extensions.push_back(VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME);
     }
   }
   Features(const Features&) = delete;
@@ -150,6 +156,8 @@ struct Features {
     core.features.shaderClipDistance = has.shaderClipDistance;
     core.features.sampleRateShading = has.sampleRateShading;
     core.features.fragmentStoresAndAtomics = has.fragmentStoresAndAtomics;
+    core.features.wideLines = has.wideLines;
+    core.features.largePoints = has.largePoints;
     void* const next = vulkan13.pNext;
     const VkBool32 dynamic = vulkan13.dynamicRendering;
     vulkan13 = {};
@@ -157,6 +165,8 @@ struct Features {
     vulkan13.pNext = next;
     vulkan13.dynamicRendering = dynamic;
     provoking_vertex.transformFeedbackPreservesProvokingVertex = VK_FALSE;
+    lines.smoothLines = lines.stippledRectangularLines = VK_FALSE;
+    lines.stippledBresenhamLines = lines.stippledSmoothLines = VK_FALSE;
   }
 };
 
@@ -223,6 +233,22 @@ VkFormat unorm24_of(VkPhysicalDevice physical) {
   return of_depth >= of_both ? VK_FORMAT_X8_D24_UNORM_PACK32 : VK_FORMAT_D24_UNORM_S8_UINT;
 }
 
+/// Reads what lines and points the device has.
+void read_primitives(const VkPhysicalDeviceLimits& device, const Features& features,
+                     Limits& limits) {
+  if (features.core.features.wideLines == VK_TRUE) {
+    limits.line_widths = {device.lineWidthRange[0], device.lineWidthRange[1],
+                          device.lineWidthGranularity};
+  }
+  if (features.core.features.largePoints == VK_TRUE) {
+    limits.point_sizes = {device.pointSizeRange[0], device.pointSizeRange[1],
+                          device.pointSizeGranularity};
+  }
+  limits.strict_lines = device.strictLines == VK_TRUE;
+  limits.rectangular_lines = features.lines.rectangularLines == VK_TRUE;
+  limits.bresenham_lines = features.lines.bresenhamLines == VK_TRUE;
+}
+
 Limits limits_of(VkPhysicalDevice physical, const Features& features) {
   const VkPhysicalDeviceLimits device = properties_of(physical).device.limits;
   const VkPhysicalDeviceFeatures& core = features.core.features;
@@ -259,6 +285,7 @@ Limits limits_of(VkPhysicalDevice physical, const Features& features) {
   limits.byte_samples =
       sample_counts_of(physical, kByteFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) | 1U;
   limits.max_texture = static_cast<int>(device.maxImageDimension2D);
+  read_primitives(device, features, limits);
   return limits;
 }
 

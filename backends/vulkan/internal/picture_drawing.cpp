@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "backends/primitive_vertices.h"
 #include "backends/vulkan/internal/case_commands.h"
 #include "backends/vulkan/slots.h"
 
@@ -178,15 +179,16 @@ Result<void> PictureDrawing::draw_group(const cases::Case& c, const cases::Pipel
     if (Result<void> image = make_texture(*pipeline.texturing); !image) return image;
   }
   const VertexLayout layout = vertex_layout(kind);
-  if (3 * c.triangles.size() > kMaxVertexFloats / layout.size) {
+  const std::size_t vertices = vertices_per(c.primitive) * c.triangles.size();
+  if (vertices > kMaxVertexFloats / layout.size) {
     return failed(
         fmt::format("{} triangles do not fit into the memory of its process", c.triangles.size()),
         Failure::unsupported);
   }
   std::vector<float> floats;
-  floats.reserve(3 * c.triangles.size() * layout.size);
+  floats.reserve(vertices * layout.size);
   for (std::size_t t = 0; t < c.triangles.size(); ++t) {
-    append_triangle(c, group.slots, layout, t, 0, floats);
+    append_primitive(c, group.slots, layout, t, 0, floats);
   }
   if (Result<void> handed = shared_->hand_over(floats); !handed) return handed;
 
@@ -201,7 +203,7 @@ Result<void> PictureDrawing::draw_group(const cases::Case& c, const cases::Pipel
       if (pipeline.texturing) texture_->bind(buffer, used);
       vkCmdPushConstants(buffer, used, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof group.constants,
                          &group.constants);
-      vkCmdDraw(buffer, static_cast<std::uint32_t>(3 * c.triangles.size()), 1, 0, 0);
+      vkCmdDraw(buffer, static_cast<std::uint32_t>(vertices), 1, 0, 0);
     }
     Target::end_layer(buffer);
     target.end(buffer, shared_->reader, 1);

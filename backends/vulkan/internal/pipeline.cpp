@@ -1,6 +1,7 @@
 #include "backends/vulkan/internal/pipeline.h"
 
 #include <array>
+#include <utility>
 
 namespace rastercheck::backends::vulkan {
 namespace {
@@ -22,6 +23,18 @@ VkPipelineColorBlendAttachmentState attachment_state(cases::Blend blend) {
   return state;
 }
 
+VkPrimitiveTopology topology_of(cases::Primitive primitive) {
+  switch (primitive) {
+    case cases::Primitive::triangles:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    case cases::Primitive::lines:
+      return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+    case cases::Primitive::points:
+      break;
+  }
+  return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+}
+
 /// The structs that describe a pipeline, which point at each other and at the source.
 struct Description {
   VkVertexInputBindingDescription binding{};
@@ -30,6 +43,7 @@ struct Description {
   VkPipelineViewportDepthClipControlCreateInfoEXT clip_control{};
   VkPipelineViewportStateCreateInfo viewport{};
   VkPipelineRasterizationProvokingVertexStateCreateInfoEXT provoking{};
+  VkPipelineRasterizationLineStateCreateInfoEXT lines{};
   VkPipelineRasterizationStateCreateInfo rasterization{};
   VkPipelineMultisampleStateCreateInfo multisampling{
       VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
@@ -66,9 +80,10 @@ Description::Description(const PipelineSource& source) {
       VK_DYNAMIC_STATE_VIEWPORT,         VK_DYNAMIC_STATE_SCISSOR,
       VK_DYNAMIC_STATE_CULL_MODE,        VK_DYNAMIC_STATE_FRONT_FACE,
       VK_DYNAMIC_STATE_DEPTH_COMPARE_OP, VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE,
-      VK_DYNAMIC_STATE_DEPTH_BIAS};
+      VK_DYNAMIC_STATE_DEPTH_BIAS,       VK_DYNAMIC_STATE_LINE_WIDTH};
+  const bool is_of_lines = source.primitive == cases::Primitive::lines;
   dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-  dynamic.dynamicStateCount = kDynamic.size();
+  dynamic.dynamicStateCount = kDynamic.size() - (is_of_lines ? 0 : 1);  // all but the last
   dynamic.pDynamicStates = kDynamic.data();
 }
 
@@ -80,7 +95,7 @@ void Description::describe_vertices(const PipelineSource& source) {
   vertices.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(source.inputs.size());
   vertices.pVertexAttributeDescriptions = source.inputs.data();
   assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  assembly.topology = topology_of(source.primitive);
 }
 
 void Description::describe_rasterization(const PipelineSource& source) {
@@ -97,6 +112,10 @@ void Description::describe_rasterization(const PipelineSource& source) {
   rasterization.lineWidth = 1;
   if (source.negative_one_to_one) viewport.pNext = &clip_control;
   if (source.provoking_last) rasterization.pNext = &provoking;
+  if (source.line_mode == VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT) return;
+  lines.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_LINE_STATE_CREATE_INFO_EXT;
+  lines.lineRasterizationMode = source.line_mode;
+  lines.pNext = std::exchange(rasterization.pNext, &lines);
 }
 
 void Description::describe_output(const PipelineSource& source) {

@@ -8,19 +8,22 @@
 
 #include "backends/vulkan/internal/device.h"
 #include "backends/vulkan/internal/object.h"
+#include "cases/case.h"
 #include "cases/picture_layout.h"
 
 namespace rastercheck::backends::vulkan {
 
-/// The parts of a pipeline that draws lists of triangles. Not among them are the viewport, the
-/// scissor, culling, the front face, the depth bias and the function of the depth test, which are
-/// set when a draw is recorded.
+/// The parts of a pipeline that draws lists of triangles, lines or points. Not among them are the
+/// viewport, the scissor, culling, the front face, the depth bias, the function of the depth test
+/// and the width of lines, which are set when a draw is recorded.
 struct PipelineSource {
   std::span<const std::uint32_t> vertex_shader;
   std::span<const std::uint32_t> fragment_shader;
   const VkSpecializationInfo* fragment_constants = nullptr;
   std::uint32_t vertex_size = 0;  ///< bytes
   std::vector<VkVertexInputAttributeDescription> inputs;
+  cases::Primitive primitive = cases::Primitive::triangles;
+  VkLineRasterizationModeEXT line_mode = VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT;
   int samples = 1;
   bool depth_clamp = false;
   bool negative_one_to_one = false;  ///< clip depth from −w to w

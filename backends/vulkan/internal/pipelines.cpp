@@ -18,6 +18,7 @@ constexpr std::size_t kKept = 128;
 constexpr std::uint32_t kNumberLocation = 1;
 constexpr std::uint32_t kClipLocation = 2;
 constexpr std::uint32_t kSlotLocation = 4;
+constexpr std::uint32_t kPointSizeLocation = 11;
 
 std::uint32_t bytes(std::size_t floats) {
   return static_cast<std::uint32_t>(floats * sizeof(float));
@@ -37,6 +38,9 @@ std::vector<VkVertexInputAttributeDescription> inputs_of(const PipelineKind& kin
   for (std::size_t i = 0; i < kMaxSlots; ++i) {
     const std::size_t begin = i < kind.slots.size() ? layout.slots + kSlotSize * i : 0;
     all.push_back({kSlotLocation + static_cast<std::uint32_t>(i), 0, kVector, bytes(begin)});
+  }
+  if (kind.primitive == cases::Primitive::points) {
+    all.push_back({kPointSizeLocation, 0, VK_FORMAT_R32_SFLOAT, bytes(layout.point_size)});
   }
   return all;
 }
@@ -127,7 +131,8 @@ VertexLayout vertex_layout(const PipelineKind& kind) {
   // The shader reads clip distances as vectors of four.
   layout.slots = layout.clip_distances + (kind.clip_distances + 3) / 4 * 4;
   // A vertex must have at least as many floats as the shader reads.
-  layout.size = layout.slots + kSlotSize * kind.slots.size();
+  layout.point_size = layout.slots + kSlotSize * kind.slots.size();
+  layout.size = layout.point_size + (kind.primitive == cases::Primitive::points ? 1 : 0);
   return layout;
 }
 
@@ -175,11 +180,14 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
   const std::vector<std::uint32_t> fragment_words =
       qualified(shader_of(kind, centers.any()), kind.slots);
   PipelineSource source;
-  source.vertex_shader = vertex_shader(kind.clip_distances);
+  source.vertex_shader =
+      vertex_shader(kind.clip_distances, kind.primitive == cases::Primitive::points);
   source.fragment_shader = fragment_words;
   source.fragment_constants = centers.info();
   source.vertex_size = bytes(vertex_layout(kind).size);
   source.inputs = inputs_of(kind);
+  source.primitive = kind.primitive;
+  source.line_mode = kind.line_mode;
   source.samples = kind.samples;
   source.depth_clamp = kind.depth_clamp;
   source.negative_one_to_one = kind.negative_one_to_one;

@@ -12,6 +12,7 @@
 #include "backends/vulkan/internal/device.h"
 #include "backends/vulkan/internal/object.h"
 #include "backends/vulkan/slots.h"
+#include "cases/case.h"
 #include "cases/picture_layout.h"
 
 namespace rastercheck::backends::vulkan {
@@ -26,6 +27,8 @@ enum class Output {
 
 /// The properties that a pipeline depends on; all other state is set when a draw is recorded.
 struct PipelineKind {
+  cases::Primitive primitive = cases::Primitive::triangles;
+  VkLineRasterizationModeEXT line_mode = VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT;
   int samples = 1;
   bool depth_clamp = false;
   bool negative_one_to_one = false;  ///< clip depth from −w to w
@@ -41,10 +44,11 @@ struct PipelineKind {
 };
 
 /// The floats of a vertex in the buffer that these pipelines read: position, triangle number, clip
-/// distances, slots.
+/// distances, slots, and the size of a point.
 struct VertexLayout {
   std::size_t clip_distances = 5;  ///< index of the first clip distance
   std::size_t slots = 5;           ///< index of the first slot's floats
+  std::size_t point_size = 5;      ///< index of the size, which only points have
   std::size_t size = 5;
 };
 VertexLayout vertex_layout(const PipelineKind& kind);
@@ -68,7 +72,7 @@ class Pipelines {
   static Result<Pipelines> create(const Device& device);
 
   /// Returns a pipeline, which lives until get() is called again. Viewport, scissor, culling, front
-  /// face, depth bias and depth test are dynamic.
+  /// face, depth bias, depth test and the width of lines are dynamic.
   Result<VkPipeline> get(const Device& device, const PipelineKind& kind);
 
   /// The layout of pipelines that append: a storage buffer at set 0, binding 0, and a push constant

@@ -58,6 +58,9 @@
 #include "backends/vulkan/shaders/picture_7_0_1.h"
 #include "backends/vulkan/shaders/picture_7_1_0.h"
 #include "backends/vulkan/shaders/picture_7_1_1.h"
+#include "backends/vulkan/shaders/point_0.h"
+#include "backends/vulkan/shaders/point_1.h"
+#include "backends/vulkan/shaders/point_8.h"
 #include "backends/vulkan/shaders/samples.h"
 #include "backends/vulkan/shaders/vertex_0.h"
 #include "backends/vulkan/shaders/vertex_1.h"
@@ -92,9 +95,10 @@ const std::array<Words, 32> kPicture{
 
 std::size_t shader_clip_distances(std::size_t of_case) { return of_case <= 1 ? of_case : 8; }
 
-Words vertex_shader(std::size_t clip_distances) {
-  if (clip_distances == 0) return spirv_vertex_0;
-  return clip_distances == 1 ? Words(spirv_vertex_1) : Words(spirv_vertex_8);
+Words vertex_shader(std::size_t clip_distances, bool is_of_points) {
+  if (clip_distances == 0) return is_of_points ? Words(spirv_point_0) : Words(spirv_vertex_0);
+  if (clip_distances == 1) return is_of_points ? Words(spirv_point_1) : Words(spirv_vertex_1);
+  return is_of_points ? Words(spirv_point_8) : Words(spirv_vertex_8);
 }
 Words fragment_shader(std::size_t slots, bool has_centers) {
   return has_centers ? kCenters[slots] : kFragment[slots];

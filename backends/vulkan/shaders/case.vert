@@ -1,4 +1,4 @@
-// Passes everything through, including CLIP_DISTANCES clip distances. Slots that a case does not
+// Passes everything through, including CLIP_DISTANCES clip distances and, if POINTS, their size. Slots that a case does not
 // have get arbitrary values, which are never used.
 #version 450
 layout(location = 0) in vec4 position;
@@ -19,6 +19,9 @@ layout(location = 5) out vec4 slot_5;
 layout(location = 6) out vec4 slot_6;
 layout(location = 7) flat out float number;
 
+#if POINTS
+layout(location = 11) in float point_size;
+#endif
 #if CLIP_DISTANCES > 0
 layout(location = 2) in vec4 clip_distances_0;
 out float gl_ClipDistance[CLIP_DISTANCES];
@@ -29,6 +32,9 @@ layout(location = 3) in vec4 clip_distances_1;
 
 void main() {
   gl_Position = position;
+#if POINTS
+  gl_PointSize = point_size;
+#endif
   number = number_in;
   slot_0 = slot_in_0;
   slot_1 = slot_in_1;
