@@ -1,12 +1,12 @@
 // Lines. OpenGL 4.6, 14.5.4 (several samples), and Vulkan 1.3, "Basic Line Segment Rasterization"
 // (strict lines and rectangular ones): a line covers the samples in a rectangle between its ends,
-// which are off as vertices of triangles are. Of the other lines nothing is promised, as a contract
-// cannot say what both APIs permit: Bresenham's lines may be off by a pixel as long as the whole is
-// like a line (OpenGL 4.6, 14.5.1; Vulkan 1.3, "Bresenham Line Segment Rasterization"), and those
-// that are not strict, which are parallelograms, may be drawn as Bresenham's. Drivers that draw
-// on the processor draw parallelograms, which `ieee` asks for. Values along lines have no bound
-// here: the bounds of triangles follow from three planes, which lines do not have. Flat values are
-// copies.
+// which are off as vertices of triangles are. What else both APIs permit a contract cannot say.
+// Bresenham's lines may be off by a pixel as long as the whole is like a line (OpenGL 4.6, 14.5.1;
+// Vulkan 1.3, "Bresenham Line Segment Rasterization"): the oracle promises nothing about the pixels
+// of such a line if its ends are open, as they are here. Lines that are not strict, which are
+// parallelograms, may be drawn as Bresenham's; `ieee` assumes that they are not. Values along lines
+// have no bound: those of triangles follow from three planes, which lines do not have. Flat values
+// are copies.
 //
 // Points. OpenGL 4.6, 14.4, and Vulkan 1.3, "Basic Point Rasterization": all fragments of a point
 // have the vertex's values. A driver that divides by w and multiplies again takes two operations
@@ -28,17 +28,9 @@ constexpr double kPointDepth = 5;
 /// An error, in units of the last digit, that leaves no digit of a number correct.
 constexpr float kWithoutBound = 0x1p24F;
 
-bool promises_mode_of(const cases::Case& c, cases::DriverPromise promised) {
-  if (c.primitive == cases::Primitive::points) return true;
-  switch (c.line_mode) {
-    case cases::LineMode::rectangular:
-      return true;
-    case cases::LineMode::parallelogram:
-      return promised == cases::DriverPromise::ieee;
-    case cases::LineMode::bresenham:
-      break;
-  }
-  return false;
+bool may_be_drawn_otherwise(const cases::Case& c, cases::DriverPromise promised) {
+  return c.primitive == cases::Primitive::lines && c.line_mode == cases::LineMode::parallelogram &&
+         promised != cases::DriverPromise::ieee;
 }
 
 /// The bound for an error that is a share of the value; half an ulp is the rounding of the result.
@@ -51,7 +43,7 @@ cases::ValueBound point_bound(double share) {
 
 void promise_primitive(const cases::Case& c, cases::DriverPromise promised,
                        const PrimitiveError& error, cases::TrianglePromise& promise) {
-  promise.is_made = promise.is_made && !error.is_clipped && promises_mode_of(c, promised);
+  promise.is_made = promise.is_made && !error.is_clipped && !may_be_drawn_otherwise(c, promised);
   if (c.primitive == cases::Primitive::lines) {
     const cases::ValueBound none{kWithoutBound};
     promise.bounds = {none, none, none};

@@ -196,6 +196,54 @@ TEST(ApiPromise, PromisesNothingForCutTrianglesSeenEdgeOn) {
   EXPECT_EQ(api_promise(case_of(thin), kEightBits, kSpec).bounds.smooth.constant, 0x1p24F);
 }
 
+cases::Case case_of_line(cases::LineMode mode) {
+  cases::Case c = case_of(kPlain);
+  c.primitive = cases::Primitive::lines;
+  c.line_mode = mode;
+  c.triangles = {{0, 1, 1}};
+  return c;
+}
+
+// The ends of lines are off as vertices of triangles are; bounds of values need three planes.
+TEST(ApiPromise, PromisesOfLinesWhereTheyAre) {
+  cases::Case c = case_of_line(cases::LineMode::rectangular);
+  const cases::TrianglePromise line = api_promise(c, kEightBits, kSpec).triangles.at(0);
+  EXPECT_TRUE(line.is_made);
+  EXPECT_NEAR(line.position_error, 1e-5 * 128 * 256 * 1.01, 1e-6);
+  for (const cases::ValueBound& bound :
+       {line.bounds.smooth, line.bounds.noperspective, line.bounds.depth}) {
+    EXPECT_EQ(bound.constant, 0x1p24F);
+  }
+  c.positions[1].x = 1.5F;  // beyond a side
+  EXPECT_FALSE(api_promise(c, kEightBits, kSpec).triangles.at(0).is_made);
+}
+
+TEST(ApiPromise, PromisesNothingOfLinesThatApisLeaveOpen) {
+  const auto is_made = [](cases::LineMode mode, cases::DriverPromise promised) {
+    return api_promise(case_of_line(mode), kEightBits, promised).triangles.at(0).is_made;
+  };
+  constexpr auto kIeee = cases::DriverPromise::ieee;
+  EXPECT_FALSE(is_made(cases::LineMode::parallelogram, kSpec));
+  EXPECT_TRUE(is_made(cases::LineMode::parallelogram, kIeee));
+  // The oracle leaves the pixels of this one open.
+  EXPECT_TRUE(is_made(cases::LineMode::bresenham, kSpec));
+}
+
+// Five operations each, of values that are all the vertex's.
+TEST(ApiPromise, BoundsValuesOfPoints) {
+  cases::Case c = case_of(kPlain);
+  c.primitive = cases::Primitive::points;
+  c.triangles = {{0, 0, 0}};
+  const cases::ValueBounds spec = api_promise(c, kEightBits, kSpec).triangles.at(0).bounds;
+  EXPECT_NEAR(spec.smooth.constant, 5e-5 * 0x1p24 * 1.01 + 0.5, 1e-3);
+  EXPECT_EQ(spec.noperspective, spec.smooth);
+  EXPECT_EQ(spec.depth, spec.smooth);
+  const auto ieee = api_promise(c, kEightBits, cases::DriverPromise::ieee).triangles.at(0);
+  EXPECT_NEAR(ieee.bounds.smooth.constant, 5.55, 1e-3);
+  c.positions[0].z = 1.5F;
+  EXPECT_FALSE(api_promise(c, kEightBits, kSpec).triangles.at(0).is_made);
+}
+
 TEST(ApiPromise, PromisesNothingForNumbersOutOfRange) {
   cases::Case c = case_of(kPlain);
   EXPECT_TRUE(cases::promises_all_of(api_promise(c, kEightBits, kSpec), c));

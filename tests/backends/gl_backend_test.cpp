@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/backends/drivers.h"
+#include "tests/backends/lines_and_points.h"
 #include "tests/backends/stored_depth.h"
 #include "tests/backends/ways.h"
 #include "tests/backends/window_cases.h"
@@ -348,6 +349,47 @@ TEST_P(GlBackend, BiasesBySlope) { expect_slopes(backend()); }
 TEST_P(GlBackend, ClampsTheBias) { expect_clamped_bias(backend()); }
 TEST_P(GlBackend, LimitsBiasedDepths) { expect_limited_depths(backend()); }
 TEST_P(GlBackend, ComparesStoredDepths) { expect_tests_of_stored_depths(backend()); }
+
+TEST_P(GlBackend, DrawsLines) {
+  expect_lines(backend(), cases::Rules::opengl, cases::LineMode::bresenham);
+  if (!is_es()) expect_lines(backend(), cases::Rules::vulkan, cases::LineMode::bresenham);
+  expect_wide_lines(backend(), cases::Rules::opengl, cases::LineMode::bresenham);
+}
+
+// The line ends between samples 0 and 2 of pixel 7, at 6/16 and 2/16, and its sides are between
+// samples too.
+TEST_P(GlBackend, DrawsLinesOfSamples) {
+  if (is_softpipe()) return;
+  cases::Case c = case_of_lines(cases::Rules::opengl, cases::LineMode::rectangular, 4);
+  add_line(c, at(2, 4.5F), at(7.25F, 4.5F));
+  const cases::Fragments drawn = draw(c);
+  EXPECT_EQ(drawn.size(), 21U);
+  EXPECT_EQ(pixels_of_primitive(drawn, 0), box_of_pixels(2, 7, 4, 4));
+  c.line_mode = cases::LineMode::bresenham;
+  expect_unsupported(c, "OpenGL's lines are rectangular with several samples");
+  c.framebuffer.samples = 1;
+  c.line_mode = cases::LineMode::parallelogram;
+  expect_unsupported(c, "OpenGL's lines are bresenham with one sample");
+}
+
+TEST_P(GlBackend, DrawsPoints) {
+  expect_points(backend(), cases::Rules::opengl);
+  expect_points(backend(), cases::Rules::vulkan);
+}
+
+TEST_P(GlBackend, DrawsLinesAndPointsInEachWay) {
+  if (is_es() || is_softpipe())
+    return;  // GlBackend.DrawsTheSameInEachWay says which ways there are
+  expect_primitives_alike(backend(), cases::Rules::opengl, cases::LineMode::bresenham);
+}
+
+TEST_P(GlBackend, DrawsPicturesOfLinesAndPoints) {
+  expect_pictures_of_primitives(backend(), cases::Rules::opengl, cases::LineMode::bresenham);
+}
+
+TEST_P(GlBackend, RefusesSizesOutOfRange) {
+  expect_sizes_refused(backend(), cases::Rules::opengl, cases::LineMode::bresenham);
+}
 
 TEST_P(GlBackend, RefusesWhatItDoesNotDraw) {
   cases::Case c = empty_case(cases::Rules::d3d);

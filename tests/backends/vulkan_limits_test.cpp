@@ -30,6 +30,9 @@ Limits all() {
   limits.float_blending = true;
   limits.byte_samples = 1U | 4U;
   limits.max_texture = 8192;
+  limits.line_widths = {1, 255, 1};
+  limits.point_sizes = {0, 255, 0.125F};
+  limits.strict_lines = limits.rectangular_lines = limits.bresenham_lines = true;
   return limits;
 }
 
@@ -150,6 +153,62 @@ TEST(VulkanLimits, AreOfRules) {
   limits.depth_clip_control = false;
   EXPECT_EQ(lacks(limits, c), "OpenGL's clip depth (VK_EXT_depth_clip_control)");
   c.rules = cases::Rules::vulkan;
+  EXPECT_EQ(lacks(limits, c), "");
+}
+
+TEST(VulkanLimits, AreOfLines) {
+  cases::Case c = ordinary();
+  c.primitive = cases::Primitive::lines;
+  c.line_width = 255;
+  EXPECT_EQ(lacks(all(), c), "");
+  for (const auto& [width, reason] :
+       {std::pair(2.5F,
+                  "lines of width 2.5: 1 to 255 in steps of 1 (lineWidthRange, "
+                  "lineWidthGranularity)"),
+        std::pair(256.0F,
+                  "lines of width 256: 1 to 255 in steps of 1 (lineWidthRange, "
+                  "lineWidthGranularity)")}) {
+    c.line_width = width;
+    EXPECT_EQ(lacks(all(), c), reason);
+  }
+  Limits limits = all();
+  limits.line_widths = {};
+  EXPECT_EQ(lacks(limits, c), "lines of width 256 (wideLines)");
+  c.line_width = 1;
+  EXPECT_EQ(lacks(limits, c), "");
+
+  // Lines of the default mode are rectangles if and only if they are strict.
+  limits.rectangular_lines = false;
+  EXPECT_EQ(lacks(limits, c), "");
+  c.line_mode = cases::LineMode::parallelogram;
+  EXPECT_EQ(lacks(limits, c),
+            "lines that are parallelograms: its default mode has rectangles (strictLines)");
+  limits.strict_lines = false;
+  EXPECT_EQ(lacks(limits, c), "");
+  c.line_mode = cases::LineMode::rectangular;
+  EXPECT_EQ(lacks(limits, c), "rectangular lines (rectangularLines, strictLines)");
+  c.line_mode = cases::LineMode::bresenham;
+  EXPECT_EQ(lacks(limits, c), "");
+  limits.bresenham_lines = false;
+  EXPECT_EQ(lacks(limits, c), "Bresenham's lines (bresenhamLines)");
+}
+
+TEST(VulkanLimits, AreOfPoints) {
+  cases::Case c = ordinary();
+  c.primitive = cases::Primitive::points;
+  c.point_size = 0.125F;
+  EXPECT_EQ(lacks(all(), c), "");
+  c.point_size = 0.1F;
+  EXPECT_EQ(
+      lacks(all(), c),
+      "points of size 0.1: 0 to 255 in steps of 0.125 (pointSizeRange, pointSizeGranularity)");
+  Limits limits = all();
+  limits.point_sizes = {};
+  EXPECT_EQ(lacks(limits, c), "points of size 0.1 (largePoints)");
+  // A point's only vertex is the first and the last.
+  c.point_size = 1;
+  c.rules = cases::Rules::opengl;
+  limits.provoking_vertex_last = false;
   EXPECT_EQ(lacks(limits, c), "");
 }
 

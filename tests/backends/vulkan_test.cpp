@@ -18,6 +18,7 @@
 
 #include "cases/sample_pattern.h"
 #include "tests/backends/drivers.h"
+#include "tests/backends/lines_and_points.h"
 #include "tests/backends/stored_depth.h"
 #include "tests/backends/ways.h"
 
@@ -442,6 +443,36 @@ TEST_P(Vulkan, DrawsWithinViewportsOfNegativeWidth) {
   c.viewport.x = kSize;
   c.viewport.width = -kSize;
   EXPECT_EQ(pixels_of(draw(c)), turned);
+}
+
+TEST_P(Vulkan, DrawsLines) {
+  for (const auto mode : {cases::LineMode::rectangular, cases::LineMode::bresenham}) {
+    for (const auto rules : {cases::Rules::vulkan, cases::Rules::opengl}) {
+      expect_lines(backend(), rules, mode);
+    }
+    if (is_lavapipe()) expect_wide_lines(backend(), cases::Rules::vulkan, mode);
+  }
+  cases::Case c = case_of_lines(cases::Rules::vulkan, cases::LineMode::parallelogram);
+  add_line(c, backends::at(2, 4.5F), backends::at(7, 4.5F));
+  EXPECT_THAT(refusal(c), HasSubstr("(strictLines)"));
+}
+
+TEST_P(Vulkan, DrawsPoints) {
+  for (const auto rules : {cases::Rules::vulkan, cases::Rules::opengl}) {
+    expect_points(backend(), rules);
+  }
+}
+
+TEST_P(Vulkan, DrawsLinesAndPointsInEachWay) {
+  expect_primitives_alike(backend(), cases::Rules::vulkan, cases::LineMode::rectangular);
+}
+
+TEST_P(Vulkan, DrawsPicturesOfLinesAndPoints) {
+  expect_pictures_of_primitives(backend(), cases::Rules::vulkan, cases::LineMode::rectangular);
+}
+
+TEST_P(Vulkan, RefusesSizesOutOfRange) {
+  expect_sizes_refused(backend(), cases::Rules::vulkan, cases::LineMode::rectangular);
 }
 
 TEST_P(Vulkan, RefusesWhatItCannotDraw) {

@@ -28,6 +28,7 @@ SizeRange size_range(GLenum range, GLenum granularity) {
 
 /// Forward-compatible contexts have ranges of widths and yet refuse all widths above 1.
 bool has_wide_lines() {
+  glGetError();  // one that a query left
   glLineWidth(2);
   const bool has_them = glGetError() == GL_NO_ERROR;
   glLineWidth(1);

@@ -42,6 +42,9 @@ Capabilities all_there() {
   has.max_samples = 16;
   has.viewport_bounds = {-32768, 32767};
   has.max_viewport = {16384, 16384};
+  has.line_widths = {1, 10, 0};
+  has.multisampled_line_widths = {0.5F, 10, 0.1F};
+  has.point_sizes = {1, 64, 0.125F};
   return has;
 }
 
@@ -106,6 +109,47 @@ TEST(Capabilities, NameWhatThisContextLacks) {
   c = small_case();
   c.viewport.x = 0.5F;
   expect(&Capabilities::has_viewport_fractions, c, "does not support fractional viewports");
+}
+
+// Lines of one sample have a whole width, at least 1, to which others are rounded.
+TEST(Capabilities, NameTheLinesThatAreLacking) {
+  const Capabilities has = all_there();
+  cases::Case c = small_case();
+  c.primitive = cases::Primitive::lines;
+  c.line_mode = cases::LineMode::bresenham;
+  for (const float width : {0.25F, 1.0F, 2.5F, 10.4F}) {
+    c.line_width = width;
+    EXPECT_EQ(lacks(has, c), "");
+  }
+  c.line_width = 11;
+  EXPECT_EQ(lacks(has, c), "OpenGL 4.6 draws lines of width 1 to 10; the case needs 11");
+  c.line_mode = cases::LineMode::rectangular;
+  EXPECT_THAT(lacks(has, c), HasSubstr("bresenham with one sample"));
+  c.framebuffer.samples = 4;
+  c.line_width = 9.6F;
+  EXPECT_EQ(lacks(has, c), "");
+  c.line_width = 0.25F;
+  EXPECT_EQ(lacks(has, c),
+            "OpenGL 4.6 draws lines of width 0.5 to 10 in steps of 0.1; the case needs 0.25");
+  c.line_mode = cases::LineMode::bresenham;
+  EXPECT_THAT(lacks(has, c), HasSubstr("rectangular with several samples"));
+}
+
+TEST(Capabilities, NameThePointsThatAreLacking) {
+  Capabilities has = all_there();
+  cases::Case c = small_case();
+  c.primitive = cases::Primitive::points;
+  c.point_size = 2.625F;
+  EXPECT_EQ(lacks(has, c), "");
+  c.point_size = 2.7F;
+  EXPECT_EQ(lacks(has, c),
+            "OpenGL 4.6 draws points of size 1 to 64 in steps of 0.125; the case needs 2.7");
+  // A point's only vertex is the first and the last.
+  c.point_size = 1;
+  c.rules = cases::Rules::vulkan;
+  c.attributes[0].interpolation = Interpolation::flat;
+  has.has_provoking_vertex = false;
+  EXPECT_EQ(lacks(has, c), "");
 }
 
 TEST(Capabilities, NameWhatAPictureLacks) {

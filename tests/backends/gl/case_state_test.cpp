@@ -28,5 +28,17 @@ TEST(CaseState, PutsVerticesInOrder) {
   EXPECT_EQ(all[42 + 8], 21);
 }
 
+TEST(CaseState, PutsEachVertexOfLinesAndPointsOnce) {
+  cases::Case c;
+  c.positions = {{1, 2, 3, 4}, {5, 6, 7, 8}};
+  c.primitive = cases::Primitive::lines;
+  c.triangles = {{0, 1, 1}, {1, 0, 0}};
+  EXPECT_EQ(vertices_of({}, c, c.triangles, {}),
+            (std::vector<float>{1, 2, 3, 4, 1, 5, 6, 7, 8, 1, 5, 6, 7, 8, 2, 1, 2, 3, 4, 2}));
+  c.primitive = cases::Primitive::points;
+  c.triangles = {{1, 1, 1}};
+  EXPECT_EQ(vertices_of({}, c, c.triangles, {}), (std::vector<float>{5, 6, 7, 8, 1}));
+}
+
 }  // namespace
 }  // namespace rastercheck::backends::gl::case_state_test
