@@ -92,6 +92,7 @@ constexpr bool is_least(KnownLimit limit) { return cases::name_of(limit).ends_wi
 /// nothing.
 struct KnownConditions {
   std::vector<cases::Rules> rules;
+  std::vector<cases::Primitive> primitives;
   std::vector<int> samples;
   std::vector<AttributeKind> attribute_kinds;        ///< the violation's kind
   std::vector<cases::Interpolation> interpolations;  ///< interpolation of the violation's attribute

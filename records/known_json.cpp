@@ -42,6 +42,7 @@ std::vector<JsonNode> some_of(const JsonNode& node, std::string_view what) {
 
 void check_conditions(const JsonNode& node, const KnownConditions& when) {
   const std::pair<std::string_view, std::string_view> lists[] = {{"rules", "rules"},
+                                                                 {"primitive", "primitives"},
                                                                  {"samples", "numbers of samples"},
                                                                  {"attribute_kind", "kinds"},
                                                                  {"interpolation", "qualifiers"},
@@ -134,6 +135,7 @@ void check_entries(const JsonNode& node, const KnownList& list) {
 template <typename Archive, cases::Either<KnownConditions> T>
 void members(Archive& archive, T& when) {
   archive.optional("rules", when.rules);
+  archive.optional("primitive", when.primitives);
   archive.optional("samples", when.samples);
   archive.optional("attribute_kind", when.attribute_kinds);
   archive.optional("interpolation", when.interpolations);

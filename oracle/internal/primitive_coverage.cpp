@@ -34,17 +34,6 @@ std::array<std::array<Ring, 3>, 4> values_at_sides(const TriangleSetup& primitiv
 
 // --- Points --------------------------------------------------------------------------------------
 
-/// True if a point's vertex lies beyond a clip plane, a clip distance or a side of the viewport, or
-/// behind the eye. On a plane it is inside.
-bool is_dropped(const TriangleSetup& point) {
-  if (sign_of(point.columns[0][2]) <= 0) return true;
-  const auto is_beyond = [](const std::array<Ring, 3>& values) { return sign_of(values[0]) < 0; };
-  const auto planes = point.clip_values();
-  const auto sides = values_at_sides(point);
-  return std::any_of(planes.begin(), planes.end(), is_beyond) ||
-         std::any_of(sides.begin(), sides.end(), is_beyond);
-}
-
 /// Whether p lies in the square around a vertex.
 Membership in_square(const RingVector3& column, const Ring& size, const Point& p,
                      const Scene& scene) {
@@ -324,6 +313,25 @@ SampleVerdict decide_bresenham(const TriangleSetup& line, int x, int y) {
 }
 
 }  // namespace
+
+bool is_dropped(const TriangleSetup& point) {
+  if (sign_of(point.columns[0][2]) <= 0) return true;
+  const auto is_beyond = [](const std::array<Ring, 3>& values) { return sign_of(values[0]) < 0; };
+  const auto planes = point.clip_values();
+  const auto sides = values_at_sides(point);
+  return std::any_of(planes.begin(), planes.end(), is_beyond) ||
+         std::any_of(sides.begin(), sides.end(), is_beyond);
+}
+
+bool is_cut(const TriangleSetup& line) {
+  const auto may_cut = [](const std::array<Ring, 3>& values) {
+    return sign_of(values[0]) <= 0 || sign_of(values[1]) <= 0;
+  };
+  const auto planes = line.clip_values();
+  const auto sides = values_at_sides(line);
+  return std::any_of(planes.begin(), planes.end(), may_cut) ||
+         std::any_of(sides.begin(), sides.end(), may_cut);
+}
 
 SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p) {
   const Scene& scene = *primitive.scene;

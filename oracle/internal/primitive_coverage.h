@@ -12,4 +12,11 @@ namespace rastercheck::oracle {
 /// drop points: what is wide may reach beyond.
 records::SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p);
 
+/// True if a point's vertex lies beyond a clip plane, a clip distance or a side of the viewport, or
+/// behind the eye. On a plane it is inside.
+bool is_dropped(const TriangleSetup& point);
+
+/// True if a vertex of a line lies beyond, or on, one of these, so that samples may be cut off.
+bool is_cut(const TriangleSetup& line);
+
 }  // namespace rastercheck::oracle

@@ -72,7 +72,11 @@ TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& bo
   set_inner_pixels();
   const bool has_lines =
       first_level_ == Level::filter && triangle.promise.is_made && !triangle.may_be_left_out;
-  if (is_empty_ || !has_lines || !triangle.is_triangle()) return;
+  if (is_empty_ || !has_lines) return;
+  if (!triangle.is_triangle()) {
+    add_primitive_lines();
+    return;
+  }
   if (triangle.scene->contract().conservative) {
     add_conservative_lines();
     return;

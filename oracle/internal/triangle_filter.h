@@ -71,6 +71,9 @@ class TriangleFilter {
   void add_line_of_degenerate();
   void add_cut_lines();
   void add_conservative_lines();
+  void add_primitive_lines();
+  bool add_lines_of_line(const std::array<RingVector3, 3>& at, const Ring& width,
+                         const Ring& moved);
   bool add(const Line& line, const Ring& margin);
   bool add_enclosing(const std::vector<OpenLine>& readings);
   std::vector<OpenLine> readings_of_edge(std::size_t edge) const;
@@ -84,8 +87,9 @@ class TriangleFilter {
   /// Pixels whose samples lie within the viewport, whatever the error of its sides.
   PixelBox inner_;
   bool is_empty_ = false;
-  /// Edges, then clip functionals; or, for a degenerate triangle without boundary_, one line and
-  /// its negative. If empty, the first level decides nothing.
+  /// Edges, then clip functionals; of a line or point the borders of what it covers; or, for a
+  /// degenerate triangle without boundary_, one line and its negative. If empty, the first level
+  /// decides nothing.
   std::vector<FilterLine> lines_;
   mutable std::vector<SignedLine> interval_lines_;  ///< made when first asked for
 };

@@ -81,7 +81,7 @@ cases::Case make(Draw& draw) {
   const bool is_on_grid = draw.one_in(2);
   cases::Case c = random_primitive_state(draw, cases::Primitive::lines, is_on_grid);
   set_line_mode(draw, c);
-  const int lines = draw.between(3, 6 + draw.size() / 8);
+  const int lines = draw.between(2, 4 + draw.size() / 16);
   for (int i = 0; i < lines; ++i) add_line(draw, c);
   add_attribute_values(draw, c);
   add_clip_distances(draw, c);

@@ -38,7 +38,7 @@ cases::Case make(Draw& draw) {
   const bool is_on_grid = draw.one_in(2);
   cases::Case c = random_primitive_state(draw, cases::Primitive::points, is_on_grid);
   set_point_size(draw, c);
-  const int points = draw.between(4, 12 + draw.size() / 4);
+  const int points = draw.between(3, 6 + draw.size() / 10);
   for (int i = 0; i < points; ++i) add_point(draw, c);
   add_attribute_values(draw, c);
   add_clip_distances(draw, c);

@@ -228,7 +228,8 @@ bool is_among(const std::vector<T>& all, const T& one) {
 
 bool meets_lists(const records::KnownConditions& when, const Case& c,
                  const records::Violation& violation) {
-  if (!is_among(when.rules, c.rules) || !is_among(when.samples, c.framebuffer.samples) ||
+  if (!is_among(when.rules, c.rules) || !is_among(when.primitives, c.primitive) ||
+      !is_among(when.samples, c.framebuffer.samples) ||
       !is_among(when.attribute_kinds, violation.kind) ||
       violation.note.find(when.note) == std::string::npos) {
     return false;

@@ -8,7 +8,7 @@ namespace rastercheck::properties {
 
 cases::Case random_primitive_state(Draw& draw, cases::Primitive primitive, bool is_on_grid) {
   StateRequest request;
-  request.most_side = 40;
+  request.most_side = 32;
   request.is_on_grid = is_on_grid;
   cases::Case c = random_state(draw, request);
   c.cull = cases::Cull::none;
@@ -42,7 +42,7 @@ void set_line_mode(Draw& draw, cases::Case& c) {
 void set_point_size(Draw& draw, cases::Case& c) {
   switch (draw.between(0, 3)) {
     case 0: {
-      const int eighths = draw.between(4, 96);
+      const int eighths = draw.between(4, 64);
       c.point_size = static_cast<float>(eighths) / 8;
       break;
     }
