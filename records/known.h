@@ -43,6 +43,7 @@ enum class KnownFact {
   reversed_depth_range,  ///< the viewport's min_depth is above its max_depth
   negative_height,       ///< the viewport's height is negative
   fractional_viewport,   ///< some edge of the viewport is between two pixels
+  beyond_viewport,       ///< the violation's pixel has its centre outside the viewport
 };
 constexpr auto names_of(KnownFact /*type*/) {
   return std::to_array<std::string_view>({"nonpositive_w",
@@ -64,7 +65,8 @@ constexpr auto names_of(KnownFact /*type*/) {
                                           "culling",
                                           "reversed_depth_range",
                                           "negative_height",
-                                          "fractional_viewport"});
+                                          "fractional_viewport",
+                                          "beyond_viewport"});
 }
 
 /// A measure, and the side of a number on which it must lie, inclusive. A violation that lacks the
@@ -79,11 +81,12 @@ enum class KnownLimit {
   height_at_most,          ///< least height of the triangle in the window, in pixels; all w > 0
   largest_value_at_least,  ///< largest magnitude of the attribute at the vertices
   least_value_at_most,     ///< least nonzero magnitude of the attribute
+  point_size_at_most,      ///< of a case of points, in pixels
 };
 constexpr auto names_of(KnownLimit /*type*/) {
   return std::to_array<std::string_view>(
       {"error_at_most", "distance_at_most", "largest_coordinate_at_least", "w_ratio_at_least",
-       "height_at_most", "largest_value_at_least", "least_value_at_most"});
+       "height_at_most", "largest_value_at_least", "least_value_at_most", "point_size_at_most"});
 }
 /// True if the limit is a lower bound.
 constexpr bool is_least(KnownLimit limit) { return cases::name_of(limit).ends_with("_at_least"); }

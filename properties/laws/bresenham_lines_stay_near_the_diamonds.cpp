@@ -95,10 +95,10 @@ class LineCheck {
 
  private:
   void report(std::uint32_t line, const Pixel& pixel, records::FragmentClass of,
-              const std::string& rule) {
+              const std::string& rule, const std::string& note = "") {
     tally_.report(violation_at(
         {line, static_cast<std::uint32_t>(pixel[1]), static_cast<std::uint32_t>(pixel[0]), 0}, of,
-        rule, "line " + std::to_string(line)));
+        rule, note));
   }
 
   std::set<Pixel> pixels_of_rule(std::uint32_t line) const {
@@ -175,7 +175,8 @@ class LineCheck {
     for (const Pixel& pixel : pixels_[second]) {
       if (!pixels_[first].contains(pixel)) continue;
       report(second, pixel, records::FragmentClass::extra,
-             "forbidden: line " + std::to_string(first) + ", which it goes on, has it as well");
+             "forbidden: line " + std::to_string(first) + ", which it goes on, has it as well",
+             "at the joint of two lines");
     }
   }
 

@@ -40,6 +40,7 @@ FULL_LIST = {
             "verdicts": ["beyond bound", "crash"],
             "when": {
                 "rules": ["vulkan", "opengl"],
+                "primitive": ["lines", "points"],
                 "samples": [2, 4],
                 "attribute_kind": ["depth", "smooth"],
                 "interpolation": ["flat", "noperspective"],
@@ -52,7 +53,7 @@ FULL_LIST = {
                         "perspective", "tie", "degenerate", "clip_distances", "depth_clamp",
                         "depth_test", "depth_clear", "depth_bias", "unorm_depth", "snapped",
                         "scissor", "culling", "reversed_depth_range", "negative_height",
-                        "fractional_viewport",
+                        "fractional_viewport", "beyond_viewport",
                     )
                 },
                 **{
@@ -60,7 +61,7 @@ FULL_LIST = {
                     for limit in (
                         "error_at_most", "distance_at_most", "largest_coordinate_at_least",
                         "w_ratio_at_least", "height_at_most", "largest_value_at_least",
-                        "least_value_at_most",
+                        "least_value_at_most", "point_size_at_most",
                     )
                 },
             },

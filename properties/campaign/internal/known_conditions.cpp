@@ -63,6 +63,14 @@ bool is_fractional(const cases::Viewport& viewport) {
   return std::any_of(edges.begin(), edges.end(), [](double e) { return e != std::floor(e); });
 }
 
+bool is_beyond_viewport(const cases::Viewport& viewport, const records::Violation& violation) {
+  const auto is_beyond = [](double at, double origin, double size) {
+    return at < std::min(origin, origin + size) || at >= std::max(origin, origin + size);
+  };
+  return violation.has_place() && (is_beyond(violation.place.x + 0.5, viewport.x, viewport.width) ||
+                                   is_beyond(violation.place.y + 0.5, viewport.y, viewport.height));
+}
+
 bool is_so(KnownFact fact, const ConditionQuestion& of) {
   const Case& c = *of.clip;
   switch (fact) {
@@ -113,9 +121,11 @@ bool is_so(KnownFact fact, const ConditionQuestion& of) {
     case KnownFact::negative_height:
       return c.viewport.height < 0;
     case KnownFact::fractional_viewport:
+      return is_fractional(c.viewport);
+    case KnownFact::beyond_viewport:
       break;
   }
-  return is_fractional(c.viewport);
+  return is_beyond_viewport(c.viewport, *of.violation);
 }
 
 /// A window position in pixels, of a vertex with w != 0.
@@ -216,9 +226,12 @@ std::optional<double> measure(KnownLimit limit, const ConditionQuestion& of) {
     case KnownLimit::largest_value_at_least:
       return largest_value(of);
     case KnownLimit::least_value_at_most:
+      return least_value(of);
+    case KnownLimit::point_size_at_most:
       break;
   }
-  return least_value(of);
+  const bool is_point = of.clip->primitive == cases::Primitive::points;
+  return is_point ? std::optional<double>(of.clip->point_size) : std::nullopt;
 }
 
 template <typename T>

@@ -90,6 +90,7 @@ TEST(KnownConditions, AskOfTheCase) {
   });
   is_so(KnownFact::negative_height, [](auto& c) { c.viewport.height = -8; });
   is_so(KnownFact::fractional_viewport, [](auto& c) { c.viewport.width = 7.5F; });
+  is_so(KnownFact::beyond_viewport, [](auto& c) { c.viewport.x = 4; });
 }
 
 TEST(KnownConditions, MeasureTheTriangle) {
@@ -103,6 +104,13 @@ TEST(KnownConditions, MeasureTheTriangle) {
   EXPECT_FALSE(is_within(KnownLimit::height_at_most, 100, [](auto& c) { c.positions[0].w = -1; }));
   const auto far = [](auto& c) { c.positions[0].w = -16; };
   EXPECT_TRUE(is_within(KnownLimit::w_ratio_at_least, 16, far));
+  EXPECT_FALSE(is_within(KnownLimit::point_size_at_most, 2));
+  const auto points = [](auto& c) {
+    c.primitive = cases::Primitive::points;
+    c.point_size = 2;
+  };
+  EXPECT_TRUE(is_within(KnownLimit::point_size_at_most, 2, points));
+  EXPECT_FALSE(is_within(KnownLimit::point_size_at_most, 1.5, points));
   EXPECT_FALSE(is_within(KnownLimit::w_ratio_at_least, 16.5, far));
 }
 
