@@ -117,14 +117,14 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std
       !keeps_eighths(backend.contract(both->primitives))) {
     return not_applicable("the contract may move the corners, or leaves the owner of sides open");
   }
-  const Result<backends::Drawn> before = draw_promised(both->primitives, backend);
-  if (!before) return tl::unexpected(before.error());
-  Result<backends::Drawn> drawn = draw_promised(both->triangles, backend);
+  Result<backends::Drawn> triangles = draw_promised(both->triangles, backend);
+  if (!triangles) return tl::unexpected(triangles.error());
+  const Result<backends::Drawn> drawn = draw_promised(both->primitives, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  for (std::uint32_t& triangle : drawn->fragments.triangle) triangle /= 2;
-  Check check =
-      judge_changed(both->primitives, before->contract, before->fragments, drawn->fragments, index);
-  add_to_notes(check, "drawn as two triangles");
+  for (std::uint32_t& triangle : triangles->fragments.triangle) triangle /= 2;
+  Check check = judge_changed(both->primitives, drawn->contract, triangles->fragments,
+                              drawn->fragments, index);
+  add_to_notes(check, "its two triangles were drawn otherwise");
   if (clip.primitive == cases::Primitive::points) add_label(check, "points");
   return check;
 }

@@ -81,7 +81,7 @@ TEST(Generators, MakeTheSameCasesEverywhere) {
       {"degenerate", 0x068279c7ac577d7d},  {"depth-borders", 0xe2b04fce1c1980e3},
       {"grazing", 0x190f44f24704a074},     {"grids", 0x0f3125b87187066f},
       {"guard-band", 0xb72d9052dd68e229},  {"hairline", 0x34d765c9d7be9868},
-      {"huge", 0x5e052aebc35b116e},        {"lines", 0x1e555c35ab2b9d75},
+      {"huge", 0x5e052aebc35b116e},        {"lines", 0x730969ca994fcf74},
       {"meshes", 0xe1507fffaece9cae},      {"points", 0xe46dd8ca6ceaea11},
       {"near-misses", 0x26205016c4aef70a}, {"on-grid", 0x8968933df29444d2},
       {"ordinary", 0x4f929a714d54b515},    {"sizes", 0x552d272d62635266},
