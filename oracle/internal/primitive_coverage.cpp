@@ -333,9 +333,16 @@ bool is_cut(const TriangleSetup& line) {
          std::any_of(sides.begin(), sides.end(), may_cut);
 }
 
+bool has_no_area(const Scene& scene) {
+  return scene.viewport_lo().u == scene.viewport_hi().u ||
+         scene.viewport_lo().v == scene.viewport_hi().v;
+}
+
 SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p) {
   const Scene& scene = *primitive.scene;
   const cases::Case& source = scene.source();
+  // Its sides would let everything pass.
+  if (has_no_area(scene)) return {Verdict::forbidden, Reason::viewport};
   if (source.primitive == cases::Primitive::points) return decide_square(primitive, p);
   if (source.line_mode == cases::LineMode::bresenham) {
     const auto pixel = [&scene](const Ring& at) {

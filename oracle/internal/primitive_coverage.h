@@ -12,6 +12,9 @@ namespace rastercheck::oracle {
 /// drop points: what is wide may reach beyond.
 records::SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p);
 
+/// True if the viewport has no width or no height. Nothing is drawn then.
+bool has_no_area(const Scene& scene);
+
 /// True if a point's vertex lies beyond a clip plane, a clip distance or a side of the viewport, or
 /// behind the eye. On a plane it is inside.
 bool is_dropped(const TriangleSetup& point);

@@ -62,6 +62,7 @@ bool is_whole(const TriangleSetup& line) {
 
 void TriangleFilter::add_primitive_lines() {
   const TriangleSetup& primitive = *triangle_;
+  if (primitive.is_left_out || has_no_area(*primitive.scene)) return;
   inner_ = primitive.scene->target_pixels();
   const Ring moved = primitive.shape == Shape::cut ? primitive.reach : Ring(0);
   const std::array<RingVector3, 3> at = columns_of(primitive);

@@ -11,11 +11,12 @@
 //   joint       where one line's end is the next one's start, and both have the same major axis and
 //               direction, no pixel is drawn by both
 //
-// Lines: of width 1, with both ends inside everything, so that nothing is cut. The rule's pixels
-// are those of the ends without rounding. Snapping moves an end by at most half a pixel, mostly far
-// less, which is allowed for: it may turn the major axis of a line that is nearly diagonal, whose
-// columns are then not looked at, and may change the rule's pixels at an end, by one more in the
-// count. Samples: a pixel is drawn whole, so one is looked at.
+// Lines: of width 1, with both ends inside all planes and at least two pixels inside framebuffer
+// and scissor, so that nothing is cut. The rule's pixels are those of the ends without rounding.
+// Snapping may move the line's pixels by one more unit, and change the rule's pixel at each end,
+// which is allowed for. It may also turn the major axis of a line that is nearly diagonal, whose
+// columns are then not looked at. Contracts that may move an end by more than half a pixel are left
+// out. Samples: a pixel is drawn whole, so one is looked at.
 
 #include <algorithm>
 #include <array>
@@ -33,6 +34,7 @@
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/primitive_cases.h"
 #include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/verdicts.h"
 #include "properties/random_state.h"
 
 namespace rastercheck::properties::bresenham_lines_stay_near_the_diamonds_law {
@@ -60,9 +62,18 @@ Way way_of(const cases::Case& c, const cases::Triangle& line) {
   return way;
 }
 
-bool is_near(const Pixel& pixel, const std::set<Pixel>& others) {
-  return std::any_of(others.begin(), others.end(), [&pixel](const Pixel& other) {
-    return std::abs(other[0] - pixel[0]) <= 1 && std::abs(other[1] - pixel[1]) <= 1;
+/// True if a line's ends are so far inside framebuffer and scissor that all its pixels are drawn.
+bool is_in_the_middle(const cases::Case& c, const cases::Triangle& line) {
+  constexpr double kMargin = 2;
+  const cases::Scissor all{0, 0, c.framebuffer.width, c.framebuffer.height};
+  const cases::Scissor scissor = c.scissor.value_or(all);
+  const auto is_between = [](double at, double begin, double size, double most) {
+    return at >= std::max(begin, 0.0) + kMargin && at <= std::min(begin + size, most) - kMargin;
+  };
+  return std::all_of(line.begin(), line.begin() + 2, [&](std::uint32_t vertex) {
+    const WindowPoint p = window_point(c, c.positions[vertex]);
+    return is_between(p.u, scissor.x, scissor.width, all.width) &&
+           is_between(p.v, scissor.y, scissor.height, all.height);
   });
 }
 
@@ -72,9 +83,12 @@ std::string text(const Pixel& pixel) {
 
 class LineCheck {
  public:
-  /// `is_snapped`: whether the ends may have been moved.
-  LineCheck(const cases::Case& c, const cases::Fragments& drawn, bool is_snapped)
-      : case_(&c), scene_(c, {}), most_off_(is_snapped ? 2 : 1), tally_(c) {
+  LineCheck(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn)
+      : case_(&c),
+        scene_(c, {}),
+        contract_(&contract),
+        is_snapped_(contract.coverage.has_value()),
+        tally_(c) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const cases::SamplePlace place = drawn.place_of(i);
       if (!is_of_case(c, place)) continue;
@@ -84,13 +98,14 @@ class LineCheck {
 
   Check run() {
     for (std::uint32_t line = 0; line < case_->triangles.size(); ++line) {
-      if (!is_inside(*case_, case_->triangles[line])) continue;
+      if (!is_looked_at(line)) continue;
       is_any_ = true;
       check_line(line);
       if (line > 0) check_joint(line - 1, line);
     }
     tally_.label_drawn();
-    return is_any_ ? tally_.finish() : not_applicable("no line is inside all planes and sides");
+    return is_any_ ? tally_.finish()
+                   : not_applicable("no line is inside all planes and away from all sides");
   }
 
  private:
@@ -99,6 +114,21 @@ class LineCheck {
     tally_.report(violation_at(
         {line, static_cast<std::uint32_t>(pixel[1]), static_cast<std::uint32_t>(pixel[0]), 0}, of,
         rule, note));
+  }
+
+  bool is_looked_at(std::uint32_t line) const {
+    const cases::Triangle& ends = case_->triangles[line];
+    return is_inside(*case_, ends) && is_in_the_middle(*case_, ends) &&
+           cases::promise_of(*contract_, *case_, line).is_made;
+  }
+
+  /// True if one of the pixels is within a unit of this one or, if snapping may have moved the
+  /// line's pixels, two.
+  bool is_near(const Pixel& pixel, const std::set<Pixel>& others) const {
+    const int most = is_snapped_ ? 2 : 1;
+    return std::any_of(others.begin(), others.end(), [&pixel, most](const Pixel& other) {
+      return std::abs(other[0] - pixel[0]) <= most && std::abs(other[1] - pixel[1]) <= most;
+    });
   }
 
   std::set<Pixel> pixels_of_rule(std::uint32_t line) const {
@@ -136,9 +166,11 @@ class LineCheck {
   }
 
   void check_count(std::uint32_t line, const std::set<Pixel>& drawn, const std::set<Pixel>& rule) {
-    const std::size_t most = rule.size() + most_off_;
+    // One that APIs permit and, if the ends may have been moved, one at each.
+    const std::size_t off = is_snapped_ ? 3 : 1;
+    const std::size_t most = rule.size() + off;
     const bool is_more = drawn.size() > most;
-    const bool is_less = drawn.size() + most_off_ < rule.size();
+    const bool is_less = drawn.size() + off < rule.size();
     if (!is_more && !is_less) return;
     const std::string counts = std::to_string(drawn.size()) +
                                " pixels drawn, the diamond-exit rule has " +
@@ -167,7 +199,7 @@ class LineCheck {
     const cases::Triangle& b = case_->triangles[second];
     const Way way = way_of(*case_, a);
     const Way next = way_of(*case_, b);
-    if (a[1] != b[0] || !is_inside(*case_, a)) return;
+    if (a[1] != b[0] || !is_looked_at(first)) return;
     if (!way.is_certain || !next.is_certain || way.axis != next.axis || way.is_up != next.is_up) {
       return;
     }
@@ -182,7 +214,8 @@ class LineCheck {
 
   const cases::Case* case_;
   oracle::SceneTruth scene_;  ///< of the ends as given
-  std::size_t most_off_;      ///< how many pixels more or less than the rule's
+  const cases::Contract* contract_;
+  bool is_snapped_;
   std::map<std::uint32_t, std::set<Pixel>> pixels_;
   bool is_any_ = false;
   Tally tally_;
@@ -198,7 +231,11 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   c.depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> drawn = draw(c, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return LineCheck(c, drawn->fragments, drawn->contract.coverage.has_value()).run();
+  const auto& grid = drawn->contract.coverage;
+  if (grid && placement_reach(*grid) > 0.5) {
+    return not_applicable("the contract may move ends by more than half a pixel");
+  }
+  return LineCheck(c, drawn->contract, drawn->fragments).run();
 }
 
 /// A strip of lines, mostly going on in one direction.

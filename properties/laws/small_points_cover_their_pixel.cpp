@@ -2,7 +2,7 @@
 // no sample of another pixel.
 //
 // Why. The square around the centre is the pixel itself (RULES §9). Samples lie on a border of
-// their pixel, as one of the pattern of 16 does, or at least a sixteenth of a pixel from every
+// their pixel, as two of the pattern of 16 do, or at least a sixteenth of a pixel from every
 // border. The former are left out, and so are contracts that may move a vertex by a sixteenth.
 //
 // Points: those of the case that are inside, after a move to the centre of the pixel that they are
@@ -61,8 +61,10 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
 
   Tally tally(c);
   const std::vector<WindowPoint> pattern = sample_points(c, contract);
-  const auto is_on_border = [&pattern](std::size_t sample) {
-    return pattern[sample].u == 0 || pattern[sample].v == 0;
+  const double reach = contract.coverage ? placement_reach(*contract.coverage) : 0;
+  const auto is_on_border = [&](std::size_t sample) {
+    const auto is_beside = [reach](double at) { return at <= reach || at >= 1 - reach; };
+    return is_beside(pattern[sample].u) || is_beside(pattern[sample].v);
   };
   int inside = 0;  // samples of a pixel that are on no border
   for (std::size_t s = 0; s < pattern.size(); ++s) inside += is_on_border(s) ? 0 : 1;
@@ -108,8 +110,11 @@ Generated generate(Draw& draw) {
 const LawRegistration kRegistration(
     {.id = "a-point-at-a-centre-covers-its-pixel",
      .sentence = "a point of size 1 at a pixel's centre covers that pixel",
-     .reason = "The square around the centre is the pixel, and samples lie strictly inside.",
-     .exceptions = "points that are not exactly at a centre, or clipped",
+     .reason = "The square around the centre is the pixel, which has its samples inside or on its "
+               "border.",
+     .exceptions =
+         "samples on the border of their pixel; points that are clipped, not exactly at a "
+         "centre, or moved by a sixteenth of a pixel",
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_points,

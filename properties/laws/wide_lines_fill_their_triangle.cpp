@@ -1,5 +1,5 @@
-// Wide lines fill their triangle: three rectangles along the sides of a triangle, twice as wide as
-// its inscribed circle, cover all that the triangle covers.
+// Wide lines fill their triangle: three rectangles along the sides of a triangle, at least as wide
+// as its inscribed circle, cover all that the triangle covers.
 //
 // Why. From a point of a triangle, the nearest point of its border is the foot of a perpendicular
 // on a side, between the side's ends: the circle around the point through it lies in the triangle
@@ -7,6 +7,9 @@
 // point is in the rectangle along that side if its half width is no less (RULES §10). The circle's
 // diameter is twice the triangle's area over half its perimeter, which is at least the longest
 // side.
+//
+// A sample at a vertex is on the end borders of two lines, of which the fill rule gives it to one
+// if it gives it to the triangle.
 //
 // Triangles: with all vertices inside the depth planes, the viewport and positive clip distances,
 // so that nothing is cut. Samples: those that the contract does not leave open for the lines.
@@ -30,7 +33,8 @@
 namespace rastercheck::properties::wide_lines_fill_their_triangle_law {
 namespace {
 
-/// More than the diameter of each triangle's inscribed circle, by a pixel for what snapping moves.
+/// More than the diameter of each triangle's inscribed circle, by two pixels for what snapping
+/// moves.
 float width_for(const cases::Case& c) {
   double most = 1;
   for (const cases::Triangle& t : c.triangles) {
@@ -46,7 +50,7 @@ float width_for(const cases::Case& c) {
                                        (at[2].u - at[0].u) * (at[1].v - at[0].v));
     if (longest > 0) most = std::max(most, twice_area / longest);
   }
-  return static_cast<float>(std::ceil(most) + 1);
+  return static_cast<float>(std::ceil(most) + 2);
 }
 
 /// The sides of the triangles, three lines each, in order.

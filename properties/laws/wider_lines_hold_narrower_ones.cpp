@@ -31,6 +31,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   cases::ClipCase wide = narrow;
   Choices choices(choices_of(clip));
   wide.line_width += choices.pick(std::array{0.125F, 0.5F, 1.0F, 2.0F, 7.0F});
+  if (wide.line_width > cases::kMostPrimitiveSize) return not_applicable("the line is too wide");
   const Result<backends::Drawn> before = draw_promised(narrow, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw_promised(wide, backend);

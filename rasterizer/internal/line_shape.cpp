@@ -35,6 +35,11 @@ std::size_t major_axis(const std::array<ExactSum, 2>& direction) {
   return difference.sign() < 0 ? 1 : 0;
 }
 
+/// The nearest whole number of pixels to a width, at least 1; beyond every framebuffer, any.
+int whole_width(float width) {
+  return static_cast<int>(std::clamp(std::floor(double{width} + 0.5), 1.0, 4.0 * kMaxSize));
+}
+
 double nearest(ExactSum sum) { return sum.nearest(); }
 
 /// A sum times 2^exponent.
@@ -75,7 +80,7 @@ LineShape::LineShape(const State& state, const std::array<WindowColumn, 2>& ends
       weights_(line_weights(ends, state.line_mode)),
       direction_(direction_of(ends)),
       major_(major_axis(direction_)),
-      copies_(std::max(1, static_cast<int>(std::floor(double{state.line_width} + 0.5)))) {
+      copies_(whole_width(state.line_width)) {
   const auto& [a, b] = ends_;
   // M's coefficients are the cross product of the columns.
   middle_ = ExactPlane(difference_of_products(a.at[1], b.w, b.at[1], a.w),

@@ -16,7 +16,7 @@ constexpr const char* kList = R"({
   "driver": {"name": "llvmpipe", "version": "Mesa 22.3.6"},
   "entries": [{"id": "llvmpipe-1", "reason": "Why.", "rule": "14.6.1", "finding": "llvmpipe-1",
     "properties": ["a law", "*edge*"], "verdicts": ["beyond bound", "crash"],
-    "when": {"rules": ["vulkan"], "samples": [2, 4], "attribute_kind": ["depth"],
+    "when": {"rules": ["vulkan"], "primitive": ["triangles", "lines"], "samples": [2, 4], "attribute_kind": ["depth"],
       "interpolation": ["noperspective"], "location": ["centroid"], "note": "lost",
       "nonpositive_w": true, "depth_clamp": false, "error_at_most": 1e6, "height_at_most": 1},
     "case": "known/llvmpipe-1.json"}]
@@ -36,6 +36,7 @@ TEST(KnownJson, ReadsAllThereIs) {
   EXPECT_EQ(entry.case_file, "known/llvmpipe-1.json");
   EXPECT_EQ(entry.when,
             (KnownConditions{{cases::Rules::vulkan},
+                             {cases::Primitive::triangles, cases::Primitive::lines},
                              {2, 4},
                              {AttributeKind::depth},
                              {cases::Interpolation::noperspective},

@@ -19,46 +19,53 @@ constexpr std::string_view kLaw = "bresenham-lines-stay-near-the-diamonds";
 
 Check checked(const Case& c, const Damage& damage = {}) { return check_of(kLaw, c, damage, "cpu"); }
 
-/// bresenham_line() and another one from its end (6.5, 2.5) to (7.5, 2.5).
-Case two_lines() {
+/// A line from (3.5, 4.5) to (8.5, 4.5): the pixels x = 3 to 7 of row 4.
+Case one_line() {
   Case c = bresenham_line();
-  c.framebuffer.width = 16;
+  c.framebuffer = {16, 16, 1};
   c.viewport.width = 16;
-  c.positions = {
-      {-0.8125F, -0.375F, 0.25F, 1}, {-0.1875F, -0.375F, 0.25F, 1}, {0.4375F, -0.375F, 0.25F, 1}};
+  c.viewport.height = 16;
+  c.positions = {{-0.5625F, -0.4375F, 0.25F, 1}, {0.0625F, -0.4375F, 0.25F, 1}};
+  return c;
+}
+
+/// The same and another line from its end to (12.5, 4.5).
+Case two_lines() {
+  Case c = one_line();
+  c.positions.push_back({0.5625F, -0.4375F, 0.25F, 1});
   c.attribute_values = {1, 7, 12};
   c.triangles = {{0, 1, 1}, {1, 2, 2}};
   return c;
 }
 
 TEST(NearDiamonds, AcceptWhatIsPermitted) {
-  EXPECT_EQ(checked(bresenham_line()).violation_count, 0U);
+  EXPECT_EQ(checked(one_line()).violation_count, 0U);
   EXPECT_THAT(checked(two_lines()).labels, testing::Contains("joint"));
   EXPECT_EQ(checked(two_lines()).violation_count, 0U);
   // One pixel fewer; one in the next row.
-  EXPECT_EQ(checked(bresenham_line(),
+  EXPECT_EQ(checked(one_line(),
                     [](const Case&, Fragments& drawn) {
-                      drop(drawn, 0, 5, 2);
-                      drop(drawn, 0, 3, 2);
-                      add(drawn, 0, 3, 3);
+                      drop(drawn, 0, 7, 4);
+                      drop(drawn, 0, 5, 4);
+                      add(drawn, 0, 5, 5);
                     })
                 .violation_count,
             0U);
 }
 
 TEST(NearDiamonds, CatchAPixelFarAway) {
-  const Check check = checked(bresenham_line(), [](const Case&, Fragments& drawn) {
-    drop(drawn, 0, 3, 2);
-    add(drawn, 0, 3, 4);
+  const Check check = checked(one_line(), [](const Case&, Fragments& drawn) {
+    drop(drawn, 0, 5, 4);
+    add(drawn, 0, 5, 6);
   });
   ASSERT_EQ(check.violation_count, 1U);
-  EXPECT_EQ(check.violations.front().place.y, 4U);
+  EXPECT_EQ(check.violations.front().place.y, 6U);
 }
 
 TEST(NearDiamonds, CatchTheCount) {
-  const Check check = checked(bresenham_line(), [](const Case&, Fragments& drawn) {
-    drop(drawn, 0, 1, 2);
-    drop(drawn, 0, 3, 2);
+  const Check check = checked(one_line(), [](const Case&, Fragments& drawn) {
+    drop(drawn, 0, 3, 4);
+    drop(drawn, 0, 5, 4);
   });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().exact, "3 pixels drawn, the diamond-exit rule has 5");
@@ -66,14 +73,14 @@ TEST(NearDiamonds, CatchTheCount) {
 
 TEST(NearDiamonds, CatchTwoInAColumn) {
   const Check check =
-      checked(bresenham_line(), [](const Case&, Fragments& drawn) { add(drawn, 0, 3, 3); });
+      checked(one_line(), [](const Case&, Fragments& drawn) { add(drawn, 0, 5, 5); });
   ASSERT_EQ(check.violation_count, 1U);
-  EXPECT_EQ(check.violations.front().exact, "forbidden: pixel (3, 2) is in the same column");
+  EXPECT_EQ(check.violations.front().exact, "forbidden: pixel (5, 4) is in the same column");
 }
 
 TEST(NearDiamonds, CatchAJointDrawnTwice) {
   const Check check =
-      checked(two_lines(), [](const Case&, Fragments& drawn) { add(drawn, 0, 6, 2); });
+      checked(two_lines(), [](const Case&, Fragments& drawn) { add(drawn, 0, 8, 4); });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().place.triangle, 1U);
 }
