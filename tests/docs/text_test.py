@@ -26,7 +26,7 @@ ELSEWHERE = ("docs/examples/plugin/starter/README.md", "docs/examples/plugin/ima
              *(f"docs/examples/exec/starter/{language}/README.md" for language in ("python", "javascript", "rust")),
              "tests/oracle/vectors/README.md")
 # Numbers that pages write as words.
-WORDS = {"six": 6, "nine": 9, "ten": 10, "twelve": 12, "thirteen": 13, "fourteen": 14, "seventeen": 17, "forty": 40, "fifty": 50, "sixty": 60, "eighty": 80}
+WORDS = {"six": 6, "nine": 9, "ten": 10, "twelve": 12, "thirteen": 13, "fourteen": 14, "seventeen": 17, "forty": 40, "fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80}
 
 
 def texts():
