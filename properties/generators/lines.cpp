@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "properties/generator.h"
-#include "properties/generators/internal/primitive_state.h"
+#include "properties/primitive_state.h"
 #include "properties/random_state.h"
 #include "properties/window_position.h"
 

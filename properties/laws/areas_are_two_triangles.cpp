@@ -19,11 +19,11 @@
 #include <optional>
 #include <vector>
 
-#include "properties/generators/internal/primitive_state.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
 #include "properties/laws/internal/primitive_cases.h"
 #include "properties/laws/internal/tally.h"
+#include "properties/primitive_state.h"
 #include "properties/random_state.h"
 
 namespace rastercheck::properties::areas_are_two_triangles_law {

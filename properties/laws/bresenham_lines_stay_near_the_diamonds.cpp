@@ -29,12 +29,12 @@
 #include <vector>
 
 #include "oracle/triangle_truth.h"
-#include "properties/generators/internal/primitive_state.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/primitive_cases.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/laws/internal/verdicts.h"
+#include "properties/primitive_state.h"
 #include "properties/random_state.h"
 
 namespace rastercheck::properties::bresenham_lines_stay_near_the_diamonds_law {

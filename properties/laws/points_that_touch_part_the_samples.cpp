@@ -12,11 +12,11 @@
 #include <map>
 #include <string>
 
-#include "properties/generators/internal/primitive_state.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/primitive_cases.h"
 #include "properties/laws/internal/tally.h"
+#include "properties/primitive_state.h"
 #include "properties/random_state.h"
 
 namespace rastercheck::properties::points_that_touch_part_the_samples_law {

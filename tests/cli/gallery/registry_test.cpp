@@ -24,12 +24,9 @@ TEST(Figures, AreInTheOrderOfTheirNames) {
 /// Checks what a figure says about its source. The figure's name begins with the number of the text
 /// (docs/bibliography.md).
 std::string source_of(const std::string& name) {
-  const std::map<std::string, std::string> texts{{"000", "Appendix 5"},
-                                                 {"001", "Rasterization"},
-                                                 {"002", "Moreton"},
-                                                 {"003", "varying variables"},
-                                                 {"004", "MIT 6.837"},
-                                                 {"005", "OpenGL"}};
+  const std::map<std::string, std::string> texts{
+      {"000", "Appendix 5"},        {"001", "Rasterization"}, {"002", "Moreton"},
+      {"003", "varying variables"}, {"004", "MIT 6.837"},     {"005", "OpenGL"}};
   return texts.at(name.substr(0, 3));
 }
 

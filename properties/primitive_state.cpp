@@ -1,4 +1,4 @@
-#include "properties/generators/internal/primitive_state.h"
+#include "properties/primitive_state.h"
 
 #include <array>
 
