@@ -16,7 +16,8 @@ struct SizeRange {
 
   /// True for least + n · granularity, rounded to float32, with an integer n.
   bool has(float size) const {
-    if (!(size >= least && size <= greatest)) return false;
+    const bool is_within = size >= least && size <= greatest;
+    if (!is_within) return false;
     if (!(granularity > 0)) return true;
     const double step = double{granularity};
     const double n = std::round((double{size} - double{least}) / step);

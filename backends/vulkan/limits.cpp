@@ -104,7 +104,7 @@ std::string lacks_primitives(const Limits& limits, const cases::Case& c) {
                       "pointSizeRange, pointSizeGranularity");
   }
   if (c.primitive != cases::Primitive::lines) return "";
-  const std::string mode = lacks_line_mode(limits, c.line_mode);
+  std::string mode = lacks_line_mode(limits, c.line_mode);
   if (!mode.empty()) return mode;
   return lacks_size(limits.line_widths, c.line_width, "lines of width", "wideLines",
                     "lineWidthRange, lineWidthGranularity");

@@ -54,8 +54,9 @@ std::optional<PointGrid> grid_of(const cases::Case& c) {
   grid.rows = places->size() / grid.columns;
   const double size = c.point_size;
   for (std::size_t i = 0; i < places->size(); ++i) {
-    const auto column = static_cast<double>(i % grid.columns);
-    const auto row = static_cast<double>(i / grid.columns);
+    const std::size_t whole_rows = i / grid.columns;
+    const auto row = static_cast<double>(whole_rows);
+    const auto column = static_cast<double>(i - whole_rows * grid.columns);
     const WindowPoint& at = (*places)[i];
     if (at.u != grid.first.u + size * column || at.v != grid.first.v + size * row) {
       return std::nullopt;

@@ -186,7 +186,7 @@ bool LineShape::is_past_on_the_border(const std::array<int, 2>& from_middle) con
   if (state_.convention == Convention::d3d) {
     // Lower edges (window y is down) with the bottom corner, and the right corner of y-major lines.
     const bool is_right_corner = major_ == 1 && from_middle[1] == 0 && from_middle[0] > 0;
-    return !(from_middle[1] > 0 || is_right_corner);
+    return from_middle[1] <= 0 && !is_right_corner;
   }
   // The move by −ε along x decides: it leads out of the diamond on the left.
   return major_ == 0 ? signs_[0] < 0 : from_middle[0] <= 0;
@@ -228,7 +228,8 @@ bool LineShape::selects(int x, int y) const {
   const double crossing =
       (-(m[major_] * (2.0 * pixel[major_] + 1) + m[2]) / m[minor] - (copies_ - 1)) / 2;
   const double first = pixel[minor] - (copies_ - 1);
-  if (!(crossing > first - 2 && crossing < pixel[minor] + 3.0)) return false;
+  const bool is_near = crossing > first - 2 && crossing < pixel[minor] + 3.0;
+  if (!is_near) return false;
   for (int step = -1; step <= 1; ++step) {
     std::array<int, 2> crossed = pixel;
     crossed[minor] = static_cast<int>(std::floor(crossing)) + step;
