@@ -134,6 +134,8 @@ bool needs(const Case& c, Feature feature) {
   return false;
 }
 
+bool Capabilities::draws(Primitive primitive) const { return has_one(primitives, primitive); }
+
 bool Capabilities::is_everything() const {
   Capabilities of_triangles = *this;
   of_triangles.primitives = {Primitive::triangles};
@@ -144,7 +146,7 @@ bool Capabilities::has(Feature feature) const { return !has_one(lacks, feature);
 
 std::string lacked_by(const Capabilities& capabilities, const Case& c) {
   if (!has_one(capabilities.rules, c.rules)) return std::string(words_for(c.rules));
-  if (!has_one(capabilities.primitives, c.primitive)) return std::string(name_of(c.primitive));
+  if (!capabilities.draws(c.primitive)) return std::string(name_of(c.primitive));
   for (const Feature feature : capabilities.lacks) {
     if (needs(c, feature)) return std::string(to_string(feature));
   }

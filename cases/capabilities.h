@@ -72,6 +72,7 @@ struct Capabilities {
   /// True if nothing limits cases of triangles.
   bool is_everything() const;
   bool has(Feature feature) const;
+  bool draws(Primitive primitive) const;
 };
 
 /// Names the first thing in a case that exceeds the capabilities, for readers; empty if nothing

@@ -61,6 +61,14 @@ cases::ClipVertex at_window(const cases::Case& c, const WindowPoint& p, float de
   return {to_float(x * weight), to_float(turned * weight), to_float(double{depth} * weight), w};
 }
 
+WindowPoint window_point(const cases::Case& c, const cases::ClipVertex& vertex) {
+  const cases::Viewport& viewport = c.viewport;
+  const double turn = c.rules == cases::Rules::d3d ? -1 : 1;
+  const double w = vertex.w;
+  return {viewport.x + double{viewport.width} / 2 * (1 + vertex.x / w),
+          viewport.y + double{viewport.height} / 2 * (1 + turn * vertex.y / w)};
+}
+
 std::uint32_t add_vertex(cases::Case& c, const cases::ClipVertex& position) {
   c.positions.push_back(position);
   return static_cast<std::uint32_t>(c.positions.size() - 1);

@@ -35,6 +35,9 @@ std::vector<WindowPoint> sample_points(const cases::Case& c, const cases::Contra
 /// their products with a float32 are exact in double.
 bool is_exactly_at(const cases::Case& c, const cases::ClipVertex& vertex, const WindowPoint& p);
 
+/// The window position of a vertex, w not 0, in double.
+WindowPoint window_point(const cases::Case& c, const cases::ClipVertex& vertex);
+
 /// Appends a vertex and returns its index.
 std::uint32_t add_vertex(cases::Case& c, const cases::ClipVertex& position);
 /// Appends a vertex with the attributes and clip distances of vertex `like` and returns its index.

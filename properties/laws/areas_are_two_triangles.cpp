@@ -60,30 +60,29 @@ std::array<Corner, 4> corners_of(const cases::Case& c, const cases::Triangle& pr
           Corner{b, {q.u + du, q.v + dv}}, Corner{a, {p.u + du, p.v + dv}}};
 }
 
-/// Appends the two triangles, if float32 has all their corners, inside everything.
+/// Appends the two triangles, if float32 has all their corners, inside everything. If not, vertices
+/// without a triangle may be left.
 bool add_triangles(const cases::Case& c, const cases::Triangle& primitive, cases::Case& out) {
   const std::array<Corner, 4> corners = corners_of(c, primitive);
   const bool is_line = c.primitive == cases::Primitive::lines;
   const std::uint32_t provoking = primitive[c.rules == cases::Rules::opengl && is_line ? 1 : 0];
   std::array<std::uint32_t, 4> added{};
-  cases::Case next = out;
   for (std::size_t i = 0; i < 4; ++i) {
     const cases::ClipVertex& of = c.positions[corners[i].vertex];
     cases::ClipVertex vertex = at_window(c, corners[i].at, 0, of.w);
     vertex.z = of.z;
     if (!is_on_eighths(corners[i].at) || !is_exactly_at(c, vertex, corners[i].at)) return false;
-    added[i] = add_vertex_like(next, corners[i].vertex, vertex);
+    added[i] = add_vertex_like(out, corners[i].vertex, vertex);
     for (std::size_t a = 0; a < c.attributes.size(); ++a) {
       if (c.attributes[a].interpolation != cases::Interpolation::flat) continue;
-      next.attribute_values[added[i] * c.attributes.size() + a] = c.attributes_of(provoking)[a];
+      out.attribute_values[added[i] * c.attributes.size() + a] = c.attributes_of(provoking)[a];
     }
   }
   const cases::Triangle first{added[0], added[1], added[2]};
   const cases::Triangle second{added[0], added[2], added[3]};
-  if (!is_inside(next, first) || !is_inside(next, second)) return false;
-  next.triangles.push_back(first);
-  next.triangles.push_back(second);
-  out = std::move(next);
+  if (!is_inside(out, first) || !is_inside(out, second)) return false;
+  out.triangles.push_back(first);
+  out.triangles.push_back(second);
   return true;
 }
 
@@ -150,8 +149,7 @@ Generated generate(Draw& draw) {
       const WindowPoint p = visible_point(draw, c);
       const float depth = random_depth(draw, c);
       const float w = draw.pick(std::array{0.5F, 1.0F, 1.0F, 2.0F});
-      end =
-          add_vertex(c, at_window(c, {rounded_to_eighths(p.u), rounded_to_eighths(p.v)}, depth, w));
+      end = add_vertex(c, at_window(c, {floor_to_eighths(p.u), floor_to_eighths(p.v)}, depth, w));
     }
     c.triangles.push_back({ends[0], ends[is_of_points ? 0 : 1], ends[is_of_points ? 0 : 1]});
   }

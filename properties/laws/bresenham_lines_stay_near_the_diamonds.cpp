@@ -131,13 +131,29 @@ class LineCheck {
     });
   }
 
+  /// A pixel that the rule selects has its middle within a pixel of the line along the minor axis.
   std::set<Pixel> pixels_of_rule(std::uint32_t line) const {
     const oracle::TriangleTruth truth(scene_, line);
     const oracle::PixelBox box = truth.pixels();
+    const cases::Triangle& ends = case_->triangles[line];
+    const WindowPoint from = window_point(*case_, case_->positions[ends[0]]);
+    const WindowPoint to = window_point(*case_, case_->positions[ends[1]]);
+    const bool is_x_major = way_of(*case_, ends).axis == 0;
+    const double along = is_x_major ? to.u - from.u : to.v - from.v;
+    const double across = is_x_major ? to.v - from.v : to.u - from.u;
     std::set<Pixel> all;
-    for (int y = box.y0; y < box.y1; ++y) {
-      for (int x = box.x0; x < box.x1; ++x) {
-        if (truth.judge(x, y, 0).verdict == records::Verdict::required) all.insert({x, y});
+    if (along == 0) return all;
+    const int first = is_x_major ? box.x0 : box.y0;
+    const int last = is_x_major ? box.x1 : box.y1;
+    for (int major = first; major < last; ++major) {
+      const double share = (major + 0.5 - (is_x_major ? from.u : from.v)) / along;
+      const int near =
+          static_cast<int>(std::floor((is_x_major ? from.v : from.u) + share * across));
+      for (int minor = near - 2; minor <= near + 2; ++minor) {
+        const Pixel pixel = is_x_major ? Pixel{major, minor} : Pixel{minor, major};
+        if (truth.judge(pixel[0], pixel[1], 0).verdict == records::Verdict::required) {
+          all.insert(pixel);
+        }
       }
     }
     return all;
@@ -264,7 +280,7 @@ Generated generate(Draw& draw) {
       const double forward = is_back ? 1 - along : along;
       WindowPoint p = is_along_x ? WindowPoint{forward * width, across * height}
                                  : WindowPoint{across * width, forward * height};
-      if (is_exact) p = {rounded_to_eighths(p.u), rounded_to_eighths(p.v)};
+      if (is_exact) p = {floor_to_eighths(p.u), floor_to_eighths(p.v)};
       const float depth = random_depth(draw, c);
       const float w = draw.one_in(2) ? 1.0F : draw.uniform(0.5F, 2);
       const std::uint32_t vertex = add_vertex(c, at_window(c, p, depth, w));

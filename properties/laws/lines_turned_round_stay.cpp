@@ -46,15 +46,18 @@ Check compare_bresenham(const cases::Case& c, const backends::Drawn& before,
   Tally tally(c);
   Verdicts verdicts(c, before.contract);
   const auto see = [&](const cases::SamplePlace& place, records::FragmentClass of) {
-    if (is_at_an_end(c, place)) return tally.label("at an end");
-    if (verdicts.judge(place.triangle, place).verdict == records::Verdict::permitted) return;
+    const bool is_of_a_line = is_of_case(c, place);  // a backend may draw others
+    if (is_of_a_line && is_at_an_end(c, place)) return tally.label("at an end");
+    const bool is_open = is_of_a_line && verdicts.judge(place.triangle, place).verdict ==
+                                             records::Verdict::permitted;
+    if (is_open) return;
     const bool is_extra = of == records::FragmentClass::extra;
     tally.report(violation_at(place, of, is_extra ? kNotDrawnBefore : kDrawnBefore, kNote));
   };
   visit_places(
       before.fragments, turned,
       [&](const cases::SamplePlace& place, std::size_t, std::size_t) {
-        tally.pass_required(place.triangle);
+        if (is_of_case(c, place)) tally.pass_required(place.triangle);
       },
       [&](const cases::SamplePlace& place, std::size_t, const char*) {
         see(place, records::FragmentClass::extra);

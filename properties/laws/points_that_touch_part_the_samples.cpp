@@ -128,8 +128,8 @@ Generated generate(Draw& draw) {
   const WindowPoint middle = visible_middle(c);
   const int u = draw.between(-16, 16);
   const int v = draw.between(-16, 16);
-  const WindowPoint first{rounded_to_eighths(middle.u - size * columns / 2) + u / 8.0,
-                          rounded_to_eighths(middle.v - size * rows / 2) + v / 8.0};
+  const WindowPoint first{floor_to_eighths(middle.u - size * columns / 2) + u / 8.0,
+                          floor_to_eighths(middle.v - size * rows / 2) + v / 8.0};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const float depth = random_depth(draw, c);

@@ -44,11 +44,6 @@ std::string words_for(LineMode mode) {
   return "diamonds";
 }
 
-bool draws(const Subject& subject, Primitive primitive) {
-  const cases::Capabilities has = subject.capabilities();
-  return std::find(has.primitives.begin(), has.primitives.end(), primitive) != has.primitives.end();
-}
-
 void add_line(cases::Case& c, const WindowPoint& a, const WindowPoint& b) {
   const float depth = c.rules == cases::Rules::opengl ? 0.0F : 0.5F;
   const std::uint32_t first = add_vertex(c, at_window(c, a, depth, 1));
@@ -256,14 +251,15 @@ void measure_points(Subject& subject) {
 }  // namespace
 
 void measure_primitives(Subject& subject) {
-  if (draws(subject, Primitive::lines)) {
+  const cases::Capabilities has = subject.capabilities();
+  if (has.draws(Primitive::lines)) {
     for (const LineMode mode : kModes) measure_mode(subject, mode);
     for (const LineMode mode : {LineMode::rectangular, LineMode::bresenham}) {
       measure_sizes(subject, Primitive::lines, mode, "widths of " + words_for(mode));
     }
     measure_ends(subject);
   }
-  if (draws(subject, Primitive::points)) measure_points(subject);
+  if (has.draws(Primitive::points)) measure_points(subject);
 }
 
 }  // namespace rastercheck::properties

@@ -100,7 +100,11 @@ TEST(Probe, SaysWhatItHadNoTimeFor) {
   EXPECT_FALSE(std::filesystem::exists(contract));
   const json document =
       json::parse(run_program(quick({"cpu", "--seconds", "0.001", "--json"})).out);
-  EXPECT_EQ(document.at("not_measured").size(), 14U);
+  ASSERT_GT(document.at("not_measured").size(), 1U);
+  for (const json& one : document.at("not_measured")) {
+    EXPECT_THAT(probe.out, HasSubstr(one.at("what").get<std::string>()));
+  }
+  EXPECT_EQ(document.at("not_measured").back().at("what"), "errors of values");
   EXPECT_EQ(document.at("not_measured")[1].at("what"), "tie rule");
   EXPECT_EQ(document.at("not_measured")[1].at("keys"), json::array({"tie_rule"}));
   EXPECT_TRUE(document.at("contract").is_null());

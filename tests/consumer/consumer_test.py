@@ -134,6 +134,9 @@ class Installed(unittest.TestCase):
         self.assertNotEqual(subprocess.run([build / "bunny", "nowhere.obj", self.folder / "none.png"],
                                            check=False).returncode, 0)
 
+        run(build / "wireframe", BUNNY, self.folder / "wireframe.png")
+        self.assertGreater((self.folder / "wireframe.png").stat().st_size, len(drawn))
+
         # Sanitizers keep freed memory, and without optimisation 100 frames take minutes.
         if CONFIG == "Release" and "-fsanitize" not in FLAGS:
             for threads in (1, 2):

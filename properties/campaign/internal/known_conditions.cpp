@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "properties/judged_law.h"
+#include "properties/window_position.h"
 #include "records/histogram.h"
 
 namespace rastercheck::properties {
@@ -128,27 +129,12 @@ bool is_so(KnownFact fact, const ConditionQuestion& of) {
   return is_beyond_viewport(c.viewport, *of.violation);
 }
 
-/// A window position in pixels, of a vertex with w != 0.
-struct RoundedWindowPoint {
-  double x;
-  double y;
-};
-
-RoundedWindowPoint rounded_window_point(const Case& c, const ClipVertex& v) {
-  const cases::Viewport& viewport = c.viewport;
-  const double half_width = double{viewport.width} / 2;
-  const double half_height = double{viewport.height} / 2;
-  const double up = c.rules == cases::Rules::d3d ? -1 : 1;
-  return {viewport.x + half_width * (1 + double{v.x} / v.w),
-          viewport.y + half_height * (1 + up * double{v.y} / v.w)};
-}
-
 double largest_coordinate(const ConditionQuestion& of) {
   double largest = 0;
   for (const ClipVertex& v : of.vertices()) {
     if (v.w == 0) return std::numeric_limits<double>::infinity();
-    const RoundedWindowPoint p = rounded_window_point(*of.clip, v);
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    const WindowPoint p = window_point(*of.clip, v);
+    largest = std::max({largest, std::abs(p.u), std::abs(p.v)});
   }
   return largest;
 }
@@ -167,20 +153,20 @@ std::optional<double> w_ratio(const ConditionQuestion& of) {
 /// Returns twice the area divided by the length of the longest edge. The direction of y does not
 /// matter.
 std::optional<double> height(const ConditionQuestion& of) {
-  std::array<RoundedWindowPoint, 3> p{};
+  std::array<WindowPoint, 3> p{};
   const auto all = of.vertices();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!(all[i].w > 0)) return std::nullopt;
-    p[i] = rounded_window_point(*of.clip, all[i]);
+    p[i] = window_point(*of.clip, all[i]);
   }
   double longest = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const RoundedWindowPoint& next = p[(i + 1) % p.size()];
-    longest = std::max(longest, std::hypot(next.x - p[i].x, next.y - p[i].y));
+    const WindowPoint& next = p[(i + 1) % p.size()];
+    longest = std::max(longest, std::hypot(next.u - p[i].u, next.v - p[i].v));
   }
   if (longest == 0) return 0;
   const double doubled_area =
-      (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
+      (p[1].u - p[0].u) * (p[2].v - p[0].v) - (p[2].u - p[0].u) * (p[1].v - p[0].v);
   return std::abs(doubled_area) / longest;
 }
 

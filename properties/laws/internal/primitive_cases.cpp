@@ -13,11 +13,6 @@
 namespace rastercheck::properties {
 namespace {
 
-bool draws(backends::Backend& backend, cases::Primitive primitive) {
-  const std::vector<cases::Primitive> all = backend.about().capabilities.primitives;
-  return std::find(all.begin(), all.end(), primitive) != all.end();
-}
-
 bool is_inside(const cases::Case& c, std::uint32_t vertex) {
   const cases::ClipVertex& p = c.positions[vertex];
   const float near = c.rules == cases::Rules::opengl ? -p.w : 0.0F;
@@ -28,8 +23,12 @@ bool is_inside(const cases::Case& c, std::uint32_t vertex) {
 
 }  // namespace
 
-bool draws_lines(backends::Backend& backend) { return draws(backend, cases::Primitive::lines); }
-bool draws_points(backends::Backend& backend) { return draws(backend, cases::Primitive::points); }
+bool draws_lines(backends::Backend& backend) {
+  return backend.about().capabilities.draws(cases::Primitive::lines);
+}
+bool draws_points(backends::Backend& backend) {
+  return backend.about().capabilities.draws(cases::Primitive::points);
+}
 
 Generated random_lines(Draw& draw) {
   cases::Case c = find_generator("lines")->make(draw);
@@ -69,23 +68,15 @@ void leave_out_centroids(cases::Case& c) {
   }
 }
 
-WindowPoint window_point(const cases::Case& c, const cases::ClipVertex& vertex) {
-  const cases::Viewport& viewport = c.viewport;
-  const double turn = c.rules == cases::Rules::d3d ? -1 : 1;
-  const double w = vertex.w;
-  return {viewport.x + double{viewport.width} * (1 + vertex.x / w) / 2,
-          viewport.y + double{viewport.height} * (1 + turn * vertex.y / w) / 2};
-}
-
 bool is_inside(const cases::Case& c, const cases::Triangle& vertices) {
   return std::all_of(vertices.begin(), vertices.end(),
                      [&c](std::uint32_t vertex) { return is_inside(c, vertex); });
 }
 
-double rounded_to_eighths(double at) { return std::floor(at * 8) / 8; }
+double floor_to_eighths(double at) { return std::floor(at * 8) / 8; }
 
 bool is_on_eighths(const WindowPoint& p) {
-  return rounded_to_eighths(p.u) == p.u && rounded_to_eighths(p.v) == p.v;
+  return floor_to_eighths(p.u) == p.u && floor_to_eighths(p.v) == p.v;
 }
 
 bool keeps_eighths(const cases::Contract& contract) {

@@ -44,16 +44,14 @@ void leave_out_flat_attributes(cases::Case& c);
 /// pixel are covered.
 void leave_out_centroids(cases::Case& c);
 
-/// The window position of a vertex with w > 0, in double.
-WindowPoint window_point(const cases::Case& c, const cases::ClipVertex& vertex);
-
 /// True if nothing cuts or drops a primitive with these vertices: all have w > 0 and lie strictly
 /// inside the viewport's sides, the depth planes and the clip distances.
 bool is_inside(const cases::Case& c, const cases::Triangle& vertices);
 
 /// True if both coordinates are multiples of an eighth of a pixel.
 bool is_on_eighths(const WindowPoint& p);
-double rounded_to_eighths(double at);
+/// The greatest multiple of an eighth that is not above `at`.
+double floor_to_eighths(double at);
 /// True if a contract leaves vertices where they are if they are on such places, and names a fill
 /// rule by which every edge's samples have one owner.
 bool keeps_eighths(const cases::Contract& contract);

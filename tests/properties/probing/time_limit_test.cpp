@@ -53,11 +53,11 @@ TEST(TimeLimit, KeepsWholeMeasuresOnly) {
   const records::Probe whole = ended_after(kNeverUp, &all);
   EXPECT_THAT(whole.unmeasured, IsEmpty());
   const std::vector<std::string> names = names_of(ended_after(0).unmeasured);
-  ASSERT_EQ(names.size(), 14U);
+  ASSERT_EQ(names.size(), whole.measures);
   std::vector<std::size_t> left;
-  constexpr std::uint64_t kSteps = 14;
-  for (std::uint64_t i = 1; i < kSteps; ++i) {
-    const records::Probe part = ended_after(all * i / kSteps);
+  const std::uint64_t steps = names.size();
+  for (std::uint64_t i = 1; i < steps; ++i) {
+    const records::Probe part = ended_after(all * i / steps);
     ASSERT_LE(part.rows.size(), whole.rows.size());
     EXPECT_TRUE(std::equal(part.rows.begin(), part.rows.end(), whole.rows.begin()));
     const std::vector<std::string> lacking = names_of(part.unmeasured);
@@ -103,15 +103,16 @@ TEST(TimeLimit, DrawsNothingOnceTheTimeIsUp) {
 }
 
 TEST(TimeLimit, TellsWhichMeasureComesNext) {
+  const std::vector<std::string> names = names_of(ended_after(0).unmeasured);
   std::vector<std::string> told;
   const auto backend = backends::make_backend("cpu");
-  const auto progress = [&told](std::uint64_t done, std::uint64_t all, const std::string& what) {
+  const auto progress = [&](std::uint64_t done, std::uint64_t all, const std::string& what) {
     EXPECT_EQ(done, told.size());
-    EXPECT_EQ(all, 14U);
+    EXPECT_EQ(all, names.size());
     told.push_back(what);
   };
   ASSERT_TRUE(probe("cpu", **backend, quick(), progress).has_value());
-  EXPECT_EQ(told, names_of(ended_after(0).unmeasured));
+  EXPECT_EQ(told, names);
 }
 
 }  // namespace
