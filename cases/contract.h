@@ -41,6 +41,10 @@ enum class Claim { perspective, affine };
 ///           + |X|_j |Y|_k + |X|_k |Y|_j,
 ///   K = Σ |E|_i / Σ E_i,   or Σ |w_i| |E|_i / Σ w_i E_i for values linear in window space.
 ///
+/// A line's weights are −g_b and g_a (RULES §10), with n and g made of sums of products likewise:
+/// |n|_x = |w_a| |X|_b + |w_b| |X|_a and |g|_k = |n|_x (|u| |w_k| + |X|_k) + |n|_y (|v| |w_k| +
+/// |Y|_k). K of a point is 1. With some w <= 0, a line has no g.
+///
 /// K is unbounded for slivers and towards the horizon. If per_condition · K, or the constant,
 /// reaches 2^24, all digits of a value may be lost, and nothing is promised; the value may even be
 /// NaN.

@@ -80,8 +80,6 @@ std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
     return triangle.has_unbounded_depths() ? std::optional(NotJudged::left_free) : std::nullopt;
   }
   if (bound.per_condition >= kAllDigits) return NotJudged::without_bound;  // because K >= 1
-  // K is of the weights of triangles.
-  if (bound.per_condition > 0 && !triangle.is_triangle()) return NotJudged::without_bound;
   const Scene& scene = *triangle.scene;
   if (!cases::promises_values_of(scene.contract(), scene.source(), triangle.index, *attribute)) {
     return NotJudged::not_promised;
@@ -99,6 +97,7 @@ std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Homogene
         std::min({triangle.columns[0][2], triangle.columns[1][2], triangle.columns[2][2]});
     return quotient(map.determinant() * p.t, least_w * here);
   }
+  if (!triangle.is_triangle()) return std::nullopt;
   const ConvexRegion drawn = triangle.clipped_to_triangle(guard_band_of(*triangle.scene));
   Fraction most = {here, p.t};
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -108,14 +107,16 @@ std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Homogene
   return quotient(most.numerator * p.t, most.denominator * here);
 }
 
-std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine,
-                               const HomogeneousPoint& p) {
-  const ProjectiveMap& map = triangle.ideal;
-  if (map.orientation() == 0) return std::nullopt;
+namespace {
+
+/// |X|, |Y| and |w| of a vertex (cases::ValueBound).
+using VertexSize = std::array<Ring, 3>;
+
+std::array<VertexSize, 3> vertex_sizes(const TriangleSetup& triangle) {
   const cases::Viewport& viewport = triangle.scene->source().viewport;
   const std::array<float, 2> origin{viewport.x, viewport.y};
   const std::array<float, 2> extent{viewport.width, viewport.height};
-  std::array<std::array<Ring, 3>, 3> size;  // [vertex]: |X|, |Y|, |w|
+  std::array<VertexSize, 3> size;
   for (std::size_t i = 0; i < 3; ++i) {
     const RingVector4 clip = triangle.scene->clip_position(triangle.indices[i]);
     size[i][2] = magnitude(clip[3]);
@@ -126,14 +127,54 @@ std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine,
       size[i][axis] = in_pixels * triangle.scene->units_per_pixel();
     }
   }
-  Ring sizes(0);
-  Ring weights(0);
+  return size;
+}
+
+/// |E|_0 to |E|_2 of a triangle.
+std::array<Ring, 3> weight_sizes(const std::array<VertexSize, 3>& size, const HomogeneousPoint& p) {
+  std::array<Ring, 3> all;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& [x_j, y_j, w_j] = size[(i + 1) % 3];
     const auto& [x_k, y_k, w_k] = size[(i + 2) % 3];
-    const Ring e = (y_j * w_k + y_k * w_j) * magnitude(p.u) +
-                   (x_j * w_k + x_k * w_j) * magnitude(p.v) + (x_j * y_k + x_k * y_j) * p.t;
-    sizes += is_affine ? size[i][2] * e : e;
+    all[i] = (y_j * w_k + y_k * w_j) * magnitude(p.u) + (x_j * w_k + x_k * w_j) * magnitude(p.v) +
+             (x_j * y_k + x_k * y_j) * p.t;
+  }
+  return all;
+}
+
+/// Those of a line, whose weights are the functionals n·(p w − (X, Y)) of its other end.
+std::array<Ring, 3> weight_sizes_of_line(const TriangleSetup& line,
+                                         const std::array<VertexSize, 3>& size,
+                                         const HomogeneousPoint& p) {
+  const VertexSize& a = size[0];
+  const VertexSize& b = size[1];
+  std::array<Ring, 2> n{a[2] * b[0] + b[2] * a[0], a[2] * b[1] + b[2] * a[1]};
+  if (line.scene->source().line_mode == cases::LineMode::parallelogram) {
+    n[1 - major_axis(direction_of(line.columns[0], line.columns[1]))] = Ring(0);
+  }
+  const auto size_of_functional = [&](const VertexSize& end) {
+    return n[0] * (magnitude(p.u) * end[2] + end[0] * p.t) +
+           n[1] * (magnitude(p.v) * end[2] + end[1] * p.t);
+  };
+  return {size_of_functional(b), size_of_functional(a), Ring(0)};
+}
+
+}  // namespace
+
+std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine,
+                               const HomogeneousPoint& p) {
+  const ProjectiveMap& map = triangle.ideal;
+  if (map.orientation() == 0) return std::nullopt;
+  const cases::Primitive primitive = triangle.scene->source().primitive;
+  if (primitive == cases::Primitive::points) return Field(1);
+  const std::array<VertexSize, 3> size = vertex_sizes(triangle);
+  const std::array<Ring, 3> of_weights = primitive == cases::Primitive::lines
+                                             ? weight_sizes_of_line(triangle, size, p)
+                                             : weight_sizes(size, p);
+  Ring sizes(0);
+  Ring weights(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    sizes += is_affine ? size[i][2] * of_weights[i] : of_weights[i];
     weights += is_affine ? triangle.columns[i][2] * map.edge(i).at(p) : map.edge(i).at(p);
   }
   if (sign_of(weights) <= 0) return std::nullopt;

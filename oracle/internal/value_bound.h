@@ -24,7 +24,8 @@ std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
 double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> attribute);
 
 /// g of cases::ValueBound at a point: the greatest 1/w of the triangle's vertices (of its corners
-/// after clipping if some w <= 0), divided by 1/w at the point. Empty if 1/w <= 0.
+/// after clipping if some w <= 0), divided by 1/w at the point. Empty if 1/w <= 0, and of lines
+/// that cross w = 0.
 std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const HomogeneousPoint& p);
 
 /// K of cases::ValueBound at a point, for values linear in window space (`is_affine`) or in clip

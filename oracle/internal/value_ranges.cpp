@@ -79,10 +79,10 @@ ValueRanges::Bound ValueRanges::make_bound(std::optional<std::size_t> attribute)
   return bound;
 }
 
-/// Sets the terms of g and K if all w are positive and the map is the exact triangle's.
+/// Sets the terms of g and K if all w are positive and the map is the exact one of a triangle.
 void ValueRanges::set_condition() {
   const TriangleSetup& setup = truth_->setup();
-  if (setup.has_nonpositive_w || prepared_.map() != &setup.ideal) return;
+  if (!setup.is_triangle() || setup.has_nonpositive_w || prepared_.map() != &setup.ideal) return;
   if (scene_->contract().has_open_viewport()) return;
   const cases::Viewport& viewport = scene_->source().viewport;
   const std::array<double, 2> half{std::abs(viewport.width / 2.0), std::abs(viewport.height / 2.0)};

@@ -90,6 +90,31 @@ TEST(Condition, IsWhatTheWeightsAreMadeOfOverWhatTheyAre) {
   EXPECT_FALSE(condition(setup, false, {Ring(0), Ring(8), Ring(1)}).has_value());  // ΣE = 0
 }
 
+// By hand, at (1, 1), of a line from (X, Y, w) = (0, 0, 1) to (0, 8, 2): n = (0, 8), E = 64 − 16 v
+// and 8 v. Of magnitudes (4, 4, 1) and (8, 8, 2), |n| = (16, 16), |E|_0 = 16 (2 + 8) + 16 (2 + 8)
+// and |E|_1 = 16 (1 + 4) + 16 (1 + 4); K = 480/56, for noperspective values (320 + 2 · 160)/64. A
+// parallelogram takes the second halves of both sums alone.
+TEST(Condition, OfALineIsThatOfItsFunctionals) {
+  cases::Case c = in_perspective(3);
+  c.primitive = cases::Primitive::lines;
+  c.triangles = {{0, 2, 2}};
+  const HomogeneousPoint p{Ring(1), Ring(1), Ring(1)};
+  const auto condition_of = [&](cases::LineMode mode, bool is_affine) {
+    c.line_mode = mode;
+    const SceneTruth truth(c, cases::contract_of(c));
+    return condition(TriangleSetup(truth.scene(), 0), is_affine, p).value();
+  };
+  for (const cases::LineMode mode : {cases::LineMode::rectangular, cases::LineMode::bresenham}) {
+    EXPECT_EQ(condition_of(mode, false), Field(60, 7));
+    EXPECT_EQ(condition_of(mode, true), Field(10));
+  }
+  EXPECT_EQ(condition_of(cases::LineMode::parallelogram, false), Field(30, 7));
+  EXPECT_EQ(condition_of(cases::LineMode::parallelogram, true), Field(5));
+  c.primitive = cases::Primitive::points;
+  c.triangles = {{2, 2, 2}};
+  EXPECT_EQ(condition_of(cases::LineMode::rectangular, false), Field(1));
+}
+
 // The pixel's centre is at (1/2, 1/2): |E| = 80, 80, 40 and E = 24, 4, 2, K = 20/3. The range of
 // the values −1, 3 and 0 is 4, measured in ulp(3) = 2^-22.
 TEST(ValueBound, GrowsWithTheConditionAndWithTheRange) {
