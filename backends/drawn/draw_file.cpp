@@ -30,8 +30,11 @@ std::uint32_t word(std::int32_t number) { return static_cast<std::uint32_t>(numb
 
 std::string draw_file(const cases::Case& c, const cases::Contract& promised) {
   const rastercheck_draw d = draw_state(c, promised);
-  const bool has_depth_words = d.depth_bits != 0 || !c.depth_bias.is_none();
-  std::string bytes = has_depth_words ? "RCDRAW2\n" : "RCDRAW1\n";
+  const bool has_primitive_words = d.primitive != RASTERCHECK_TRIANGLES;
+  const bool has_depth_words = has_primitive_words || d.depth_bits != 0 || !c.depth_bias.is_none();
+  std::string bytes = has_primitive_words ? "RCDRAW3\n"
+                      : has_depth_words   ? "RCDRAW2\n"
+                                          : "RCDRAW1\n";
   append(bytes, std::vector<std::uint32_t>{
                     d.rules,
                     d.width,
@@ -65,6 +68,10 @@ std::string draw_file(const cases::Case& c, const cases::Contract& promised) {
   if (has_depth_words) {
     append(bytes, std::vector<std::uint32_t>{word(d.bias_constant), word(d.bias_slope),
                                              word(d.bias_clamp), d.depth_bits});
+  }
+  if (has_primitive_words) {
+    append(bytes, std::vector<std::uint32_t>{d.primitive, d.line_mode, word(d.line_width),
+                                             word(d.point_size)});
   }
   append(bytes, sample_places(c));
   append(bytes, c.positions);

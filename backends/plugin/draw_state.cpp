@@ -22,6 +22,17 @@ std::uint32_t basis_of(cases::Basis basis) {
   return basis == cases::Basis::snapped ? RASTERCHECK_BASIS_SNAPPED : RASTERCHECK_BASIS_UNSPECIFIED;
 }
 
+std::uint32_t primitive_of(cases::Primitive primitive) {
+  if (primitive == cases::Primitive::triangles) return RASTERCHECK_TRIANGLES;
+  return primitive == cases::Primitive::lines ? RASTERCHECK_LINES : RASTERCHECK_POINTS;
+}
+
+std::uint32_t mode_of(cases::LineMode mode) {
+  if (mode == cases::LineMode::rectangular) return RASTERCHECK_LINE_RECTANGULAR;
+  return mode == cases::LineMode::parallelogram ? RASTERCHECK_LINE_PARALLELOGRAM
+                                                : RASTERCHECK_LINE_BRESENHAM;
+}
+
 rastercheck_attribute attribute_of(const cases::Attribute& attribute) {
   rastercheck_attribute a{};
   a.interpolation = attribute.interpolation == cases::Interpolation::smooth ? RASTERCHECK_SMOOTH
@@ -65,6 +76,10 @@ rastercheck_draw draw_state(const cases::Case& c, const cases::Contract& promise
   draw.bias_slope = c.depth_bias.slope;
   draw.bias_clamp = c.depth_bias.clamp;
   draw.depth_bits = static_cast<std::uint32_t>(cases::unorm_bits(c.depth_format));
+  draw.primitive = primitive_of(c.primitive);
+  draw.line_mode = mode_of(c.line_mode);
+  draw.line_width = c.line_width;
+  draw.point_size = c.point_size;
   draw.coverage = c.coverage ? RASTERCHECK_COVERAGE_SNAPPED : RASTERCHECK_COVERAGE_EXACT;
   if (c.coverage) {
     draw.subpixel_bits = static_cast<std::uint32_t>(c.coverage->subpixel_bits);

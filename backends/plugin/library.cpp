@@ -161,7 +161,7 @@ std::string fault_of(const rastercheck_contract& contract) {
       {"conservative_growth", number(contract.conservative_growth), cases::kMaxConservativeReach},
       {"shifts_edges", number(contract.shifts_edges), 1},
       {"covers_degenerates", number(contract.covers_degenerates), 1},
-      {"draws", number(contract.draws), 2 * RASTERCHECK_DRAWS_UNORM_DEPTH - 1},
+      {"draws", number(contract.draws), 2 * RASTERCHECK_DRAWS_POINTS - 1},
       {"depth_store", number(contract.depth_store), RASTERCHECK_STORE_EITHER},
       {"bias_slope", number(contract.bias_slope), RASTERCHECK_SLOPE_BETWEEN},
       {"bias_unit", number(contract.bias_unit), RASTERCHECK_UNIT_OPEN},
@@ -510,6 +510,12 @@ cases::Capabilities capabilities_of(const rastercheck_contract& contract) {
     has.lacks.push_back(cases::Feature::unorm_depth);
   }
   std::sort(has.lacks.begin(), has.lacks.end());
+  if ((contract.draws & RASTERCHECK_DRAWS_LINES) != 0) {
+    has.primitives.push_back(cases::Primitive::lines);
+  }
+  if ((contract.draws & RASTERCHECK_DRAWS_POINTS) != 0) {
+    has.primitives.push_back(cases::Primitive::points);
+  }
   std::erase_if(has.sample_counts, [&](int samples) {
     return contract.sample_counts != 0 &&
            (contract.sample_counts & static_cast<std::uint32_t>(samples)) == 0;
@@ -557,6 +563,8 @@ std::string describe(const Plugin& plugin) {
   if ((contract.lacks & RASTERCHECK_LACKS_DEPTH) != 0) add("depth values");
   if ((contract.draws & RASTERCHECK_DRAWS_DEPTH_BIAS) != 0) text += ", depth bias";
   if ((contract.draws & RASTERCHECK_DRAWS_UNORM_DEPTH) != 0) text += ", unorm depth";
+  if ((contract.draws & RASTERCHECK_DRAWS_LINES) != 0) text += ", lines";
+  if ((contract.draws & RASTERCHECK_DRAWS_POINTS) != 0) text += ", points";
   return missing.empty() ? text : text + "; not supported: " + missing;
 }
 

@@ -152,8 +152,10 @@ enum {
 /* rastercheck_contract.draws: what the plugin draws and is asked for only if it says so. Add up the
  * ones that apply. */
 enum {
-  RASTERCHECK_DRAWS_DEPTH_BIAS = 1 << 0, /* rastercheck_draw.bias_constant and bias_slope */
-  RASTERCHECK_DRAWS_UNORM_DEPTH = 1 << 1 /* rastercheck_draw.depth_bits */
+  RASTERCHECK_DRAWS_DEPTH_BIAS = 1 << 0,  /* rastercheck_draw.bias_constant and bias_slope */
+  RASTERCHECK_DRAWS_UNORM_DEPTH = 1 << 1, /* rastercheck_draw.depth_bits */
+  RASTERCHECK_DRAWS_LINES = 1 << 2,       /* rastercheck_draw.primitive: RASTERCHECK_LINES */
+  RASTERCHECK_DRAWS_POINTS = 1 << 3       /* RASTERCHECK_POINTS */
 };
 
 /* rastercheck_contract.clips: the vertices whose triangles may be clipped at the sides. */
@@ -416,6 +418,28 @@ typedef struct rastercheck_attribute {
   uint32_t location;
 } rastercheck_attribute;
 
+/* rastercheck_draw.primitive: what the vertices are joined to. What this header says of triangles
+ * holds for lines and points, too, with a promised bound of values as well; docs/rules.md (§9 and
+ * §10) has the exact rules. */
+enum {
+  RASTERCHECK_TRIANGLES = 0,
+  RASTERCHECK_LINES = 1, /* from a to b, the indices being a, b, b */
+  RASTERCHECK_POINTS = 2 /* squares around a, the indices being a, a, a */
+};
+
+/* rastercheck_draw.line_mode: which samples a line covers. The major axis is the one along which
+ * its ends are farther apart, x if equally far. */
+enum {
+  /* those at most line_width/2 beside it, between the perpendiculars through its ends */
+  RASTERCHECK_LINE_RECTANGULAR = 0,
+  /* those at most line_width/2 from it along the minor axis, and between its ends along the major
+   * axis */
+  RASTERCHECK_LINE_PARALLELOGRAM = 1,
+  /* those of the pixels that the diamond-exit rule selects, each replicated along the minor axis to
+   * line_width, rounded */
+  RASTERCHECK_LINE_BRESENHAM = 2
+};
+
 /* The triangles of a case that one call draws. Without a depth test that is a single triangle; with
  * a depth test, all triangles of the case. */
 typedef struct rastercheck_draw {
@@ -482,6 +506,10 @@ typedef struct rastercheck_draw {
   /* 0: depths are float32. 16 or 24: they are stored as k/(2^depth_bits - 1), k an integer, and
    * depth tests compare what is stored. output.depth is then the float nearest to it. */
   uint32_t depth_bits;
+  uint32_t primitive; /* RASTERCHECK_TRIANGLES, LINES or POINTS; "triangles" above are these */
+  uint32_t line_mode; /* RASTERCHECK_LINE_… */
+  float line_width;   /* pixels, above 0 */
+  float point_size;   /* sides of the squares, in pixels, above 0 */
 } rastercheck_draw;
 
 /* ------------------------------------------------------------------------------------------------

@@ -113,6 +113,29 @@ TEST(DrawFile, HasWordsOfBiasAndFormatIfTheCaseHasOne) {
   EXPECT_EQ(draw_file(c, cases::contract_of(c)), plain);
 }
 
+// Kills: lines that programs draw as triangles without an area.
+TEST(DrawFile, HasWordsOfLinesAndPoints) {
+  cases::Case c = two_triangles();
+  const std::string plain = draw_file(c, cases::contract_of(c));
+  constexpr std::size_t kHead = 8 + 28 * 4;
+  const auto with_words = [&](std::uint32_t primitive, std::uint32_t mode) {
+    File words("");
+    words.floats({0, 0, 0}).words({0, primitive, mode}).floats({2.5F, 7});
+    return "RCDRAW3\n" + plain.substr(8, kHead - 8) + words.bytes() + plain.substr(kHead);
+  };
+  c.line_width = 2.5F;
+  c.point_size = 7;
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), plain);
+  c.primitive = cases::Primitive::lines;
+  c.line_mode = cases::LineMode::bresenham;
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), with_words(1, 2));
+  c.line_mode = cases::LineMode::parallelogram;
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), with_words(1, 1));
+  c.primitive = cases::Primitive::points;
+  c.line_mode = cases::LineMode::rectangular;
+  EXPECT_EQ(draw_file(c, cases::contract_of(c)), with_words(2, 0));
+}
+
 TEST(DrawnFile, GivesTheFragmentsOfEachDraw) {
   const auto drawn = parse_drawn(right_drawing().bytes(), "it.drawn", two_triangles());
   ASSERT_TRUE(drawn.has_value()) << to_string(drawn.error());

@@ -178,6 +178,27 @@ TEST(Exec, IsToldBiasAndFormat) {
   EXPECT_THAT(header, HasSubstr(R"("depth_bits":24)"));
 }
 
+TEST(Exec, IsToldWhatVerticesAreJoinedTo) {
+  cases::Case c = two_triangles();
+  const std::string plain = draw_message(c, cases::contract_of(c), 0).header;
+  EXPECT_THAT(plain, HasSubstr(R"("primitive":"triangles")"));
+  c.primitive = cases::Primitive::lines;
+  c.line_mode = cases::LineMode::bresenham;
+  c.line_width = 2.5F;
+  c.point_size = 7;
+  const std::string header = draw_message(c, cases::contract_of(c), 0).header;
+  EXPECT_THAT(header, HasSubstr(R"("primitive":"lines")"));
+  EXPECT_THAT(header, HasSubstr(R"("line_mode":"bresenham","line_width":2.5)"));
+  EXPECT_THAT(header, HasSubstr(R"("point_size":7.0)"));
+
+  const auto hello = parse_hello(R"({"protocol": 1, "name": "it"})");
+  EXPECT_FALSE(hello->limits.draws(cases::Primitive::lines));
+  const auto more = parse_hello(
+      R"({"protocol": 1, "name": "it", "limits": {"primitives": ["triangles", "lines"]}})");
+  EXPECT_TRUE(more->limits.draws(cases::Primitive::lines));
+  EXPECT_FALSE(more->limits.draws(cases::Primitive::points));
+}
+
 /// A way of program.py to go wrong.
 struct Way {
   std::string name;

@@ -183,6 +183,31 @@ class Little(PluginTest):
                           self.rastercheck(code, "replay", file, "--backend", plugin))
 
 
+class Lines(PluginTest):
+    def test_holds_what_it_promises(self):
+        plugin = self.build(SOURCE / "docs/examples/plugin/lines.c", "lines")
+        table = self.rastercheck(0, "run", "--backend", plugin, "--seed", 1, "--cases", CASES, "--all",
+                                 "--property", COVERAGE, "--property", "*line*", "--property", "*point*")
+        held = re.findall(r"^(\S+) .* held$", table, re.MULTILINE)
+        rows = self.rows("rastercheck-out")
+        for law in ("lines-obey-the-contract", "points-obey-the-contract", "points-that-touch-part-the-samples",
+                    "a-point-at-a-centre-covers-its-pixel", "bresenham-lines-stay-near-the-diamonds"):
+            self.assertIn(law, held)
+            self.assertGreater(rows[law, plugin]["checked"], 0, law)
+        self.assertNotIn(COVERAGE, held)
+        self.assertIn(", lines, points;", self.rastercheck(0, "list", "backends", "--backend", plugin))
+
+    def test_is_not_asked_for_what_it_does_not_draw(self):
+        plugin = self.build(SOURCE / "docs/examples/plugin/lines.c", "lines")
+        little = self.build(SOURCE / "docs/examples/plugin/little.c", "little")
+        lines = self.write("lines.json", json.dumps(
+            {key: value for key, value in case([(-1, -1), (1, -1), (-1, 1)]).items() if key != "triangles"}
+            | {"lines": [[0, 1]], "line_mode": "rectangular"}))
+        self.assertIn("draw() reported unsupported: lines that are not Bresenham's",
+                      self.rastercheck(2, "render", lines, "--backend", plugin))
+        self.assertIn("its contract lacks lines", self.rastercheck(2, "render", lines, "--backend", little))
+
+
 class Culler(PluginTest):
     def occlusion(self):
         return self.build(SOURCE / "docs/examples/plugin/occlusion.c", "occlusion")
@@ -495,9 +520,9 @@ class Probed(PluginTest):
             self.skipTest("left to runs with more cases")
         for patch in sorted(SOURCE.glob("tests/plugins/mutants/*.patch")):
             source = patched(self, patch)
-            # Occlusion buffers draw nothing, contracts of a probe say nothing about pictures, and only hard
-            # cases show weights in float32.
-            if source.stem in ("occlusion", "picture") or patch.stem == "weights-in-float32":
+            # Occlusion buffers draw nothing, contracts of a probe say nothing about pictures, lines and points, and
+            # only hard cases show weights in float32.
+            if source.stem in ("occlusion", "picture", "lines") or patch.stem == "weights-in-float32":
                 continue
             with self.subTest(patch.stem):
                 self.check(self.build(source, patch.stem), patch.stem)

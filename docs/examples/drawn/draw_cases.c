@@ -10,9 +10,9 @@
  * what was drawn.
  *
  * Files are little-endian, and so must be the machine. The formats: a file of draws begins with
- * "RCDRAW1\n" and the 28 numbers of read_draw(), or with "RCDRAW2\n" and 32, and then has its
- * arrays; a drawing begins with "RCDRAWN1" and the number of draws, each of which write_output()
- * writes.
+ * "RCDRAW1\n" and the 28 numbers of read_draw(), with "RCDRAW2\n" and 32, or with "RCDRAW3\n" and
+ * 36, and then has its arrays; a drawing begins with "RCDRAWN1" and the number of draws, each of
+ * which write_output() writes.
  */
 #include <math.h>
 #include <stdio.h>
@@ -56,8 +56,9 @@ static float as_float(uint32_t word) {
 /* Reads a file of draws. The arrays stay in `bytes`. Returns 0 if the file is of another kind. */
 static int read_draw(const char* bytes, size_t size, rastercheck_draw* draw) {
   const uint32_t* w = (const uint32_t*)(bytes + 8);
-  const int has_depth_words = size >= 8 + 32 * 4 && memcmp(bytes, "RCDRAW2\n", 8) == 0;
-  if (!has_depth_words && (size < 8 + 28 * 4 || memcmp(bytes, "RCDRAW1\n", 8) != 0)) return 0;
+  if (size < 8 || memcmp(bytes, "RCDRAW", 6) != 0 || bytes[7] != '\n') return 0;
+  const int kind = bytes[6] - '0';
+  if (kind < 1 || kind > 3 || size < 8 + (28 + 4 * ((size_t)kind - 1)) * 4) return 0;
   *draw = (rastercheck_draw){
       .size = sizeof *draw,
       .rules = w[0],
@@ -90,11 +91,18 @@ static int read_draw(const char* bytes, size_t size, rastercheck_draw* draw) {
       .depth_clear = as_float(w[27]),
   };
   w += 28;
-  if (has_depth_words) {
+  if (kind >= 2) {
     draw->bias_constant = as_float(w[0]);
     draw->bias_slope = as_float(w[1]);
     draw->bias_clamp = as_float(w[2]);
     draw->depth_bits = w[3];
+    w += 4;
+  }
+  if (kind == 3) {
+    draw->primitive = w[0];
+    draw->line_mode = w[1];
+    draw->line_width = as_float(w[2]);
+    draw->point_size = as_float(w[3]);
     w += 4;
   }
   const size_t vertices = draw->vertex_count;
@@ -141,7 +149,7 @@ static void write_output(FILE* file, uint32_t status, const rastercheck_draw* dr
   }
 }
 
-/* Draws, unless a file of the second kind asks for what the plugin does not say that it draws. */
+/* Draws, unless a file of the later kinds asks for what the plugin does not say that it draws. */
 static uint32_t draw_or_refuse(const rastercheck_plugin* plugin, const rastercheck_draw* draw,
                                rastercheck_output* out) {
   const uint32_t draws = plugin->contract->draws;
@@ -150,6 +158,11 @@ static uint32_t draw_or_refuse(const rastercheck_plugin* plugin, const rasterche
       (draw->depth_bits != 0 && (draws & RASTERCHECK_DRAWS_UNORM_DEPTH) == 0)) {
     snprintf(out->message, out->message_size, "a depth bias, or depths of %u bits",
              draw->depth_bits);
+    return RASTERCHECK_UNSUPPORTED;
+  }
+  if ((draw->primitive == RASTERCHECK_LINES && (draws & RASTERCHECK_DRAWS_LINES) == 0) ||
+      (draw->primitive == RASTERCHECK_POINTS && (draws & RASTERCHECK_DRAWS_POINTS) == 0)) {
+    snprintf(out->message, out->message_size, "lines or points");
     return RASTERCHECK_UNSUPPORTED;
   }
   return plugin->draw(draw, out);

@@ -133,6 +133,10 @@ static inline void draws_read_member(draws* d, const char* key, size_t length, c
   DRAWS_READ(bias_slope, draw, draws_float(value));
   DRAWS_READ(bias_clamp, draw, draws_float(value));
   DRAWS_READ(depth_bits, draw, draws_uint(value));
+  DRAWS_READ(primitive, draw, draws_index("triangles lines points", value));
+  DRAWS_READ(line_mode, draw, draws_index("rectangular parallelogram bresenham", value));
+  DRAWS_READ(line_width, draw, draws_float(value));
+  DRAWS_READ(point_size, draw, draws_float(value));
   DRAWS_READ(coverage, draw, draws_index("as_asked exact snapped", value));
   DRAWS_READ(subpixel_bits, draw, draws_uint(value));
   DRAWS_READ(rounding, draw, draws_index("nearest_even half_up", value));

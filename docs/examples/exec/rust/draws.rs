@@ -31,6 +31,8 @@ names! {
     Basis { Ideal "ideal" Snapped "snapped" Unspecified "unspecified" }
     Interpolation { Smooth "smooth" Noperspective "noperspective" Flat "flat" }
     Location { Sample "sample" Center "center" Centroid "centroid" }
+    Primitive { Triangles "triangles" Lines "lines" Points "points" }
+    LineMode { Rectangular "rectangular" Parallelogram "parallelogram" Bresenham "bresenham" }
 }
 
 /// The members of a draw's line, and its arrays.
@@ -72,6 +74,7 @@ draw! {
     cull: Cull, front_face: FrontFace,
     depth_test: bool, depth_clamp: bool, depth_clear: f32,
     bias_constant: f32, bias_slope: f32, bias_clamp: f32, depth_bits: u32,
+    primitive: Primitive, line_mode: LineMode, line_width: f32, point_size: f32,
     coverage: Coverage, subpixel_bits: u32, rounding: Rounding, tie_rule: TieRule, basis: Basis,
     vertex_count: usize, triangle_count: usize,
     attribute_count: usize, clip_distance_count: usize
