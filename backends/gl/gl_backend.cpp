@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "backends/api_promise.h"
+#include "backends/driver_root.h"
 #include "backends/factory.h"
 #include "backends/gl/case_drawer.h"
 #include "backends/gl/context.h"
@@ -77,10 +79,17 @@ class GlBackend : public Backend, public WaysOfDrawing, public PictureDrawer {
 };
 
 /// Sets environment variables before Mesa reads them; the user may override LP_NUM_THREADS.
-void choose_driver(const std::string& name) {
+void choose_driver(const std::string& name, const std::filesystem::path& root) {
   if (!name.empty()) {
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
     ::setenv("GALLIUM_DRIVER", name.c_str(), 1);
+  }
+  if (!root.empty()) {
+    ::setenv("__EGL_VENDOR_LIBRARY_DIRS", (root / "usr/share/glvnd/egl_vendor.d").c_str(), 1);
+    if (const auto libraries = libraries_of(root)) {
+      ::setenv("LIBGL_DRIVERS_PATH", (*libraries / "dri").c_str(), 1);
+      ::setenv("GBM_BACKENDS_PATH", (*libraries / "gbm").c_str(), 1);
+    }
   }
   // A process that runs foreign code cannot write files.
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
@@ -110,15 +119,22 @@ Result<gl::ContextRequest> request_of(const std::string& options) {
 }
 
 Result<std::unique_ptr<Backend>> make(const std::string& options) {
-  const Result<gl::ContextRequest> request = request_of(options);
+  const RootedOptions rooted = split_root(options);
+  const Result<gl::ContextRequest> request = request_of(rooted.options);
   if (!request) return tl::unexpected(request.error());
   const auto unavailable = [&](const Error& why) {
     return tl::unexpected(
         Error{options.empty() ? "gl" : "gl:" + options, "", why.reason, Failure::unavailable});
   };
-  choose_driver(request->renderer);
+  if (const Result<void> started = check_started_by(rooted.root); !started) {
+    return unavailable(started.error());
+  }
+  choose_driver(request->renderer, rooted.root);
   Result<gl::Context> context = gl::Context::create(*request);
   if (!context) return unavailable(context.error());
+  if (const Result<void> loaded = check_loaded_from(rooted.root); !loaded) {
+    return unavailable(loaded.error());
+  }
   Result<gl::CaseDrawer> drawer = gl::CaseDrawer::create(*context);
   if (!drawer) return unavailable(drawer.error());
   return std::make_unique<GlBackend>(*std::move(context), *std::move(drawer));

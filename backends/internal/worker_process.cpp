@@ -13,6 +13,8 @@
 #include <cstring>
 #include <utility>
 
+#include "backends/driver_root.h"
+
 namespace rastercheck::backends {
 namespace {
 
@@ -29,11 +31,20 @@ tl::unexpected<Error> process_failure(const std::string& what) {
   return tl::unexpected(Error{what, "", std::strerror(errno)});
 }
 
-std::vector<std::string> command_of(const std::string& specification, const Isolation& isolation) {
-  std::vector<std::string> command = isolation.command;
-  command.insert(command.end(),
-                 {"--seconds", fmt::format("{}", isolation.timeout.count()), "--memory",
-                  std::to_string(isolation.memory), "--", specification});
+Result<std::vector<std::string>> command_of(const std::string& specification,
+                                            const Isolation& isolation) {
+  Result<std::vector<std::string>> command = loader_command(specification);
+  if (!command) return command;
+  const bool has_loader = !command->empty();
+  command->insert(command->end(), isolation.command.begin(), isolation.command.end());
+  // In a process that a loader starts, that name means the loader.
+  if (has_loader && isolation.command[0] == "/proc/self/exe") {
+    (*command)[command->size() - isolation.command.size()] =
+        fmt::format("/proc/{}/exe", ::getpid());
+  }
+  command->insert(command->end(),
+                  {"--seconds", fmt::format("{}", isolation.timeout.count()), "--memory",
+                   std::to_string(isolation.memory), "--", specification});
   return command;
 }
 
@@ -79,6 +90,8 @@ Result<std::array<cases::Descriptor, 2>> log_pipe() {
 
 Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
                                            const Isolation& isolation) {
+  const Result<std::vector<std::string>> command = command_of(specification, isolation);
+  if (!command) return tl::unexpected(command.error());
   Result<SharedMemory> memory = SharedMemory::create(Channel::memory_size());
   if (!memory) return tl::unexpected(memory.error());
   Result<std::array<cases::Descriptor, 2>> bells = socket_pair();
@@ -88,8 +101,8 @@ Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
   auto& [bell, their_bell] = *bells;
   auto& [words, their_words] = *log;
   Result<cases::ChildProcess> process = cases::ChildProcess::start(
-      command_of(specification, isolation),
-      {their_bell.number(), memory->file(), their_words.number()}, cases::ProcessGroup::own);
+      *command, {their_bell.number(), memory->file(), their_words.number()},
+      cases::ProcessGroup::own);
   if (!process) return tl::unexpected(process.error());
   // If these stayed open here, the bell and the log would never report their end after the process
   // has ended.

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "backends/driver_root.h"
 #include "backends/vulkan/internal/error.h"
 #include "backends/vulkan/internal/instance.h"
 
@@ -66,11 +67,12 @@ Wanted wanted(const std::string& options) {
   return wanted;
 }
 
-std::vector<std::string> files_of(const KnownDriver& driver) {
+std::vector<std::string> files_of(const KnownDriver& driver, const std::filesystem::path& root) {
   std::vector<std::string> files;
   for (const std::string_view folder : driver.folders) {
     std::error_code problem;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
+    const std::filesystem::path where = root / folder.substr(root.empty() ? 0 : 1);
+    for (const auto& entry : std::filesystem::directory_iterator(where, problem)) {
       const std::string name = entry.path().filename().string();
       if (name.starts_with(driver.file) && name.ends_with(".json")) {
         files.push_back(entry.path().string());
@@ -90,20 +92,33 @@ std::vector<std::string_view> driver_names() {
 }
 
 Result<Device> open_device(const std::string& options) {
-  const Wanted which = wanted(options);
+  const RootedOptions rooted = split_root(options);
+  if (const Result<void> started = check_started_by(rooted.root); !started) {
+    return tl::unexpected(started.error());
+  }
+  const Wanted which = wanted(rooted.options);
+  if (!rooted.root.empty() && which.driver == nullptr) {
+    return failed("only lavapipe and swiftshader may come from a root", Failure::unavailable);
+  }
   InstanceOptions instance_options;
   instance_options.validates = which.validates;
   if (which.driver != nullptr) {
-    instance_options.driver_files = files_of(*which.driver);
+    instance_options.driver_files = files_of(*which.driver, rooted.root);
     if (instance_options.driver_files.empty()) {
-      return failed(fmt::format("no {}*.json in {} (Debian's {} has it)", which.driver->file,
-                                which.driver->folders[0], which.driver->package),
-                    Failure::unavailable);
+      return failed(
+          fmt::format("no {}*.json in {}{} (Debian's {} has it)", which.driver->file,
+                      rooted.root.string(), which.driver->folders[0], which.driver->package),
+          Failure::unavailable);
     }
   }
   Result<Instance> instance = Instance::create(instance_options);
   if (!instance) return tl::unexpected(instance.error());
-  return Device::create(*std::move(instance), which.device);
+  Result<Device> device = Device::create(*std::move(instance), which.device);
+  if (!device) return device;
+  if (const Result<void> loaded = check_loaded_from(rooted.root); !loaded) {
+    return tl::unexpected(loaded.error());
+  }
+  return device;
 }
 
 }  // namespace rastercheck::backends::vulkan
