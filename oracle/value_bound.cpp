@@ -142,7 +142,7 @@ std::array<Ring, 3> weight_sizes(const std::array<VertexSize, 3>& size, const Ho
   return all;
 }
 
-/// Those of a line, whose weights are the functionals n·(p w − (X, Y)) of its other end.
+/// |E|_0 to |E|_2 of a line, whose weights are the functionals n·(p w − (X, Y)) of its other end.
 std::array<Ring, 3> weight_sizes_of_line(const TriangleSetup& line,
                                          const std::array<VertexSize, 3>& size,
                                          const HomogeneousPoint& p) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/internal/diamond_exit.h"
+#include "oracle/internal/diamond_line.h"
 #include "oracle/internal/membership.h"
 
 namespace rastercheck::oracle {
@@ -15,22 +15,6 @@ using records::Reason;
 using records::SampleVerdict;
 using records::Verdict;
 using Columns = std::array<RingVector3, 3>;
-
-/// The values, at the vertices and times w, of the functionals that are zero on the viewport's
-/// sides and positive between them.
-std::array<std::array<Ring, 3>, 4> values_at_sides(const TriangleSetup& primitive) {
-  const Point& lo = primitive.scene->viewport_lo();
-  const Point& hi = primitive.scene->viewport_hi();
-  std::array<std::array<Ring, 3>, 4> all;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const RingVector3& column = primitive.columns[i];
-    all[0][i] = column[0] - lo.u * column[2];
-    all[1][i] = hi.u * column[2] - column[0];
-    all[2][i] = column[1] - lo.v * column[2];
-    all[3][i] = hi.v * column[2] - column[1];
-  }
-  return all;
-}
 
 // --- Points --------------------------------------------------------------------------------------
 
@@ -198,121 +182,21 @@ SampleVerdict decide_moved_area(const TriangleSetup& line, const Point& p) {
   return verdict_of(body.within(p, line.reach), Reason::snapping);
 }
 
-// --- Bresenham's lines ---------------------------------------------------------------------------
-
-/// The part of a line between s = `from` and s = `to`, in shares of the clip-space line.
-struct Part {
-  Field from{0};
-  Field to{1};
-};
-
-/// The part of a line that is inside all planes and in front of the eye; empty if there is none.
-/// Values of a plane are linear in s, from the first vertex to the second.
-std::optional<Part> visible_part(const TriangleSetup& line) {
-  Part part;
-  bool is_seen = true;
-  const auto cut = [&](const Ring& at_first, const Ring& at_second) {
-    const int first = sign_of(at_first);
-    const int second = sign_of(at_second);
-    is_seen = is_seen && (first >= 0 || second >= 0);
-    if ((first < 0) == (second < 0)) return;
-    const Field where = quotient(at_first, at_first - at_second);
-    if (first < 0) {
-      part.from = std::max(part.from, where);
-    } else {
-      part.to = std::min(part.to, where);
-    }
-  };
-  for (const auto& values : line.clip_values()) cut(values[0], values[1]);
-  for (const auto& values : values_at_sides(line)) cut(values[0], values[1]);
-  cut(line.columns[0][2], line.columns[1][2]);
-  if (!is_seen || part.to < part.from) return std::nullopt;
-  return part;
-}
-
-/// The window position of a share of the line, in pixels; empty at the eye.
-std::optional<ExactPosition> position_at(const TriangleSetup& line, const Columns& at,
-                                         const Field& s) {
-  const auto mixed = [&](const Ring& a, const Ring& b) {
-    return Field((Field(1) - s) * Field(a) + s * Field(b));
-  };
-  const Field w = mixed(at[0][2], at[1][2]);
-  if (sign_of(w) <= 0) return std::nullopt;
-  const Field units(line.scene->units_per_pixel());
-  return ExactPosition{mixed(at[0][0], at[1][0]) / (w * units),
-                       mixed(at[0][1], at[1][1]) / (w * units)};
-}
-
-/// The nearest whole number of pixels to the line's width, at least 1; halves are rounded up.
-long rounded_width(const TriangleSetup& line) {
-  const Field width = exact_field(line.scene->source().line_width);
-  return std::max(1L, floor_to_long(width + Field(1, 2)));
-}
-
-/// True if a pixel's centre is too far from the line, along the minor axis, to be selected. A line
-/// that meets a diamond is less than 1 pixel from its centre there, and the diamonds that a pixel
-/// is replicated from are at most (width − 1)/2 away from the line that was moved.
-bool is_far_beside(const TriangleSetup& line, const Columns& at, int x, int y) {
-  const RingVector3 row = at[0].cross(at[1]);
-  const auto direction = direction_of(at[0], at[1]);
-  const Ring along = magnitude(direction[major_axis(direction)]);
-  const Ring across = Line{row[0], row[1], row[2]}.at(line.scene->pixel_middle(x, y));
-  const Ring width(static_cast<double>(rounded_width(line) + 1));
-  return Ring(2) * magnitude(across) >= width * line.scene->units_per_pixel() * along;
-}
-
-/// True if the diamond-exit rule selects the pixel for a line with these ends.
-bool selects(const TriangleSetup& line, ExactPosition from, ExactPosition to, int x, int y) {
-  if (from == to) return false;
-  const std::array<Field, 2> direction{to[0] - from[0], to[1] - from[1]};
-  const std::size_t major = magnitude(direction[0]) < magnitude(direction[1]) ? 1 : 0;
-  const std::size_t minor = 1 - major;
-  const long width = rounded_width(line);
-  const Field shift(static_cast<int>(width - 1), 2);
-  from[minor] -= shift;
-  to[minor] -= shift;
-  // The pixel is copy k of one that is k before it. The moved line is less than 1 pixel from that
-  // one's centre.
-  const std::array<Field, 2> center{Field(2 * x + 1, 2), Field(2 * y + 1, 2)};
-  const Field there =
-      from[minor] + (center[major] - from[major]) * direction[minor] / direction[major];
-  const long first = std::max(0L, floor_to_long(center[minor] - there - Field(1)));
-  const long last = std::min(width - 1, ceil_to_long(center[minor] - there + Field(1)));
-  const bool is_d3d = line.scene->source().rules == cases::Rules::d3d;
-  for (long k = first; k <= last; ++k) {
-    const int back = static_cast<int>(k);
-    const bool is_selected = minor == 0 ? exits_diamond(from, to, x - back, y, is_d3d)
-                                        : exits_diamond(from, to, x, y - back, is_d3d);
-    if (is_selected) return true;
-  }
-  return false;
-}
-
-/// True if a pixel is so near to a new end that clipping made that it depends on how clipping is
-/// done whether the pixel is selected.
-bool is_near_cut(const TriangleSetup& line, const ExactPosition& cut, int x, int y) {
-  const Field most = Field(static_cast<int>(rounded_width(line)), 2) + Field(2);
-  return magnitude(Field(Field(2 * x + 1, 2) - cut[0])) <= most &&
-         magnitude(Field(Field(2 * y + 1, 2) - cut[1])) <= most;
-}
-
-SampleVerdict decide_bresenham(const TriangleSetup& line, int x, int y) {
-  const bool is_exact = line.shape == Shape::exact;
-  const Columns at = is_exact ? line.columns : line.placed_columns_of_all();
-  if (is_far_beside(line, at, x, y)) return {Verdict::forbidden, Reason::outside};
-  const std::optional<Part> part = is_exact ? visible_part(line) : Part{};
-  if (!part) return {Verdict::forbidden, Reason::clipped};
-  const std::optional<ExactPosition> from = position_at(line, at, part->from);
-  const std::optional<ExactPosition> to = position_at(line, at, part->to);
-  if (!from || !to) return {Verdict::forbidden, Reason::clipped};
-  const bool is_open = (sign_of(part->from) > 0 && is_near_cut(line, *from, x, y)) ||
-                       (part->to < Field(1) && is_near_cut(line, *to, x, y));
-  if (is_open) return {Verdict::permitted, Reason::clip_edge};
-  return selects(line, *from, *to, x, y) ? SampleVerdict{Verdict::required, Reason::inside}
-                                         : SampleVerdict{Verdict::forbidden, Reason::outside};
-}
-
 }  // namespace
+
+std::array<std::array<Ring, 3>, 4> values_at_sides(const TriangleSetup& primitive) {
+  const Point& lo = primitive.scene->viewport_lo();
+  const Point& hi = primitive.scene->viewport_hi();
+  std::array<std::array<Ring, 3>, 4> all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const RingVector3& column = primitive.columns[i];
+    all[0][i] = column[0] - lo.u * column[2];
+    all[1][i] = hi.u * column[2] - column[0];
+    all[2][i] = column[1] - lo.v * column[2];
+    all[3][i] = hi.v * column[2] - column[1];
+  }
+  return all;
+}
 
 bool is_dropped(const TriangleSetup& point) {
   if (sign_of(point.columns[0][2]) <= 0) return true;
@@ -348,7 +232,7 @@ SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p) {
     const auto pixel = [&scene](const Ring& at) {
       return static_cast<int>(floor_to_long(quotient(at, scene.units_per_pixel())));
     };
-    return decide_bresenham(primitive, pixel(p.u), pixel(p.v));
+    return primitive.diamond_line().decide(pixel(p.u), pixel(p.v));
   }
   return primitive.shape == Shape::cut ? decide_moved_area(primitive, p)
                                        : decide_area(primitive, p);

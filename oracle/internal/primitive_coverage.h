@@ -2,6 +2,8 @@
 
 // The verdict of a sample of a line or a point (RULES §9, §10), decided exactly.
 
+#include <array>
+
 #include "oracle/internal/triangle_setup.h"
 #include "records/verdict.h"
 
@@ -11,6 +13,10 @@ namespace rastercheck::oracle {
 /// promised. Neither is cut off at the viewport, whose sides only clip the middle of a line and
 /// drop points: what is wide may reach beyond.
 records::SampleVerdict decide_primitive(const TriangleSetup& primitive, const Point& p);
+
+/// The values, at the vertices and times w, of the functionals that are zero on the viewport's
+/// sides and positive between them.
+std::array<std::array<Ring, 3>, 4> values_at_sides(const TriangleSetup& primitive);
 
 /// True if the viewport has no width or no height. Nothing is drawn then.
 bool has_no_area(const Scene& scene);

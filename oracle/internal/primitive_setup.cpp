@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "oracle/internal/diamond_line.h"
 #include "oracle/internal/triangle_setup.h"
 
 namespace rastercheck::oracle {
@@ -66,6 +67,11 @@ std::optional<Ring> TriangleSetup::reach_of_line(double vertex_reach) const {
   const bool may_turn_over = std::abs(du - dv) <= 4 * vertex_reach + 2 * off;
   if (mode == cases::LineMode::parallelogram && may_turn_over) *moved += width;
   return Ring(*moved);
+}
+
+const DiamondLine& TriangleSetup::diamond_line() const {
+  if (!diamond_line_) diamond_line_ = std::make_shared<const DiamondLine>(*this);
+  return *diamond_line_;
 }
 
 std::array<RingVector3, 3> TriangleSetup::placed_columns_of_all() const {

@@ -55,6 +55,8 @@ struct Placements {
   std::vector<int> orientations;
 };
 
+class DiamondLine;
+
 struct TriangleSetup {
   /// `triangle` is an index into the case's triangles.
   TriangleSetup(const Scene& scene, std::size_t triangle);
@@ -109,6 +111,8 @@ struct TriangleSetup {
   const Placements& placements() const;
   /// Shape placed with one placement: the columns of the vertices there.
   std::array<RingVector3, 3> placed_columns_of_all() const;
+  /// One of Bresenham's lines, made when first asked for (diamond_line.h).
+  const DiamondLine& diamond_line() const;
 
   /// Shape cut: the largest error of a cut boundary, per axis, in window units.
   Ring tolerance;
@@ -213,6 +217,7 @@ struct TriangleSetup {
   mutable std::vector<std::unique_ptr<const ProjectiveMap>> corners_;
   mutable std::optional<Placements> placements_;
   mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;
+  mutable std::shared_ptr<const DiamondLine> diamond_line_;
 };
 
 /// The closed square of half-width `reach` around a point.
