@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -16,31 +15,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_loader(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.starts_with("ld-linux") && name.find(".so") != std::string::npos;
-}
-
-/// The dynamic loader among a folder's files.
-std::optional<fs::path> loader_in(const fs::path& folder) {
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem)) {
-    if (is_loader(entry.path())) return entry.path();
-  }
-  return std::nullopt;
-}
+/// The loader's name for programs like this one: a root may have libraries of several
+/// architectures.
+constexpr const char* kLoader =
+#if defined(__x86_64__)
+    "ld-linux-x86-64.so.2";
+#elif defined(__aarch64__)
+    "ld-linux-aarch64.so.1";
+#else
+    "ld.so.1";
+#endif
 
 /// The loader in a folder of Debian's: /usr/lib/x86_64-linux-gnu and the like.
 Result<fs::path> loader_of(const fs::path& root) {
   for (const char* const parent : {"usr/lib", "lib"}) {
     std::error_code problem;
     for (const auto& entry : fs::directory_iterator(root / parent, problem)) {
-      if (!entry.is_directory(problem)) continue;
-      if (const std::optional<fs::path> loader = loader_in(entry.path())) return *loader;
+      const fs::path loader = entry.path() / kLoader;
+      if (fs::exists(loader, problem)) return loader;
     }
   }
   return tl::unexpected(Error{root.string(), "",
-                              "is no unpacked system: no usr/lib/*/ld-linux*.so.* in it",
+                              fmt::format("is no unpacked system: no usr/lib/*/{} in it", kLoader),
                               Failure::unavailable});
 }
 
@@ -77,7 +73,7 @@ std::vector<fs::path> loaded_libraries() {
 RootedOptions split_root(const std::string& options) {
   const std::size_t at = options.find('@');
   if (at == std::string::npos) return {options, {}};
-  const fs::path root = fs::absolute(options.substr(at + 1)).lexically_normal();
+  const fs::path root = (fs::current_path() / options.substr(at + 1)).lexically_normal();
   return {options.substr(0, at), root.has_filename() ? root : root.parent_path()};
 }
 
@@ -108,22 +104,26 @@ Result<void> check_started_by(const fs::path& root) {
     return {};
   }
   return tl::unexpected(Error{root.string(), "",
-                              "a driver of a root draws only in a process that its loader started",
+                              "its drivers draw only in processes that its loader started; use "
+                              "`rastercheck`, which starts one",
                               Failure::unavailable});
 }
 
+fs::path foreign_driver(const fs::path& root, const std::vector<fs::path>& libraries) {
+  const auto found = std::find_if(
+      libraries.begin(), libraries.end(),
+      [&root](const fs::path& library) { return is_of_driver(library) && !is_in(root, library); });
+  return found == libraries.end() ? fs::path() : *found;
+}
+
 Result<void> check_loaded_from(const fs::path& root) {
-  if (root.empty()) return {};
-  for (const fs::path& library : loaded_libraries()) {
-    if (!is_of_driver(library)) continue;
-    if (is_in(root, library)) continue;
-    return tl::unexpected(Error{root.string(), "",
-                                fmt::format("{} was loaded, which is not the root's: a file of the "
-                                            "root names it by its whole path",
-                                            library.string()),
-                                Failure::unavailable});
-  }
-  return {};
+  const fs::path foreign = root.empty() ? root : foreign_driver(root, loaded_libraries());
+  if (foreign.empty()) return {};
+  return tl::unexpected(Error{root.string(), "",
+                              fmt::format("{} was loaded instead of a library of the root, perhaps "
+                                          "because a file of the root names it by its whole path",
+                                          foreign.string()),
+                              Failure::unavailable});
 }
 
 }  // namespace rastercheck::backends

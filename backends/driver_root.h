@@ -22,7 +22,8 @@ struct RootedOptions {
   std::filesystem::path root;  ///< absolute; empty: this system
 };
 
-/// Splits "llvmpipe@/unpacked".
+/// Splits "llvmpipe@/unpacked". The root is what follows the first `@`, the current folder if that
+/// is nothing.
 RootedOptions split_root(const std::string& options);
 
 /// The folder of a root's libraries, the one that its dynamic loader is in. Fails if there is none.
@@ -35,8 +36,12 @@ Result<std::vector<std::string>> loader_command(const std::string& specification
 /// Fails unless this process was started by the root's loader. Always succeeds without a root.
 Result<void> check_started_by(const std::filesystem::path& root);
 
-/// Fails if a driver that this process has loaded is not the root's, but this system's. Always
-/// succeeds without a root.
+/// The first of some loaded libraries that is part of a driver and not in the root; empty if there
+/// is none.
+std::filesystem::path foreign_driver(const std::filesystem::path& root,
+                                     const std::vector<std::filesystem::path>& libraries);
+
+/// Fails if this process has loaded a foreign_driver(). Always succeeds without a root.
 Result<void> check_loaded_from(const std::filesystem::path& root);
 
 }  // namespace rastercheck::backends

@@ -72,6 +72,7 @@ struct Capabilities {
   /// True if nothing limits cases of triangles.
   bool is_everything() const;
   bool has(Feature feature) const;
+  /// True if `primitives` has this one.
   bool draws(Primitive primitive) const;
 };
 

@@ -9,11 +9,11 @@
 //             scissor_height (signed); cull, front_face, depth_test, depth_clamp; coverage,
 //             subpixel_bits, rounding, tie_rule, basis; vertex_count V, attribute_count A,
 //             clip_distance_count D, triangle_count T; depth_clear (float)
-//   4 words   bias_constant, bias_slope, bias_clamp (floats), depth_bits. Only if the case has a
-//             depth bias or a unorm format, or lines or points; the file then begins with
-//             "RCDRAW2\n".
-//   4 words   primitive, line_mode, line_width, point_size (floats). Only of lines and points; the
-//             file then begins with "RCDRAW3\n".
+//             A case with a depth bias or a unorm format begins with "RCDRAW2\n" instead, one of
+//             lines or points with "RCDRAW3\n". Both go on with
+//   4 words   bias_constant, bias_slope, bias_clamp (floats), depth_bits
+//             and "RCDRAW3\n" with
+//   4 words   primitive, line_mode, line_width, point_size (floats)
 //   arrays    sample_positions [samples][2], positions [V][4] (floats), attributes [A][2],
 //             attribute_values [V][A], clip_distances [V][D] (floats), indices [T][3]
 //

@@ -129,6 +129,9 @@ Result<std::unique_ptr<Backend>> make(const std::string& options) {
   if (const Result<void> started = check_started_by(rooted.root); !started) {
     return unavailable(started.error());
   }
+  if (!rooted.root.empty() && request->renderer.empty()) {
+    return unavailable({"", "", "only llvmpipe and softpipe may come from a root"});
+  }
   choose_driver(request->renderer, rooted.root);
   Result<gl::Context> context = gl::Context::create(*request);
   if (!context) return unavailable(context.error());

@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "backends/driver_root.h"
@@ -37,11 +39,13 @@ Result<std::vector<std::string>> command_of(const std::string& specification,
   if (!command) return command;
   const bool has_loader = !command->empty();
   command->insert(command->end(), isolation.command.begin(), isolation.command.end());
-  // In a process that a loader starts, that name means the loader.
-  if (has_loader && isolation.command[0] == "/proc/self/exe") {
-    (*command)[command->size() - isolation.command.size()] =
-        fmt::format("/proc/{}/exe", ::getpid());
+  // In a process that a loader starts, a name in /proc/self means the loader.
+  std::string& program = (*command)[command->size() - isolation.command.size()];
+  std::error_code problem;
+  if (has_loader && program.starts_with("/proc/self/")) {
+    program = std::filesystem::read_symlink(program, problem).string();
   }
+  if (problem) return tl::unexpected(Error{specification, "", problem.message()});
   command->insert(command->end(),
                   {"--seconds", fmt::format("{}", isolation.timeout.count()), "--memory",
                    std::to_string(isolation.memory), "--", specification});

@@ -419,8 +419,8 @@ typedef struct rastercheck_attribute {
 } rastercheck_attribute;
 
 /* rastercheck_draw.primitive: what the vertices are joined to. What this header says of triangles
- * holds for lines and points, too, with a promised bound of values as well; docs/rules.md (§9 and
- * §10) has the exact rules. */
+ * holds for lines and points, too, and so do bounds of values; docs/rules.md (§9 and §10) has the
+ * exact rules. */
 enum {
   RASTERCHECK_TRIANGLES = 0,
   RASTERCHECK_LINES = 1, /* from a to b, the indices being a, b, b */

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/temporary_folder.h"
 
@@ -30,6 +31,8 @@ TEST(DriverRoot, FollowsTheOptions) {
   EXPECT_EQ(split_root("gles,llvmpipe@/unpacked").options, "gles,llvmpipe");
   EXPECT_EQ(split_root("gles,llvmpipe@/unpacked").root, "/unpacked");
   EXPECT_EQ(split_root("lavapipe@here").root, std::filesystem::absolute("here"));
+  EXPECT_EQ(split_root("lavapipe,validate@here").options, "lavapipe,validate");
+  EXPECT_EQ(split_root("llvmpipe@").root, std::filesystem::current_path());
   EXPECT_EQ(split_root("lavapipe@./here/").root, std::filesystem::absolute("here"));
 }
 
@@ -56,7 +59,8 @@ TEST(DriverRoot, WithoutALoaderIsNone) {
   const auto command = loader_command("gl:llvmpipe@" + folder.path(""));
   ASSERT_FALSE(command.has_value());
   EXPECT_EQ(command.error().failure, Failure::unavailable);
-  EXPECT_EQ(command.error().reason, "is no unpacked system: no usr/lib/*/ld-linux*.so.* in it");
+  EXPECT_EQ(command.error().reason,
+            "is no unpacked system: no usr/lib/*/ld-linux-x86-64.so.2 in it");
 }
 
 // This process was started by the system's loader.
@@ -67,6 +71,20 @@ TEST(DriverRoot, IsRefusedInAProcessThatItDidNotStart) {
   EXPECT_TRUE(check_started_by({}).has_value());
   EXPECT_TRUE(check_loaded_from({}).has_value());
   EXPECT_TRUE(check_loaded_from(root).has_value());  // no driver is loaded
+}
+
+// Kills: a driver of this system that is judged under the root's name.
+TEST(DriverRoot, RefusesTheDriversOfThisSystem) {
+  using Libraries = std::vector<std::filesystem::path>;
+  const Libraries of_root{"/r/usr/lib/libEGL_mesa.so.0", "/usr/lib/libgmp.so.10", "",
+                          "/r/usr/lib/libgallium-25.0.7.so"};
+  EXPECT_EQ(foreign_driver("/r", of_root), "");
+  for (const char* const foreign : {"/usr/lib/libvulkan_lvp.so", "/other/r/usr/lib/swrast_dri.so",
+                                    "/usr/lib/libLLVM-15.so.1"}) {
+    Libraries all = of_root;
+    all.insert(all.begin() + 2, foreign);
+    EXPECT_EQ(foreign_driver("/r", all), foreign);
+  }
 }
 
 }  // namespace

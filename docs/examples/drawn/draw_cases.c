@@ -149,7 +149,7 @@ static void write_output(FILE* file, uint32_t status, const rastercheck_draw* dr
   }
 }
 
-/* Draws, unless a file of the later kinds asks for what the plugin does not say that it draws. */
+/* Draws, unless the case needs what the plugin's `draws` lacks. */
 static uint32_t draw_or_refuse(const rastercheck_plugin* plugin, const rastercheck_draw* draw,
                                rastercheck_output* out) {
   const uint32_t draws = plugin->contract->draws;

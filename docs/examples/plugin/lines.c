@@ -92,14 +92,14 @@ static bool selects(const segment* s, int64_t centre_x, int64_t centre_y) {
   if (is_below(sum(magnitude(bx), magnitude(by)), GRID / 2)) return false;
   if (is_below(sum(magnitude(ax), magnitude(ay)), GRID / 2)) return true;
   const int64_t dx = s->x[1] - s->x[0], dy = s->y[1] - s->y[0];
-  /* |cross| is what |dx| is times the y where x is 0, and |dy| times the x where y is 0. */
+  /* |cross| is |dx| times |y| where x is 0, and |dy| times |x| where y is 0. */
   const moved cross = magnitude((moved){ay.n * dx - ax.n * dy, dy, -dx});
   return (is_negative(ax) != is_negative(bx) && is_below(cross, GRID / 2 * llabs(dx))) ||
          (is_negative(ay) != is_negative(by) && is_below(cross, GRID / 2 * llabs(dy)));
 }
 
-/* Whether a line covers a pixel. Wide ones are moved by half of what they are wider than a pixel
- * along the minor axis, and each pixel that they then select is replicated. */
+/* Whether a line covers a pixel. Wide ones are moved back along the minor axis, by half a pixel for
+ * each copy but the first, and each pixel that they then select is replicated. */
 static bool line_covers(const rastercheck_draw* draw, const segment* line, int64_t x, int64_t y) {
   const bool is_x_major = llabs(line->x[1] - line->x[0]) >= llabs(line->y[1] - line->y[0]);
   const int64_t copies = draw->line_width < 1 ? 1 : llroundf(draw->line_width);
