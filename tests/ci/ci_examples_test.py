@@ -10,6 +10,7 @@ for; `rastercheck` is on PATH once a job has installed its package. Runs everyth
 baseline, and with a plugin that is less precise.
 """
 
+import hashlib
 import json
 import os
 import pathlib
@@ -387,6 +388,41 @@ class Shell(Example):
         done = self.gate(3)
         self.check_comparison(self.repository / "rastercheck-out", done.stdout)
         self.assertTrue((self.repository / "rastercheck-out/report.html").exists())
+
+
+class Action(unittest.TestCase):
+    """docs/ci/action: the step that unpacks scripts/package's archive, with an archive of its form."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ci-action-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        program = self.folder / "rastercheck-0/bin/rastercheck"
+        program.parent.mkdir(parents=True)
+        program.write_text("#!/bin/sh\necho rastercheck 0\n", encoding="utf-8")
+        program.chmod(0o755)
+        self.archive = self.folder / "it.tar.xz"
+        subprocess.run(["tar", "-C", self.folder, "-cJf", self.archive, "rastercheck-0"], check=True)
+
+    def run_step(self, sha256):
+        action = yaml.safe_load((SOURCE / "docs/ci/action/action.yml").read_text(encoding="utf-8"))
+        step = action["runs"]["steps"][0]
+        self.assertEqual(set(action["inputs"]), {"archive", "sha256"})
+        self.assertEqual(step["env"], {"ARCHIVE": "${{ inputs.archive }}", "SHA256": "${{ inputs.sha256 }}"})
+        (self.folder / "path").touch()
+        return subprocess.run(["bash", "-c", step["run"]], capture_output=True, text=True, check=False, env={
+            "PATH": os.environ["PATH"], "RUNNER_TEMP": str(self.folder), "GITHUB_PATH": str(self.folder / "path"),
+            "ARCHIVE": str(self.archive), "SHA256": sha256})
+
+    def test_puts_the_program_on_the_path(self):
+        done = self.run_step(hashlib.sha256(self.archive.read_bytes()).hexdigest())
+        self.assertEqual(done.returncode, 0, result_of(done))
+        self.assertTrue(done.stdout.endswith("rastercheck 0\n"), done.stdout)
+        self.assertEqual((self.folder / "path").read_text(encoding="utf-8"), f"{self.folder}/rastercheck/bin\n")
+
+    def test_refuses_another_archive(self):
+        done = self.run_step("0" * 64)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertFalse((self.folder / "rastercheck/bin").exists())
 
 
 if __name__ == "__main__":
