@@ -32,6 +32,10 @@ std::string known_folder() {
   return data_folder(RASTERCHECK_INSTALLED_KNOWN, RASTERCHECK_SOURCE_KNOWN);
 }
 
+std::string accuracy_folder() {
+  return data_folder(RASTERCHECK_INSTALLED_ACCURACY, RASTERCHECK_SOURCE_ACCURACY);
+}
+
 std::string corpus_folder_of(const records::Plan& plan) {
   return plan.corpus.empty() ? corpus_folder() : plan.corpus;
 }

@@ -15,6 +15,9 @@ std::string corpus_folder();
 /// (properties/campaign/known_defects.h), found the same way.
 std::string known_folder();
 
+/// Returns the folder of the accuracy table that comes with the program, found the same way.
+std::string accuracy_folder();
+
 /// Returns the corpus folder that a plan uses.
 std::string corpus_folder_of(const records::Plan& plan);
 

@@ -11,6 +11,7 @@ include(CMakePackageConfigHelpers)
 
 set(RASTERCHECK_CORPUS "${CMAKE_INSTALL_DATADIR}/rastercheck/corpus")  # below the prefix
 set(RASTERCHECK_KNOWN "${CMAKE_INSTALL_DATADIR}/rastercheck/known")
+set(RASTERCHECK_ACCURACY "${CMAKE_INSTALL_DATADIR}/rastercheck/accuracy")
 
 # rastercheck_install(FOLDER COMPONENT WHERE [EXCEPT HEADERS…]): installs the library of a folder,
 # and its public headers into WHERE below the include folder. Users include headers as the project

@@ -25,6 +25,14 @@
  * does. */
 #define STEPS (0.5F + 1 / 64.F)
 
+/* More that your rasterizer lacks (RASTERCHECK_LACKS_…, added), and how it interpolates. */
+#ifndef MORE_LACKS
+#define MORE_LACKS 0
+#endif
+#ifndef CLAIMS
+#define CLAIMS RASTERCHECK_CLAIM_PERSPECTIVE
+#endif
+
 #define MOST_PIXELS 2048. /* from the window's origin; more is not asked for */
 #define MOST_W 0x1p60     /* and as much in 1/w */
 
@@ -39,6 +47,7 @@ static const rastercheck_contract contract = {
     .clip_tolerance = 1,
     .tie_rule = RASTERCHECK_TIE_RULE_UNSPECIFIED,
     .basis = RASTERCHECK_BASIS_UNSPECIFIED,
+    .claims = CLAIMS,
     .keeps = RASTERCHECK_KEEPS_CONSTANTS,
     .smooth = {.constant = 1, .per_horizon = 4, .per_condition = 4, .range_share = STEPS / 255},
     .depth = {.constant = 1}, /* of the numbers computed here */
@@ -47,7 +56,7 @@ static const rastercheck_contract contract = {
              RASTERCHECK_LACKS_DEPTH_CLAMP | RASTERCHECK_LACKS_DEPTH_RANGE |
              RASTERCHECK_LACKS_VIEWPORT | RASTERCHECK_LACKS_SCISSOR | RASTERCHECK_LACKS_CULLING |
              RASTERCHECK_LACKS_NOPERSPECTIVE | RASTERCHECK_LACKS_FLAT | RASTERCHECK_LACKS_CENTER |
-             RASTERCHECK_LACKS_CENTROID | RASTERCHECK_LACKS_DEPTH_CLEAR,
+             RASTERCHECK_LACKS_CENTROID | RASTERCHECK_LACKS_DEPTH_CLEAR | MORE_LACKS,
     .sample_counts = 1,
     .depth_format = RASTERCHECK_DEPTH_UNORM16, /* your depth buffer, if it is no worse */
 };
