@@ -31,7 +31,7 @@ Result<fs::path> loader_of(const fs::path& root) {
   for (const char* const parent : {"usr/lib", "lib"}) {
     std::error_code problem;
     for (const auto& entry : fs::directory_iterator(root / parent, problem)) {
-      const fs::path loader = entry.path() / kLoader;
+      fs::path loader = entry.path() / kLoader;
       if (fs::exists(loader, problem)) return loader;
     }
   }

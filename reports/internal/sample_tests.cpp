@@ -38,6 +38,7 @@ std::string why_not_drawn(const records::Exhibit& exhibit) {
   }
   if (c.rules == cases::Rules::d3d) return "it is drawn by Direct3D's rules";
   if (c.depth_test != cases::DepthTest::none) return "it has a depth test";
+  if (c.primitive != cases::Primitive::triangles) return "it has no triangles";
   if (1 + attribute_vectors(c) + clip_vectors(c) > kMostVectors)
     return "it has too many attributes";
   return "";

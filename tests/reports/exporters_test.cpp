@@ -221,6 +221,14 @@ TEST(ExportedTest, IsRefusedIfItsFormatCannotSayTheCase) {
               HasSubstr("case.json: a C program cannot say it: it is drawn by Di"));
   EXPECT_THAT(refusal("shader_test", other),
               HasSubstr("shader_test cannot say it: it is drawn by Dir"));
+  // Kills: lines that a program draws as triangles without an area, and calls right.
+  for (const cases::Primitive primitive : {cases::Primitive::lines, cases::Primitive::points}) {
+    other = exhibit();
+    other.source.primitive = primitive;
+    for (const char* const format : {"c", "shader_test", "amber"}) {
+      EXPECT_THAT(refusal(format, other), HasSubstr("cannot say it: it has no triangles"));
+    }
+  }
   other = exhibit();
   other.source.scissor = {{0, 0, 4, 4}};
   EXPECT_THAT(refusal("shader_test", other), HasSubstr("no scissor"));
