@@ -44,6 +44,8 @@ DEFAULTS = {
         "depth_test": "none",
         "depth_clamp": False,
         "depth_format": "float32",
+        "line_width": 1.0,
+        "point_size": 1.0,
         "attributes": [],
     },
     "depth_bias": {"constant": 0.0, "slope": 0.0, "clamp": 0.0},
