@@ -35,7 +35,7 @@ struct AccuracyRow {
   std::string date;         ///< of the measurement, YYYY-MM-DD
   std::uint64_t asked = 0;  ///< cases
   std::uint64_t drawn = 0;  ///< cases to which the contract applies
-  /// Cases with a violation of either property, known or not, or whose drawing failed.
+  /// Violated cases of both properties together, known defects and failed drawings included.
   std::uint64_t violated = 0;
   std::uint64_t samples = 0;        ///< for which the contract decides whether they are covered
   std::uint64_t wrong_samples = 0;  ///< missing, extra, or of another triangle than the nearest

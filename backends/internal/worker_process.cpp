@@ -40,12 +40,12 @@ Result<std::vector<std::string>> command_of(const std::string& specification,
   const bool has_loader = !command->empty();
   command->insert(command->end(), isolation.command.begin(), isolation.command.end());
   // In a process that a loader starts, a name in /proc/self means the loader.
-  std::string& program = (*command)[command->size() - isolation.command.size()];
-  std::error_code problem;
-  if (has_loader && program.starts_with("/proc/self/")) {
-    program = std::filesystem::read_symlink(program, problem).string();
+  if (has_loader && isolation.command[0].starts_with("/proc/self/")) {
+    std::error_code problem;
+    (*command)[command->size() - isolation.command.size()] =
+        std::filesystem::read_symlink(isolation.command[0], problem).string();
+    if (problem) return tl::unexpected(Error{specification, "", problem.message()});
   }
-  if (problem) return tl::unexpected(Error{specification, "", problem.message()});
   command->insert(command->end(),
                   {"--seconds", fmt::format("{}", isolation.timeout.count()), "--memory",
                    std::to_string(isolation.memory), "--", specification});

@@ -49,9 +49,10 @@ constexpr std::size_t kDateLength = 10;  // YYYY-MM-DD
 
 /// True for the file of a case that write_cases() wrote.
 bool is_own(const fs::path& file) {
-  constexpr std::string_view kForm = "accuracy-0000.json";
-  const std::string name = file.filename().string();
-  return name.size() == kForm.size() && name.starts_with("accuracy-") && name.ends_with(".json");
+  constexpr std::string_view kPrefix = "accuracy-";
+  const std::string name = file.stem().string();
+  return name.starts_with(kPrefix) && file.extension() == ".json" &&
+         name.find_first_not_of("0123456789", kPrefix.size()) == std::string::npos;
 }
 
 /// Writes the cases into a folder that has no others, in place of those that are there.
