@@ -72,6 +72,7 @@ LITTLE = """mkdir -p include/rastercheck && cp backends/plugin/plugin.h include/
     $CC -O1 -shared -fPIC -Iinclude docs/examples/plugin/little.c -o little.so -lm"""
 # Shell commands that make the files that a page assumes.
 BEFORE = {
+    "accuracy.md": LITTLE,
     "drawn-elsewhere.md": LITTLE,
     "image-tests.md": """rastercheck import /usr/share/glmark2/models/bunny.obj --width 64 --height 64 --output scene.json &&
         rastercheck render scene.json --channels R=x,G=y,B=0 --storage unorm8 --picture scene.png &&
