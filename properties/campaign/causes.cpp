@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -44,11 +45,44 @@ std::vector<std::size_t> telling_members(const CauseGroup& group) {
   return of_part.empty() ? all : of_part;
 }
 
+/// Returns the members whose verdict is `one`, of those given.
+std::vector<std::size_t> members_of_class(const CauseGroup& group,
+                                          const std::vector<std::size_t>& members,
+                                          FragmentClass one) {
+  std::vector<std::size_t> of_class;
+  std::copy_if(members.begin(), members.end(), std::back_inserter(of_class), [&](std::size_t i) {
+    return group.members[i].verdict() == std::string(to_string(one));
+  });
+  return of_class;
+}
+
+/// Returns the members with the values that are no numbers, which a sentence names before others:
+/// the NaN, or else the infinite ones. Empty if there are none.
+std::vector<std::size_t> members_without_numbers(const CauseGroup& group,
+                                                 const std::vector<std::size_t>& members) {
+  std::vector<std::size_t> nan = members_of_class(group, members, FragmentClass::not_a_number);
+  return nan.empty() ? members_of_class(group, members, FragmentClass::infinite) : nan;
+}
+
+/// Says what is wrong with values: "depth is NaN", "values are wrong, sometimes infinite".
+std::string what_is_wrong_with_values(const CauseGroup& group,
+                                      const std::vector<std::size_t>& telling) {
+  const std::string what = *group.kind.part == DrawnPart::depth ? "depth is" : "values are";
+  const std::vector<std::size_t> without = members_without_numbers(group, telling);
+  if (without.empty()) return what + " wrong";
+  const bool is_nan = group.members[without.front()].verdict() ==
+                      std::string(to_string(FragmentClass::not_a_number));
+  const char* const word = is_nan ? "NaN" : "infinite";
+  return without.size() == telling.size() ? fmt::format("{} {}", what, word)
+                                          : fmt::format("{} wrong, sometimes {}", what, word);
+}
+
 /// Returns a clause that says what is wrong.
 std::string what_is_wrong(const CauseGroup& group) {
   if (group.kind.is_of_zeros) return "zeros have the wrong sign";
+  const std::vector<std::size_t> telling = telling_members(group);
   std::set<std::string> verdicts;
-  for (const std::size_t i : telling_members(group)) verdicts.insert(group.members[i].verdict());
+  for (const std::size_t i : telling) verdicts.insert(group.members[i].verdict());
   const auto has = [&verdicts](FragmentClass one) {
     return verdicts.contains(std::string(to_string(one)));
   };
@@ -73,10 +107,7 @@ std::string what_is_wrong(const CauseGroup& group) {
     return has(FragmentClass::missing) ? "samples are missing and extra samples are drawn"
                                        : "extra samples are drawn";
   }
-  const char* const what = *group.kind.part == DrawnPart::depth ? "depth is" : "values are";
-  if (has(FragmentClass::not_a_number)) return fmt::format("{} NaN", what);
-  if (has(FragmentClass::infinite)) return fmt::format("{} infinite", what);
-  return fmt::format("{} wrong", what);
+  return what_is_wrong_with_values(group, telling);
 }
 
 /// Returns " where A and B", or "" if there are no needs.
@@ -130,7 +161,10 @@ std::vector<std::string> in_order(const VariationIds& ids) {
 
 /// Returns the index of the member that best illustrates the cause's sentence.
 std::size_t shown_first(const CauseGroup& group) {
-  const std::vector<std::size_t> places = telling_members(group);
+  std::vector<std::size_t> places = telling_members(group);
+  const std::vector<std::size_t> without_numbers = members_without_numbers(group, places);
+  const bool is_of_values = group.kind.part && *group.kind.part != DrawnPart::coverage;
+  if (is_of_values && !without_numbers.empty()) places = without_numbers;
   std::vector<Counterexample> told;
   told.reserve(places.size());
   for (const std::size_t place : places) told.push_back(*group.members[place].one);

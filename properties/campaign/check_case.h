@@ -92,9 +92,8 @@ void keep_counterexample(const Law& law, const std::string& specification,
                          const KnownDefects* known = nullptr);
 
 /// Shrinks the counterexample while the law still finds the same class of violation, disregarding
-/// known defects. Then explains it and adds a close-up. Does not shrink a case with several
-/// triangles on which the backend hangs. Adds the result to `findings`, or a fault if the oracle
-/// failed meanwhile.
+/// known defects. Then adds a close-up. Does not shrink a case with several triangles on which the
+/// backend hangs. Adds the result to `findings`, or a fault if the oracle failed meanwhile.
 void shrink_counterexample(const Law& law, backends::Backend& backend,
                            const records::Counterexample& found, const ShrinkLimits& limits,
                            Findings& findings, const KnownDefects* known = nullptr);

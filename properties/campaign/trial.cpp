@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -16,6 +18,8 @@
 #include "cases/names.h"
 #include "properties/campaign/check_case.h"
 #include "properties/campaign/corpus.h"
+#include "properties/campaign/internal/hints.h"
+#include "properties/campaign/shrink.h"
 #include "properties/draw.h"
 #include "properties/fitted_case.h"
 #include "records/enclosure.h"
@@ -121,7 +125,41 @@ std::string file_text(const cases::Case& c, const std::string& folder) {
                      problem, commands_text("-"), cases::to_json(c));
 }
 
+/// Says what the drawing of a case, as it was found, looks like, if one simple change explains all
+/// that is wrong in it.
+std::string hint_text(const cases::Case& found, backends::Backend& backend) {
+  const DrawnParts all{records::DrawnPart::coverage, records::DrawnPart::depth,
+                       records::DrawnPart::values};
+  const auto hints = hints_of(found, backend, all, {});
+  if (!hints || hints->empty()) return "";
+  return fmt::format("  Hint: it draws as if {}.\n", cases::printable(hints->front()));
+}
+
+/// Lists other laws that the case violates: their tests may fail for the same reason, and each
+/// test, alone in its process, cannot know of the others. Lists none if nothing was drawn, which
+/// violates every law.
+std::string also_violated_text(const Law& law, backends::Backend& backend,
+                               const Counterexample& one) {
+  const bool is_drawn = std::none_of(
+      one.violations.begin(), one.violations.end(),
+      [](const Violation& v) { return v.fragment_class >= records::FragmentClass::failed; });
+  if (!is_drawn) return "";
+  constexpr std::size_t kMostListed = 6;
+  std::size_t count = 0;
+  std::string text;
+  for (const Law& other : laws()) {
+    if (other.id == law.id || !is_promised(other, backend)) continue;
+    const Check check = check_or_note(other, one.source, backend, 0);
+    if (!check.is_applicable || check.violation_count == 0) continue;
+    if (++count <= kMostListed) text += fmt::format("    “{}”\n", other.sentence);
+  }
+  if (count > kMostListed) text += fmt::format("    … and {} more\n", count - kMostListed);
+  if (text.empty()) return text;
+  return "  Also violated by this case, probably for the same reason:\n" + text;
+}
+
 std::string counterexample_text(const Law& law, const Counterexample& one,
+                                backends::Backend& backend, const std::string& hint,
                                 const TrialOptions& options) {
   const cases::Case& c = one.source;
   std::string text = fmt::format(
@@ -132,6 +170,7 @@ std::string counterexample_text(const Law& law, const Counterexample& one,
     text += fmt::format("  … {} violations in all\n", one.violation_count);
   }
   for (const std::string& line : one.close_up) text += "    " + line + "\n";
+  text += hint + also_violated_text(law, backend, one);
   return text + file_text(c, options.output);
 }
 
@@ -139,14 +178,17 @@ std::string counterexample_text(const Law& law, const Counterexample& one,
 std::string findings_text(const Law& law, backends::Backend& backend, const Findings& findings,
                           const TrialOptions& options) {
   Findings shrunk;
+  std::string hint;
   if (!findings.fault) {
     const Counterexample& found = findings.counterexamples.front();
-    shrink_counterexample(law, backend, found, shrink_limits(options.shrinking, found), shrunk);
+    const ShrinkLimits limits = shrink_limits(options.shrinking, found);
+    shrink_counterexample(law, backend, found, limits, shrunk);
+    if (limits.tries > 0) hint = hint_text(found.source, backend);
   }
   const std::optional<std::string>& fault = findings.fault ? findings.fault : shrunk.fault;
   if (fault)
     return fmt::format("“{}” could not be checked: {}", law.sentence, cases::printable(*fault));
-  return counterexample_text(law, shrunk.counterexamples.front(), options);
+  return counterexample_text(law, shrunk.counterexamples.front(), backend, hint, options);
 }
 
 /// Checks cases up to the first that fails.

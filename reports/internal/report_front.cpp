@@ -83,7 +83,7 @@ std::string verdicts_of(const Run& run, const std::vector<LawSummary>& rows,
   std::string text;
   for (const VerdictCount& count : verdict_counts(run, rows, backend)) {
     text +=
-        fmt::format("{}<span class=\"{}\">{} {}</span>", text.empty() ? "" : ", ",
+        fmt::format("{}<span class=\"{}\">{}&nbsp;{}</span>", text.empty() ? "" : ", ",
                     verdict_class(count.verdict), verdict_sign(count.verdict), html(count.text));
   }
   return text;
@@ -192,11 +192,24 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
     const std::string why = reasons_text(row);
     laws[{row.backend, why.empty() ? "no case was made for it" : why}].push_back(row.law);
   }
+  std::string reasons;
+  std::size_t unchecked = 0;
   for (const auto& [reason, names] : laws) {
-    add(fmt::format("{}{}: {}",
-                    names.size() == 1 ? names[0] : counted(names.size(), "", "properties"),
-                    on_text(run, reason.first), reason.second));
+    reasons += fmt::format(
+        "<li>{}</li>\n",
+        html(fmt::format("{}{}: {}",
+                         names.size() == 1 ? names[0] : counted(names.size(), "", "properties"),
+                         on_text(run, reason.first), reason.second)));
+    unchecked += names.size();
   }
+  constexpr std::size_t kMostShown = 6;
+  if (laws.size() > kMostShown) {
+    // All of them would be longer than what is wrong.
+    reasons = fmt::format(
+        "<li><details><summary>{}, for {} reasons</summary>\n<ul>\n{}</ul>\n</details></li>\n",
+        counted(unchecked, "property", "properties"), laws.size(), reasons);
+  }
+  text += reasons;
   const std::uint64_t permitted = totals(rows).counts.permitted;
   if (permitted > 0) {
     add(counted(permitted, "sample", "samples") +

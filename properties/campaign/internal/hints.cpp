@@ -11,6 +11,7 @@
 #include "oracle/triangle_truth.h"
 #include "properties/campaign/internal/simple_changes.h"
 #include "properties/drawing.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -160,6 +161,54 @@ std::optional<std::string> hint_of_ties(const cases::ClipCase& c, const cases::C
   return std::nullopt;
 }
 
+/// Returns the case with the window depths of its vertices as its only attribute, smooth. Returns
+/// nothing if depth depends on more than these, or if a vertex has no window depth.
+std::optional<cases::Case> with_depths_as_values(const cases::Case& c) {
+  const bool is_plain = c.depth_bias == cases::DepthBias{} && !c.depth_clamp &&
+                        c.depth_format == cases::DepthFormat::float32;
+  if (!is_plain || c.positions.empty()) return std::nullopt;
+  cases::Case changed = c;
+  changed.attributes = {{"depth"}};
+  changed.attribute_values.clear();
+  const double near = near_depth(c);
+  const cases::Viewport& v = c.viewport;
+  for (const cases::ClipVertex& p : c.positions) {
+    if (!(p.w > 0)) return std::nullopt;
+    const double share = (double{p.z} / double{p.w} - near) / (1 - near);
+    const double depth = v.min_depth + share * (double{v.max_depth} - double{v.min_depth});
+    changed.attribute_values.push_back(static_cast<float>(depth));
+  }
+  return changed;
+}
+
+/// Returns a drawing whose only attribute is the depth of another one.
+Fragments with_depth_as_value(Fragments drawn) {
+  drawn.attribute_count = 1;
+  drawn.attributes = drawn.depth;
+  drawn.derivatives.clear();
+  return drawn;
+}
+
+/// Returns the clause of a rasterizer that divides depth by interpolated 1/w, as it does smooth
+/// attributes, although z/w is affine on the screen. `right` is the drawing with depth corrected.
+std::optional<std::string> hint_of_depth(const cases::Case& c, const backends::Backend& backend,
+                                         const Fragments& drawn, const Fragments& right) {
+  const std::optional<cases::Case> changed = with_depths_as_values(c);
+  if (!changed) return std::nullopt;
+  cases::Contract contract = backend.contract(*changed);
+  // The vertices' depths are rounded: up to three times in the rasterizer (quotient, product, sum)
+  // and once above, each by half a unit.
+  constexpr float kRoundings = 2;
+  cases::ValueBound& bound = contract.bounds.smooth;
+  bound.constant = std::max(bound.constant, contract.bounds.depth.constant) + kRoundings;
+  const DrawnParts parts{DrawnPart::values};
+  const auto is_right = [&](const Fragments& fragments) {
+    return Judging(parts).is_right(*changed, contract, with_depth_as_value(fragments));
+  };
+  if (!is_right(drawn) || is_right(right)) return std::nullopt;
+  return "depth is interpolated with perspective";
+}
+
 }  // namespace
 
 std::optional<std::vector<std::string>> hints_of(const cases::Case& source,
@@ -184,6 +233,9 @@ std::optional<std::vector<std::string>> hints_of(const cases::Case& source,
   std::vector<std::string> hints;
   if (wrong.parts.coverage) {
     if (auto hint = hint_of_ties(*c, drawn->contract, drawn->fragments)) hints.push_back(*hint);
+  }
+  if (wrong.parts.depth && !wrong.parts.coverage && wrong.parts.attributes.empty()) {
+    if (auto hint = hint_of_depth(*c, backend, drawn->fragments, right)) hints.push_back(*hint);
   }
   visit_simple_changes(*c, wrong.parts, [&](const SimpleChange& change) {
     const bool is_there = std::find(hints.begin(), hints.end(), change.change) != hints.end();

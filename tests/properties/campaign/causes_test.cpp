@@ -72,6 +72,17 @@ TEST(CausesOf, OtherPartsAreOtherCausesTheLargestFirst) {
   EXPECT_EQ(causes[1].sentence, "samples are missing");
 }
 
+// Kills: a sentence about NaN above a counterexample whose value is a number.
+TEST(CausesOf, ACauseWithNaNBeginsWithIt) {
+  const std::vector<records::Cause> causes =
+      causes_of({one("a", FragmentClass::beyond_bound, explained({kValues}, {})),
+                 one("b", FragmentClass::infinite, explained({kValues}, {})),
+                 one("c", FragmentClass::not_a_number, explained({kValues}, {}))});
+  ASSERT_EQ(causes.size(), 1U);
+  EXPECT_EQ(causes[0].sentence, "values are wrong, sometimes NaN");
+  EXPECT_EQ(causes[0].counterexamples.front(), 2U);
+}
+
 // Kills: two faults of one part merged into one, although each needs a condition that the other
 // does without.
 TEST(CausesOf, DifferentNeedsSeparateCauses) {

@@ -164,6 +164,30 @@ TEST(HintsOf, TiesOfAllEdgesAndOfNone) {
   EXPECT_THAT(hints(1, 7, 21), Optional(IsEmpty()));
 }
 
+// Kills: a hint about any wrong depth; a hint where depth with perspective is the right depth.
+TEST(HintsOf, DepthWithPerspective) {
+  cases::Case c = scene();
+  c.rules = cases::Rules::opengl;
+  c.triangles = {{0, 1, 2}};
+  const auto hints = [&c](float more) {
+    DamagedBackend backend(
+        [more](const cases::Case& /*c*/, cases::Fragments& drawn) {
+          for (std::size_t i = 0; i < drawn.size(); ++i) {
+            drawn.depth[i] = drawn.attributes[i * 2] + more;
+          }
+        },
+        "cpu");
+    return hints_of(c, backend, kAll, {});
+  };
+  // By hand: z/w is 0.25, 0.25 and 0.75, so depth is 0.125 + 0.625 (1 + z/w)/2.
+  c.attribute_values = {0.515625F, -3, 0.515625F, 7, 0.671875F, 2, 0, 5};
+  EXPECT_THAT(hints(0), Optional(ElementsAre("depth is interpolated with perspective")));
+  EXPECT_THAT(hints(0.01F), Optional(IsEmpty()));
+  for (cases::ClipVertex& p : c.positions) p.w = 1;
+  c.attribute_values = {0.515625F, -3, 0.59375F, 7, 0.671875F, 2, 0, 5};
+  EXPECT_THAT(hints(0.01F), Optional(IsEmpty()));
+}
+
 // Kills: a hint although a simple change explains only some of the errors; no hint because another
 // part is wrong for another reason.
 TEST(HintsOf, AreOfThePartsInQuestion) {

@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/reports/sample_run.h"
 
 namespace rastercheck::reports::report_front_test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -40,9 +43,9 @@ TEST(Front, HasTheFiguresOfTheWholeRun) {
 TEST(Front, TellsBackendsApart) {
   EXPECT_THAT(
       front(sample_run()),
-      HasSubstr("<td>method:float32</td><td><span class=\"violated\">✗ 1 property violated"
-                "</span>, <span class=\"held\">✓ 1 held</span>, <span class=\"unchecked\">– 1 "
-                "not checked</span></td><td class=\"number\" data-name=\"worst error\">0.7"
+      HasSubstr("<td>method:float32</td><td><span class=\"violated\">✗&nbsp;1 property violated"
+                "</span>, <span class=\"held\">✓&nbsp;1 held</span>, <span class=\"unchecked\">"
+                "–&nbsp;1 not checked</span></td><td class=\"number\" data-name=\"worst error\">0.7"
                 "</td>"));
   records::Run one = sample_run();
   one.plan.backends = {"cpu"};
@@ -74,6 +77,28 @@ TEST(Front, SaysOfSeveralLawsOnce) {
   records::Run run = sample_run();
   run.plan.laws.emplace_back("another law");
   EXPECT_THAT(gaps(run), HasSubstr("<li>2 properties on cpu: no case was made for it</li>"));
+}
+
+// Kills: thirty reasons, open, between the properties and the end of the page; a reason lost.
+TEST(Front, ManyReasonsOpenOnAClick) {
+  const auto page_of = [](int reasons) {
+    records::Run run;
+    run.plan.backends = {"cpu"};
+    for (int i = 0; i < reasons; ++i) {
+      run.plan.laws.push_back("law " + std::to_string(i));
+      records::Record& record =
+          run.records[{run.plan.laws.back(), "cpu", records::AttributeKind::coverage, ""}];
+      record.not_applicable_because["reason " + std::to_string(i)] = 3;
+      record.cases.not_applicable = 3;
+    }
+    return gaps(run);
+  };
+  const std::string few = page_of(6);
+  EXPECT_THAT(few, AllOf(Not(HasSubstr("<details>")), HasSubstr("<li>law 5: reason 5</li>")));
+  const std::string many = page_of(7);
+  EXPECT_THAT(many, HasSubstr("<details><summary>7 properties, for 7 reasons</summary>\n<ul>\n"
+                              "<li>law 0: reason 0</li>\n"));
+  EXPECT_THAT(many, HasSubstr("<li>law 6: reason 6</li>\n</ul>\n</details></li>\n"));
 }
 
 TEST(Front, SaysThatNothingWasLeftOut) {
