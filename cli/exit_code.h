@@ -2,7 +2,7 @@
 
 namespace rastercheck::cli {
 
-/// Exit codes, stable for scripts (README, Commands). If several apply, the order of precedence is
+/// Exit codes, stable for scripts (docs/commands.md). If several apply, the order of precedence is
 /// 70, 2, 4, 1, 3, 130, 5.
 enum class ExitCode : int {
   ok = 0,

@@ -34,7 +34,7 @@ Result<void> check_comparison_files(const std::string& folder, std::span<const s
 ExitCode hold_against(const gate::Side& baseline, const gate::Side& current,
                       const GateOptions& options);
 
-/// Returns the outcome that takes precedence as a command's exit code (README, Commands).
+/// Returns the outcome that takes precedence as a command's exit code (docs/commands.md).
 ExitCode first_of(ExitCode a, ExitCode b);
 
 }  // namespace rastercheck::cli

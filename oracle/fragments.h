@@ -1,6 +1,6 @@
 #pragma once
 
-// The fragments of a case, as `rastercheck oracle` prints them (README, Commands).
+// The fragments of a case, as `rastercheck oracle` prints them (docs/commands.md).
 
 #include <cstdint>
 #include <functional>

@@ -96,15 +96,46 @@ std::string coverage_words(const InspectedSample& sample) {
   return is_permitted ? "not drawn, as it may be" : "not drawn, correctly";
 }
 
+/// "NaN", "inf", "-inf", or the number in decimal and hex.
+std::string drawn_value_text(float actual) {
+  if (std::isnan(actual)) return "NaN";
+  if (!std::isfinite(actual)) return fmt::format("{}", actual);
+  return fmt::format("{:.9g} = {}", actual, cases::to_hex(actual));
+}
+
+/// Names the values that are no numbers although the exact ones are: "; WRONG: attribute 0 'u' is
+/// NaN". Empty if there are none.
+std::string wrong_values(const Inspection& inspection, const InspectedSample& sample) {
+  std::string text;
+  for (const InspectedValue& value : sample.values) {
+    const bool is_number = !value.actual || std::isfinite(*value.actual);
+    const bool should_be =
+        value.nearest && std::abs(*value.nearest) <= double{std::numeric_limits<float>::max()};
+    if (is_number || !should_be) continue;
+    std::string name = "depth";
+    if (value.attribute) {
+      name = fmt::format("attribute {}", *value.attribute);
+      const std::string& own = inspection.source.attributes[*value.attribute].name;
+      if (!own.empty()) name += fmt::format(" '{}'", cases::printable(own));
+    }
+    text += fmt::format("{} {} is {}", text.empty() ? "; WRONG:" : ",", name,
+                        drawn_value_text(*value.actual));
+  }
+  return text;
+}
+
 /// The verdict, what was drawn, the place, and how far the sample is from the deciding boundary.
 std::string found_text(const Inspection& inspection, const InspectedSample& sample) {
   const records::WindowPoint in_pixel = sample.place.sample < inspection.pattern.size()
                                             ? inspection.pattern[sample.place.sample]
                                             : records::WindowPoint{};
-  std::string text = fmt::format(
-      "{} ({}, {})\n  pixel ({}, {}), sample {}, of triangle {}, on {}\n", coverage_words(sample),
-      to_string(sample.verdict), to_string(sample.reason), sample.place.x, sample.place.y,
-      sample.place.sample, inspection.place.triangle, cases::printable(inspection.backend));
+  std::string text =
+      wrapped("", 0,
+              fmt::format("{} ({}, {}){}", coverage_words(sample), to_string(sample.verdict),
+                          to_string(sample.reason), wrong_values(inspection, sample)));
+  text += fmt::format("  pixel ({}, {}), sample {}, of triangle {}, on {}\n", sample.place.x,
+                      sample.place.y, sample.place.sample, inspection.place.triangle,
+                      cases::printable(inspection.backend));
   if (!inspection.law.empty()) {
     text += wrapped("", 2, "A counterexample to " + cases::printable(inspection.law) + ".");
   }
@@ -307,11 +338,6 @@ std::string value_name(const Inspection& inspection, std::optional<std::uint32_t
                           inspection.source.attributes_of(vertex)[*attribute]);
   }
   return fmt::format("{}; at the vertices {}", text, values);
-}
-
-std::string drawn_value_text(float actual) {
-  if (!std::isfinite(actual)) return fmt::format("{}", actual);
-  return fmt::format("{:.9g} = {}", actual, cases::to_hex(actual));
 }
 
 std::string errors_text(const InspectedValue& value) {

@@ -14,7 +14,7 @@ namespace rastercheck::reports {
 /// much the case leaves open. `is_brief`: the table's rows only.
 std::string picture_text(const records::JudgedPicture& judged, bool is_brief);
 
-/// As JSON, "rastercheck-judged-picture", version 1 (README, Commands).
+/// As JSON, "rastercheck-judged-picture", version 1 (docs/commands.md).
 std::string picture_json(const records::JudgedPicture& judged, const cases::PictureView& view);
 
 /// The verdict of each pixel as a colour: right ones dark grey, wrong ones bright.

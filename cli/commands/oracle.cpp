@@ -56,7 +56,7 @@ Result<void> for_each_checked(
   return {};
 }
 
-/// Scripts rely on this output (README, Commands).
+/// Scripts rely on this output (docs/commands.md).
 Result<void> print_json(const oracle::SceneTruth& scene, const Options& options) {
   fmt::print(R"({{"format": "rastercheck-oracle", "version": 1, "case": {}, "fragments": [)",
              cases::json_string(scene.source().name));

@@ -130,11 +130,17 @@ def sensitivity(pattern):
 # Page, pattern of a text with its number in a group, actual count. “More than” means up to a fifth
 # more, “some” within a twentieth.
 FIGURES = [
-    ("README.md", r"\[(more than \w+)\]\(docs/properties.md\)", lambda: listed("properties")),
-    ("README.md", r"corpus\]\(cases/corpus\) of (more than \d+) cases", lambda: of_files("cases/corpus/*.json")),
+    ("README.md", r"\[(More than \w+)\]\(docs/properties.md\)", lambda: listed("properties")),
+    ("README.md", r"on a \[corpus\]\(cases/corpus\) of (more than \d+) cases",
+     lambda: of_files("cases/corpus/*.json")),
     ("README.md", r"of the rasterizer, (more than \d+), each", lambda: of_files("tests/mutants/*.patch")),
-    ("README.md", r"\[(\w+) small changes\]", lambda: of_files("tests/gate/*.patch")),
-    ("README.md", r"it flags (\d+),", lambda: sensitivity(r"(\d+) are flagged")),
+    ("README.md", r"\[(\d+) defects\]", lambda: defects("")),
+    ("docs/what-it-does.md", r"\[(more than \w+)\]\(properties.md\)", lambda: listed("properties")),
+    ("docs/what-it-does.md", r"corpus\]\(../cases/corpus\) of (more than \d+) cases",
+     lambda: of_files("cases/corpus/*.json")),
+    ("docs/what-it-does.md", r"of the rasterizer, (more than \d+), each", lambda: of_files("tests/mutants/*.patch")),
+    ("docs/what-it-does.md", r"\[(\w+) small changes\]", lambda: of_files("tests/gate/*.patch")),
+    ("docs/what-it-does.md", r"it flags (\d+),", lambda: sensitivity(r"(\d+) are flagged")),
     ("docs/case-format.md", r"holds (more than \d+)", lambda: of_files("cases/corpus/*.json")),
     ("docs/judge-your-rasterizer.md", r"checks (some \d+) properties", lambda: listed("properties")),
     ("docs/oracle.md", r"(\d+) cases with the answers of an independent",

@@ -165,6 +165,17 @@ TEST(InspectionText, SaysHowCoverageIsWrong) {
   EXPECT_THAT(inspection_text(one), StartsWith("not drawn, as it may be (permitted, "));
 }
 
+// Kills: "drawn, as it must be" and no more, above a value that is NaN.
+TEST(InspectionText, BeginsWithValuesThatAreNoNumbers) {
+  Inspection one = small_inspection();
+  one.samples[0].values[1].actual = -std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(
+      inspection_text(one),
+      StartsWith("drawn, as it must be (required, inside); WRONG: attribute 0 'u' is NaN\n"));
+  one.samples[0].values[0].actual = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(inspection_text(one), HasSubstr("WRONG: depth is inf, attribute 0 'u' is\nNaN\n"));
+}
+
 TEST(InspectionText, SaysWhatIsNotThere) {
   Inspection one = small_inspection();
   one.q_matrix.reset();
@@ -173,9 +184,10 @@ TEST(InspectionText, SaysWhatIsNotThere) {
   one.samples[0].values[1].exact = "";
   one.samples[0].values[1].nearest.reset();
   one.samples[0].values[1].actual = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THAT(inspection_text(one), AllOf(HasSubstr("seen edge-on"), Not(HasSubstr("q-matrix")),
-                                          HasSubstr("1 of its vertices is not in front of the eye"),
-                                          HasSubstr("  exact   undefined\n  drawn   nan\n")));
+  EXPECT_THAT(inspection_text(one),
+              AllOf(HasSubstr("seen edge-on"), Not(HasSubstr("q-matrix")),
+                    HasSubstr("1 of its vertices is not in front of the eye"),
+                    HasSubstr("  exact   undefined\n  drawn   NaN\n"), Not(HasSubstr("WRONG"))));
   one.samples.clear();
   EXPECT_EQ(inspection_text(one), "");
 }
