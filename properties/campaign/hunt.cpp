@@ -1,6 +1,11 @@
 #include "properties/campaign/hunt.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "cases/names.h"
@@ -23,8 +28,8 @@ using cases::Case;
 // The shares of steps. They are a choice: most steps climb, and enough of them start anew that the
 // archive does not depend on its first entries.
 
-/// One step in 4 checks a random case.
-constexpr int kOneInRandom = 4;
+/// One step in 8 checks a random case.
+constexpr int kOneInRandom = 8;
 /// One of the others in 8 checks a case of the corpus.
 constexpr int kOneInCorpus = 8;
 /// After each move of a step, another follows once in 2 times, up to this number.
@@ -34,6 +39,9 @@ constexpr int kMostMoves = 4;
 constexpr int kOneInWhole = 4;
 /// Moves that do not apply are replaced by others; so many tries find one that does.
 constexpr int kMostChoices = 8;
+/// Progress counts about so many of a niche's latest moves: half of them are forgotten when there
+/// are twice as many.
+constexpr std::uint64_t kLatestMoves = 64;
 
 /// A case to check, and how it was made.
 struct HuntStep {
@@ -41,12 +49,35 @@ struct HuntStep {
   HuntSource made_by = HuntSource::random;
   std::uint64_t root = 0;
   std::vector<std::string_view> moves;
+  std::optional<HuntArchive::Niche> niche = std::nullopt;  ///< of the parent of a moved case
 };
+
+/// The share of a move's uses after which the archive kept the case, as if it had been used once
+/// more with success and once without.
+double success_of(const CaseMove& move, const std::map<std::string_view, MoveCounts>& counts) {
+  const auto found = counts.find(move.name);
+  const MoveCounts count = found == counts.end() ? MoveCounts() : found->second;
+  return (static_cast<double>(count.kept) + 1) / (static_cast<double>(count.made) + 2);
+}
+
+/// Chooses the more successful of two random moves.
+const CaseMove& choose_move(const std::map<std::string_view, MoveCounts>& counts, Draw& draw) {
+  const std::span<const CaseMove> all = case_moves();
+  const int last = static_cast<int>(all.size()) - 1;
+  const CaseMove& one = all[static_cast<std::size_t>(draw.between(0, last))];
+  const CaseMove& other = all[static_cast<std::size_t>(draw.between(0, last))];
+  return success_of(other, counts) > success_of(one, counts) ? other : one;
+}
 
 /// Makes a changed copy of an entry's case. Moves work on clip positions, so the copy has no
 /// camera, unless its clip positions are beyond float32: then it stays as it is.
-HuntStep moved_copy(const HuntEntry& parent, Draw& draw) {
-  HuntStep step{parent.source, HuntSource::moved, parent.root, {}};
+HuntStep moved_copy(const HuntEntry& parent, const std::map<std::string_view, MoveCounts>& counts,
+                    Draw& draw) {
+  HuntStep step{parent.source,
+                HuntSource::moved,
+                parent.root,
+                {},
+                HuntArchive::Niche{parent.error.kind, parent.error.stratum}};
   step.source.found.reset();
   Result<cases::ClipCase> clip = oracle::to_clip_case(step.source, "");
   if (!clip) return step;
@@ -56,11 +87,9 @@ HuntStep moved_copy(const HuntEntry& parent, Draw& draw) {
     step.source = with_triangles(step.source, {{focus.at.triangle}});
     focus.at.triangle = 0;
   }
-  const std::span<const CaseMove> all = case_moves();
   int choices = 0;
   do {
-    const int chosen = draw.between(0, static_cast<int>(all.size()) - 1);
-    const CaseMove& move = all[static_cast<std::size_t>(chosen)];
+    const CaseMove& move = choose_move(counts, draw);
     if (move.change(step.source, focus, draw)) step.moves.push_back(move.name);
     ++choices;
   } while (choices < kMostChoices &&
@@ -145,7 +174,7 @@ class Hunter {
       return {fitted_case(plan_->capabilities, source), HuntSource::corpus, number, {}};
     }
     const HuntEntry* const parent = outcome_.archive.choose(draw);
-    return parent == nullptr ? random() : moved_copy(*parent, draw);
+    return parent == nullptr ? random() : moved_copy(*parent, outcome_.moves, draw);
   }
 
   /// Counts the findings of a step and offers its errors to the archive.
@@ -165,6 +194,7 @@ class Hunter {
       keep(findings_, std::move(one));
     }
     const bool is_kept = offer(number, step, errors);
+    if (step.niche) outcome_.archive.note(*step.niche, is_kept);
     for (const std::string_view move : step.moves) {
       ++outcome_.moves[move].made;
       outcome_.moves[move].kept += is_kept ? 1 : 0;
@@ -235,13 +265,31 @@ bool HuntArchive::offer(HuntEntry entry) {
 
 const HuntEntry* HuntArchive::choose(Draw& draw) const {
   if (niches_.empty()) return nullptr;
-  const int chosen = draw.between(0, static_cast<int>(niches_.size()) - 1);
-  const std::vector<HuntEntry>& niche = std::next(niches_.begin(), chosen)->second;
+  const int last_niche = static_cast<int>(niches_.size()) - 1;
+  const auto one = std::next(niches_.begin(), draw.between(0, last_niche));
+  const auto other = std::next(niches_.begin(), draw.between(0, last_niche));
+  const bool is_one = promise_of(one->first) >= promise_of(other->first);
+  const std::vector<HuntEntry>& niche = is_one ? one->second : other->second;
   // The smaller of two ranks: the worst entry is chosen most often, and the least bad one at times.
   const int last = static_cast<int>(niche.size()) - 1;
   const int first_rank = draw.between(0, last);
   const int second_rank = draw.between(0, last);
   return &niche[static_cast<std::size_t>(std::min(first_rank, second_rank))];
+}
+
+void HuntArchive::note(const Niche& niche, bool is_kept) {
+  Progress& progress = progress_[niche];
+  ++progress.made;
+  progress.kept += is_kept ? 1 : 0;
+  if (progress.made < 2 * kLatestMoves) return;
+  progress.made /= 2;
+  progress.kept /= 2;
+}
+
+double HuntArchive::promise_of(const Niche& niche) const {
+  const auto found = progress_.find(niche);
+  const Progress progress = found == progress_.end() ? Progress() : found->second;
+  return (static_cast<double>(progress.kept) + 1) / (static_cast<double>(progress.made) + 2);
 }
 
 Result<HuntOutcome> hunt(const HuntPlan& plan, const std::vector<Case>& corpus,

@@ -120,17 +120,32 @@ class HuntArchive {
   /// 0, and values beyond their bound. Returns true if the entry is kept.
   bool offer(HuntEntry entry);
 
-  /// Chooses a parent: niches are equally likely, and bad entries likelier than less bad ones.
-  /// Returns nullptr if the archive is empty.
+  /// Chooses a parent: of two random niches, one of the niche whose latest moves were kept more
+  /// often, and there bad entries likelier than less bad ones. Niches in which the bound itself has
+  /// been found thus take few steps, and none is ever left out. Returns nullptr if the archive is
+  /// empty.
   const HuntEntry* choose(Draw& draw) const;
+
+  /// Notes whether the archive kept what a move of an entry of this niche led to, in any niche.
+  void note(const Niche& niche, bool is_kept);
 
   /// The entries of each niche, the worst first; of equally bad ones, the earlier step first.
   const std::map<Niche, std::vector<HuntEntry>>& niches() const { return niches_; }
   bool operator==(const HuntArchive&) const = default;
 
  private:
+  /// What the latest moves of a niche's entries led to.
+  struct Progress {
+    std::uint64_t made = 0;
+    std::uint64_t kept = 0;
+    bool operator==(const Progress&) const = default;
+  };
+  /// The share of moves kept, as if one more had been kept and one not: new niches look good.
+  double promise_of(const Niche& niche) const;
+
   Guide guide_;
   std::map<Niche, std::vector<HuntEntry>> niches_;
+  std::map<Niche, Progress> progress_;
 };
 
 struct HuntPlan {

@@ -75,6 +75,32 @@ TEST(HuntArchive, KeepsNichesApart) {
   EXPECT_EQ(chosen.size(), 2U);
 }
 
+// Kills: steps spent evenly on niches that cannot get worse; niches left out for good.
+TEST(HuntArchive, PrefersNichesWhoseMovesAreKept) {
+  HuntArchive archive(Guide::share);
+  archive.offer(entry(0.5, 1, 1));
+  archive.offer(entry(0.5, 2, 2, Stratum::sliver));
+  const auto times_ordinary = [&archive] {
+    int times = 0;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      Draw draw(1, "test", i);
+      times += archive.choose(draw)->error.stratum == Stratum::ordinary ? 1 : 0;
+    }
+    return times;
+  };
+  const HuntArchive::Niche ordinary{AttributeKind::smooth, Stratum::ordinary};
+  const HuntArchive::Niche sliver{AttributeKind::smooth, Stratum::sliver};
+  for (int i = 0; i < 50; ++i) archive.note(ordinary, false);
+  for (int i = 0; i < 50; ++i) archive.note(sliver, i % 10 == 0);
+  // One of two draws of two niches has both the same; of these, half are ordinary. Six standard
+  // deviations are 82.
+  EXPECT_NEAR(times_ordinary(), 250, 82);
+  // What was long ago is forgotten.
+  for (int i = 0; i < 500; ++i) archive.note(sliver, false);
+  for (int i = 0; i < 500; ++i) archive.note(ordinary, i % 10 == 0);
+  EXPECT_NEAR(times_ordinary(), 750, 82);
+}
+
 TEST(HuntArchive, KeepsTheWorstOfARoot) {
   HuntArchive archive(Guide::share);
   archive.offer(entry(0.5, 7, 7));
