@@ -83,7 +83,7 @@ std::string verdicts_of(const Run& run, const std::vector<LawSummary>& rows,
   std::string text;
   for (const VerdictCount& count : verdict_counts(run, rows, backend)) {
     text +=
-        fmt::format("{}<span class=\"{}\">{}&nbsp;{}</span>", text.empty() ? "" : ", ",
+        fmt::format("{}<span class=\"{}\">{} {}</span>", text.empty() ? "" : ", ",
                     verdict_class(count.verdict), verdict_sign(count.verdict), html(count.text));
   }
   return text;

@@ -43,9 +43,9 @@ TEST(Front, HasTheFiguresOfTheWholeRun) {
 TEST(Front, TellsBackendsApart) {
   EXPECT_THAT(
       front(sample_run()),
-      HasSubstr("<td>method:float32</td><td><span class=\"violated\">✗&nbsp;1 property violated"
-                "</span>, <span class=\"held\">✓&nbsp;1 held</span>, <span class=\"unchecked\">"
-                "–&nbsp;1 not checked</span></td><td class=\"number\" data-name=\"worst error\">0.7"
+      HasSubstr("<td>method:float32</td><td><span class=\"violated\">✗ 1 property violated"
+                "</span>, <span class=\"held\">✓ 1 held</span>, <span class=\"unchecked\">"
+                "– 1 not checked</span></td><td class=\"number\" data-name=\"worst error\">0.7"
                 "</td>"));
   records::Run one = sample_run();
   one.plan.backends = {"cpu"};
