@@ -56,8 +56,8 @@ std::vector<std::size_t> members_of_class(const CauseGroup& group,
   return of_class;
 }
 
-/// Returns the members with the values that are no numbers, which a sentence names before others:
-/// the NaN, or else the infinite ones. Empty if there are none.
+/// Returns the members whose values are no numbers: the NaN, or else the infinite ones. Empty if
+/// there are none.
 std::vector<std::size_t> members_without_numbers(const CauseGroup& group,
                                                  const std::vector<std::size_t>& members) {
   std::vector<std::size_t> nan = members_of_class(group, members, FragmentClass::not_a_number);
@@ -162,9 +162,11 @@ std::vector<std::string> in_order(const VariationIds& ids) {
 /// Returns the index of the member that best illustrates the cause's sentence.
 std::size_t shown_first(const CauseGroup& group) {
   std::vector<std::size_t> places = telling_members(group);
-  const std::vector<std::size_t> without_numbers = members_without_numbers(group, places);
+  // Infinite values have no such rank: a value that is a little too large is infinite where the
+  // right one is the largest float.
+  const std::vector<std::size_t> nan = members_of_class(group, places, FragmentClass::not_a_number);
   const bool is_of_values = group.kind.part && *group.kind.part != DrawnPart::coverage;
-  if (is_of_values && !without_numbers.empty()) places = without_numbers;
+  if (is_of_values && !nan.empty()) places = nan;
   std::vector<Counterexample> told;
   told.reserve(places.size());
   for (const std::size_t place : places) told.push_back(*group.members[place].one);

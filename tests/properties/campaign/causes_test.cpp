@@ -83,6 +83,16 @@ TEST(CausesOf, ACauseWithNaNBeginsWithIt) {
   EXPECT_EQ(causes[0].counterexamples.front(), 2U);
 }
 
+// Kills: an infinite value, which any error makes of the largest float, put before a simpler case.
+TEST(CausesOf, ACauseWithInfiniteValuesSaysSoAndNeedNotBeginWithThem) {
+  const std::vector<records::Cause> causes =
+      causes_of({one("a", FragmentClass::beyond_bound, explained({kValues}, {})),
+                 one("b", FragmentClass::infinite, explained({kValues}, {}))});
+  ASSERT_EQ(causes.size(), 1U);
+  EXPECT_EQ(causes[0].sentence, "values are wrong, sometimes infinite");
+  EXPECT_EQ(causes[0].counterexamples.front(), 0U);
+}
+
 // Kills: two faults of one part merged into one, although each needs a condition that the other
 // does without.
 TEST(CausesOf, DifferentNeedsSeparateCauses) {
