@@ -86,7 +86,7 @@ END""",
     "using-in-googletest.md": """mkdir own && cp tests/consumer/testing/* own && mkdir own/build &&
         ln -s ../../build/release own/build/release && cd own""",
     "regression-gate.md": """rastercheck plugin new own && cd own && cmake -S . -B build && cmake --build build &&
-        mkdir .ci && ln -s ../../build/release build/release &&
+        mkdir .ci && cp ../.ci/baseline.json .ci && ln -s ../../build/release build/release &&
         git init -q . && git config user.name Somebody && git config user.email somebody@example.com &&
         git add CMakeLists.txt plugin.c rastercheck && git commit -q -m good && git tag GOOD &&
         sed -i 's|weight.i. /= t->w.i.;|weight[i] = (float)(weight[i] / t->w[i]);|' plugin.c &&
