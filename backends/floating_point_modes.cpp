@@ -9,10 +9,27 @@
 namespace rastercheck::backends {
 namespace {
 
+// The bits that change results. The control register's other bits are exception masks, sticky flags
+// and, on arm64, which NaN an operation gives.
 #if defined(__SSE__)
+// MXCSR: rounding (bits 13 and 14), flush to zero (15), denormals are zero (6).
+constexpr unsigned kModes = 0xe040;
 unsigned control_register() { return _mm_getcsr(); }
 void set_control_register(unsigned control) { _mm_setcsr(control); }
+#elif defined(__aarch64__)
+// FPCR: rounding (bits 22 and 23) and flush to zero (24), which is for operands, too. Bits 32 and
+// above are reserved.
+constexpr unsigned kModes = 0x01c00000;
+unsigned control_register() {
+  unsigned long long control = 0;
+  asm volatile("mrs %0, fpcr" : "=r"(control));
+  return static_cast<unsigned>(control);
+}
+void set_control_register(unsigned control) {
+  asm volatile("msr fpcr, %0" : : "r"(static_cast<unsigned long long>(control)));
+}
 #else
+constexpr unsigned kModes = 0;
 unsigned control_register() { return 0; }
 void set_control_register(unsigned /*control*/) {}
 #endif
@@ -28,9 +45,6 @@ FloatingPointModes::~FloatingPointModes() {
 }
 
 bool FloatingPointModes::have_changed() const {
-  // Rounding (bits 13 and 14), flush to zero (15), denormals are zero (6). The other bits are
-  // exception masks and sticky flags, which do not change results.
-  constexpr unsigned kModes = 0xe040;
   return std::fegetround() != rounding_ || ((control_register() ^ control_) & kModes) != 0;
 }
 

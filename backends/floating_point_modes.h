@@ -10,12 +10,13 @@ class FloatingPointModes {
   FloatingPointModes& operator=(const FloatingPointModes&) = delete;
   ~FloatingPointModes();
 
-  /// True if the rounding mode or, on x86, FTZ or DAZ have changed since construction.
+  /// True if the rounding mode or what happens to subnormal numbers has changed since construction;
+  /// the latter is seen on x86 and arm64.
   bool have_changed() const;
 
  private:
   int rounding_;
-  unsigned control_;  ///< MXCSR; 0 on machines without it
+  unsigned control_;  ///< MXCSR or FPCR; 0 on machines without them
 };
 
 }  // namespace rastercheck::backends

@@ -2,7 +2,6 @@
 // masks. Otherwise a backend that runs afterwards would compute something else.
 
 #include <gtest/gtest.h>
-#include <xmmintrin.h>
 
 #include <bit>
 #include <cfenv>
@@ -15,13 +14,13 @@
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
+#include "tests/floating_point_control.h"
 #include "tests/oracle/small_case.h"
 
 namespace rastercheck::oracle::floating_point_state_test {
 namespace {
 
-/// MXCSR without its sticky exception flags.
-unsigned control_bits() { return _mm_getcsr() & ~0x3FU; }
+unsigned control_bits() { return floating_point_control() & ~kSticky; }
 
 void use_everything() {
   cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
@@ -76,10 +75,9 @@ TEST(FloatingPointState, SubnormalsCountWhenTheProcessorFlushesThem) {
   const cases::Case cut =
       small_case(cases::Rules::vulkan, 4, 4,
                  {{{-1, -1, -0x1p-140F, 1}, {3, -1, 0x1p-140F, 1}, {-1, 3, -0x1p-140F, 1}}});
-  constexpr unsigned kFlushToZero = 0x8000;
-  constexpr unsigned kDenormalsAreZero = 0x0040;
-  const unsigned before = _mm_getcsr();
-  _mm_setcsr(before | kFlushToZero | kDenormalsAreZero);
+  const unsigned before = floating_point_control();
+  for (const unsigned flush : kFlushes)
+    set_floating_point_control(floating_point_control() | flush);
   const SceneTruth scene(c, cases::contract_of(c));
   const TriangleTruth truth(scene, 0);
   const records::SampleVerdict decision = truth.judge(3, 3, 0);
@@ -88,7 +86,7 @@ TEST(FloatingPointState, SubnormalsCountWhenTheProcessorFlushesThem) {
   const bool referee_covers = referee(c, 0, 3, 3, 0).has_value();
   const SceneTruth cut_scene(cut, cases::contract_of(cut));
   const records::Verdict before_near = TriangleTruth(cut_scene, 0).judge(0, 1, 0).verdict;
-  _mm_setcsr(before);
+  set_floating_point_control(before);
   EXPECT_EQ(before_near, records::Verdict::forbidden);
   EXPECT_EQ(decision.verdict, records::Verdict::required);
   EXPECT_EQ(value, Rational(0x1p-149));

@@ -9,11 +9,8 @@
 #include <cfenv>
 #include <string>
 
+#include "tests/floating_point_control.h"
 #include "tests/properties/damaged_backend.h"
-
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 namespace rastercheck::properties::drawing_test {
 namespace {
@@ -33,23 +30,23 @@ TEST(Drawing, FailsOnAnotherRoundingModeAndPutsItBack) {
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
-#if defined(__SSE__)
 TEST(Drawing, FailsOnFlushedSubnormalsAndPutsThemBack) {
-  const unsigned before = _mm_getcsr();
-  for (const unsigned mode : {0x8000U, 0x0040U}) {  // FTZ, DAZ
-    DamagedBackend backend(
-        [mode](const cases::Case&, cases::Fragments&) { _mm_setcsr(_mm_getcsr() | mode); });
+  const unsigned before = floating_point_control();
+  for (const unsigned flush : kFlushes) {
+    DamagedBackend backend([flush](const cases::Case&, cases::Fragments&) {
+      set_floating_point_control(floating_point_control() | flush);
+    });
     EXPECT_FALSE(draw(square(), backend).has_value());
-    EXPECT_EQ(_mm_getcsr() & 0xffc0U, before & 0xffc0U);
+    EXPECT_EQ(floating_point_control() & ~kSticky, before & ~kSticky);
   }
 }
 
 TEST(Drawing, LetsStickyFlagsPass) {
-  DamagedBackend backend(
-      [](const cases::Case&, cases::Fragments&) { _mm_setcsr(_mm_getcsr() | 0x003fU); });
+  DamagedBackend backend([](const cases::Case&, cases::Fragments&) {
+    set_floating_point_control(floating_point_control() | kSticky);
+  });
   EXPECT_TRUE(draw(square(), backend).has_value());
 }
-#endif
 
 TEST(Drawing, WatchesVertexStageAndStripsAsWell) {
   const std::array<std::uint32_t, 4> indices{0, 1, 2, 3};
