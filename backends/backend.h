@@ -69,6 +69,8 @@ struct About {
   bool answers_occlusion_queries = false;
   /// True if the backend implements PictureDrawer.
   bool draws_pictures = false;
+  /// True if the backend implements Assembler.
+  bool assembles = false;
   bool operator==(const About&) const = default;
 };
 
@@ -111,12 +113,13 @@ class PictureContinuer {
   ~PictureContinuer() = default;
 };
 
-/// Assembles triangles from strips and fans.
+/// Assembles primitives from strips and fans.
 class Assembler {
  public:
   /// Draws a list, strip or fan of a case's vertices, in place of the case's triangles, as
   /// Backend::draw() does. Triangles are numbered in the order of the indices. The index
-  /// cases::kRestart starts a new list, strip or fan.
+  /// cases::kRestart starts a new list, strip or fan. A case of lines has lists and strips of
+  /// lines. Fails with Failure::unsupported if the backend cannot draw the case this way.
   virtual Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                                   std::span<const std::uint32_t> indices) = 0;
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "backends/api_promise.h"
@@ -25,6 +26,7 @@ bool fits(const cases::Contract& contract, const cases::Case& c) {
 class IsolatedBackend : public Backend,
                         public PictureDrawer,
                         public WaysOfDrawing,
+                        public Assembler,
                         public OcclusionCuller {
  public:
   IsolatedBackend(std::string specification, const Isolation& isolation, WorkerProcess process)
@@ -54,6 +56,22 @@ class IsolatedBackend : public Backend,
     if (drawn->problem) return tl::unexpected(counted(*drawn->problem));
     crashes_ = 0;
     return std::move(drawn->picture);
+  }
+
+  Assembler* assembler() override { return greeting_.about.assembles ? this : nullptr; }
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override {
+    const Result<std::string> answer =
+        ask_once_promised({.question = Question::assembly,
+                           .source = c,
+                           .topology = topology,
+                           .indices = {indices.begin(), indices.end()}});
+    if (!answer) return tl::unexpected(answer.error());
+    std::optional<DrawingAnswer> drawing = unpack_drawing(*answer);
+    if (!drawing) return tl::unexpected(nonsense());
+    if (drawing->problem) return tl::unexpected(counted(*drawing->problem));
+    crashes_ = 0;
+    return std::move(drawing->drawn.fragments);
   }
 
   OcclusionCuller* occlusion_culler() override {

@@ -87,6 +87,12 @@ class WatchedDrawer {
   Result<Drawn> draw(const cases::Case& c, std::optional<cases::DrawBy> way) {
     return watched([&] { return draw_in(c, way); });
   }
+  Result<cases::Fragments> draw_assembled(const Request& request) {
+    return watched([&] {
+      return backend_->assembler()->draw_assembled(request.source, request.topology,
+                                                   request.indices);
+    });
+  }
   Result<bool> is_occluded(const cases::Case& c, std::size_t occluders) {
     return watched([&] { return backend_->occlusion_culler()->is_occluded(c, occluders); });
   }
@@ -173,6 +179,11 @@ std::string answer_to(const Request& request, const Backend& backend, WatchedDra
     Result<cases::Picture> picture = drawer.draw_picture(request.source, request.pipeline);
     if (!picture) return pack(PictureAnswer{{}, picture.error()});
     return pack(PictureAnswer{*std::move(picture)});
+  }
+  if (request.question == Question::assembly) {
+    Result<cases::Fragments> fragments = drawer.draw_assembled(request);
+    if (!fragments) return pack(DrawingAnswer{{}, fragments.error()});
+    return pack(DrawingAnswer{Drawn{{}, *std::move(fragments)}, std::nullopt});
   }
   Result<Drawn> drawn = drawer.draw(request.source, request.way);
   if (!drawn) return pack(DrawingAnswer{{}, drawn.error()});

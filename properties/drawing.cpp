@@ -104,7 +104,9 @@ Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way,
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend) {
-  if (!cases::promises_all_of(backend.contract(c), c)) return tl::unexpected(no_promise());
+  if (Result<void> promised = check_depth_range(c, backend); !promised) {
+    return tl::unexpected(promised.error());
+  }
   Result<cases::Fragments> drawn =
       drawn_by(c, [&] { return backend.assembler()->draw_assembled(c, topology, indices); });
   if (drawn) amend(c, backend, *drawn);

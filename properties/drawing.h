@@ -28,8 +28,8 @@ Result<backends::Drawn> draw_promised(const cases::Case& c, backends::Backend& b
 Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way,
                                  backends::Backend& backend);
 
-/// Like draw_promised(), but draws a list, strip or fan of the case's vertices. The backend must
-/// have an assembler. (The functions below need a vertex stage or a picture drawer.)
+/// Like draw(), but draws a list, strip or fan of the case's vertices. The backend must have an
+/// assembler. (The functions below need a vertex stage or a picture drawer.)
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend);

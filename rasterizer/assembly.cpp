@@ -44,22 +44,48 @@ glm::uvec3 triangle(Topology topology, Convention convention, Indices run, std::
   return {run[i + 1], run[i + 2], run[0]};
 }
 
+std::size_t line_count(LineTopology topology, std::size_t indices) {
+  if (topology == LineTopology::list) return indices / 2;
+  return indices < 2 ? 0 : indices - 1;
+}
+
+/// Appends `count(run)` primitives for each run of indices, `primitive(run, i)` for i from 0 on.
+template <typename Count, typename Primitive>
+std::optional<Error> append(Indices indices, const Count& count, const Primitive& primitive,
+                            std::vector<glm::uvec3>& to) {
+  std::size_t more = 0;
+  for_each_run(indices, [&](Indices run) { more += count(run.size()); });
+  const std::size_t before = to.size();
+  if (before > kMaxTriangles || more > kMaxTriangles - before) return Error::triangle_count;
+  if (const auto error = try_allocating([&] { to.resize(before + more); })) return error;
+  auto next = to.begin() + static_cast<std::ptrdiff_t>(before);
+  for_each_run(indices, [&](Indices run) {
+    for (std::size_t i = 0; i < count(run.size()); ++i) *next++ = primitive(run, i);
+  });
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Error> assemble(Topology topology, std::span<const std::uint32_t> indices,
                               Convention convention, std::vector<glm::uvec3>& triangles) {
-  std::size_t count = 0;
-  for_each_run(indices, [&](Indices run) { count += triangle_count(topology, run.size()); });
-  const std::size_t before = triangles.size();
-  if (before > kMaxTriangles || count > kMaxTriangles - before) return Error::triangle_count;
-  if (const auto error = try_allocating([&] { triangles.resize(before + count); })) return error;
-  auto next = triangles.begin() + static_cast<std::ptrdiff_t>(before);
-  for_each_run(indices, [&](Indices run) {
-    for (std::size_t i = 0; i < triangle_count(topology, run.size()); ++i) {
-      *next++ = triangle(topology, convention, run, i);
-    }
-  });
-  return std::nullopt;
+  return append(
+      indices, [topology](std::size_t size) { return triangle_count(topology, size); },
+      [topology, convention](Indices run, std::size_t i) {
+        return triangle(topology, convention, run, i);
+      },
+      triangles);
+}
+
+std::optional<Error> assemble_lines(LineTopology topology, std::span<const std::uint32_t> indices,
+                                    std::vector<glm::uvec3>& lines) {
+  return append(
+      indices, [topology](std::size_t size) { return line_count(topology, size); },
+      [topology](Indices run, std::size_t i) -> glm::uvec3 {
+        const std::size_t first = topology == LineTopology::list ? 2 * i : i;
+        return {run[first], run[first + 1], run[first + 1]};
+      },
+      lines);
 }
 
 }  // namespace rastercheck::rasterizer

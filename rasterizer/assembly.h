@@ -1,8 +1,8 @@
 #pragma once
 
-// Turns the indices of strips and fans into triangles of a Mesh. Each triangle has the vertex order
-// of the API, so facing and the provoking vertex (rasterizer.h) match the API. For a strip or fan
-// with vertices 0, 1, 2, …, triangle i is
+// Turns the indices of strips and fans into triangles of a Mesh, and those of strips into lines.
+// Each triangle has the vertex order of the API, so facing and the provoking vertex (rasterizer.h)
+// match the API. For a strip or fan with vertices 0, 1, 2, …, triangle i is
 //
 //   | | vulkan, d3d: vertex 0 provokes | opengl: vertex 2 provokes |
 //   | strip, i even | i, i + 1, i + 2 | i, i + 1, i + 2 |
@@ -36,5 +36,13 @@ inline constexpr std::uint32_t kRestart = 0xffffffff;
 /// vertices exist; the draw checks that.
 std::optional<Error> assemble(Topology topology, std::span<const std::uint32_t> indices,
                               Convention convention, std::vector<glm::uvec3>& triangles);
+
+/// How indices become lines: every two of a list make one, every two neighbours of a strip.
+enum class LineTopology { list, strip };
+
+/// Like assemble(), but appends lines as Mesh has them: (a, b, b). Ignores an index that is left
+/// over at the end of a list, and a strip of one.
+std::optional<Error> assemble_lines(LineTopology topology, std::span<const std::uint32_t> indices,
+                                    std::vector<glm::uvec3>& lines);
 
 }  // namespace rastercheck::rasterizer

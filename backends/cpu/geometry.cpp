@@ -33,6 +33,10 @@ ras::Topology word(cases::Topology topology) {
   return ras::Topology::fan;
 }
 
+ras::LineTopology line_word(cases::Topology topology) {
+  return topology == cases::Topology::strip ? ras::LineTopology::strip : ras::LineTopology::list;
+}
+
 }  // namespace
 
 Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c) {
@@ -80,10 +84,17 @@ Result<std::vector<cases::Normal>> transformed_normals(const cases::Matrix4& mod
 Result<cases::Case> assembled(const cases::Case& c, cases::Topology topology,
                               std::span<const std::uint32_t> indices) {
   static_assert(cases::kRestart == ras::kRestart);
-  std::vector<glm::uvec3> triangles;
-  if (const auto error = ras::assemble(word(topology), indices, convention(c.rules), triangles)) {
-    return tl::unexpected(refused(*error));
+  const bool is_of_lines = c.primitive == cases::Primitive::lines;
+  if (c.primitive == cases::Primitive::points ||
+      (is_of_lines && topology == cases::Topology::fan)) {
+    return tl::unexpected(
+        Error{"", "", "the case's primitives have no such topology", Failure::unsupported});
   }
+  std::vector<glm::uvec3> triangles;
+  const auto error = is_of_lines
+                         ? ras::assemble_lines(line_word(topology), indices, triangles)
+                         : ras::assemble(word(topology), indices, convention(c.rules), triangles);
+  if (error) return tl::unexpected(refused(*error));
   cases::Case result = c;
   result.triangles.clear();
   for (const glm::uvec3& t : triangles) {

@@ -20,8 +20,9 @@ Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c);
 Result<std::vector<cases::Normal>> transformed_normals(const cases::Matrix4& model,
                                                        std::span<const cases::Normal> normals);
 
-/// Returns the case with its triangles replaced by those of a list, strip or fan of its vertices.
-/// Fails if an index is not that of a vertex.
+/// Returns the case with its triangles replaced by those of a list, strip or fan of its vertices,
+/// or its lines by those of a list or strip. Fails if an index is not that of a vertex, with
+/// Failure::unsupported if the case's primitives have no such topology.
 Result<cases::Case> assembled(const cases::Case& c, cases::Topology topology,
                               std::span<const std::uint32_t> indices);
 

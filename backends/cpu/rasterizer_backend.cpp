@@ -130,7 +130,8 @@ class RasterizerBackend : public Backend,
     return {.capabilities = capabilities(),
             .same_as = variants(options_),
             .answers_occlusion_queries = true,
-            .draws_pictures = draws_pictures()};
+            .draws_pictures = draws_pictures(),
+            .assembles = true};
   }
   cases::Contract promise(const cases::Case& c) const override {
     cases::Contract contract = production_contract(c, options_.precision);

@@ -24,6 +24,7 @@
 #include "backends/gl/internal/objects.h"
 #include "backends/gl/internal/picture_drawing.h"
 #include "backends/gl/internal/varyings.h"
+#include "backends/indexed_draw.h"
 #include "backends/unorm_depth.h"
 #include "backends/upright_viewport.h"
 #include "cases/json.h"
@@ -49,6 +50,7 @@ struct LayerFragments {
 /// The settings that all batches of a case share.
 struct Batches {
   const cases::Case* c = nullptr;
+  const IndexedDraw* indexed = nullptr;  ///< drawn in place of lists, if given
   std::vector<Pass> passes;
   int layers = 1;                  ///< per batch
   std::size_t triangles = 1;       ///< per layer
@@ -103,9 +105,10 @@ struct CaseDrawer::Impl {
   Result<void> draw_pass(const Batches& plan, const Pass& pass, std::size_t first, int layer_count,
                          Layers& layers);
   Result<void> draw_batch(const Batches& plan, std::size_t first, cases::Fragments& drawn);
-  Result<cases::Fragments> draw_layers(const cases::Case& c, const std::function<void()>& go_on);
-  Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
-                                      const std::function<void()>& go_on);
+  Result<cases::Fragments> draw_layers(const cases::Case& c, const IndexedDraw* indexed,
+                                       const std::function<void()>& go_on);
+  Result<cases::Fragments> append_all(const cases::Case& c, const IndexedDraw* indexed,
+                                      bool is_checked, const std::function<void()>& go_on);
   bool appends(const cases::Case& c) const;
   Result<void> recover_depths(const Batches& plan, const Pass& pass, std::size_t layer,
                               Layers& layers);
@@ -119,6 +122,7 @@ struct CaseDrawer::Impl {
   LayerStore store;
   Object vertex_array;
   Object vertices;
+  Object indices;
   LayerContent content;
   std::optional<FragmentBuffer> buffer;
   PictureDrawing pictures;
@@ -166,6 +170,7 @@ Result<void> CaseDrawer::Impl::prepare() {
   }
   vertex_array = generate_vertex_array();
   vertices = generate_buffer();
+  indices = generate_buffer();
   const Result<Layers*> layers = store.get({{1, 1, 1}, 1, 1});
   if (!layers) return tl::unexpected(layers.error());
   glBindFramebuffer(GL_FRAMEBUFFER, (*layers)->framebuffer(0));
@@ -215,7 +220,10 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
   const std::size_t count = static_cast<std::size_t>(layer_count) * plan.triangles;
   const Result<GLuint> program = programs.get(c, pass);
   if (!program) return tl::unexpected(program.error());
-  hand_over_vertices(has, c, std::span(c.triangles).subspan(first, count), pass,
+  hand_over_vertices(has, pass,
+                     plan.indexed != nullptr
+                         ? vertices_of(has, c, *plan.indexed, pass)
+                         : vertices_of(has, c, std::span(c.triangles).subspan(first, count), pass),
                      vertex_array.name(), vertices.name());
   use_program(*program, c);
   set_case_state(has, c);
@@ -228,7 +236,11 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
     glClearBufferfv(GL_COLOR, 0, kNoNumber.data());
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     set_scissor(c);
-    draw_primitives(c, layer * plan.triangles, plan.triangles);
+    if (plan.indexed != nullptr) {
+      draw_indices(c, *plan.indexed, indices.name());
+    } else {
+      draw_primitives(c, layer * plan.triangles, plan.triangles);
+    }
   }
   reset_case_state(has);
   return check("drawing");
@@ -247,7 +259,8 @@ Result<void> CaseDrawer::Impl::recover_depths(const Batches& plan, const Pass& p
     const cases::Case all = covering_at_one(*plan.c);
     const Result<GLuint> program = programs.get(all, pass);
     if (!program) return tl::unexpected(program.error());
-    hand_over_vertices(has, all, all.triangles, pass, vertex_array.name(), vertices.name());
+    hand_over_vertices(has, pass, vertices_of(has, all, all.triangles, pass), vertex_array.name(),
+                       vertices.name());
     use_program(*program, all);
     set_case_state(has, all);
     glDepthFunc(GL_EQUAL);
@@ -339,11 +352,13 @@ Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first
 }
 
 Result<cases::Fragments> CaseDrawer::Impl::draw_layers(const cases::Case& c,
+                                                       const IndexedDraw* indexed,
                                                        const std::function<void()>& go_on) {
   cases::Fragments drawn;
   drawn.attribute_count = c.attributes.size();
-  const Result<Batches> batches = plan(c);
+  Result<Batches> batches = plan(c);
   if (!batches) return tl::unexpected(batches.error());
+  batches->indexed = indexed;
   const std::size_t of_batch = static_cast<std::size_t>(batches->layers) * batches->triangles;
   for (std::size_t first = 0; first < c.triangles.size(); first += of_batch) {
     const Result<void> done = draw_batch(*batches, first, drawn);
@@ -353,7 +368,8 @@ Result<cases::Fragments> CaseDrawer::Impl::draw_layers(const cases::Case& c,
   return drawn;
 }
 
-Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool is_checked,
+Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c,
+                                                      const IndexedDraw* indexed, bool is_checked,
                                                       const std::function<void()>& go_on) {
   std::string what = lacks_of_appending(c);
   if (!buffer) what = has.api + " has no storage buffers for fragments";
@@ -371,11 +387,17 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool
   }
   const AppendingDriver driver{
       buffer->most_words(),
-      [&](std::size_t layout, std::size_t first, std::size_t count, std::size_t room) {
-        return buffer->draw(c, std::span(c.triangles).subspan(first, count), passes[layout], room);
+      [&](std::size_t layout, std::size_t first, std::size_t count,
+          std::size_t room) -> Result<std::size_t> {
+        if (indexed == nullptr) {
+          return buffer->draw(c, std::span(c.triangles).subspan(first, count), passes[layout],
+                              room);
+        }
+        if (count < c.triangles.size()) return unsupported("too many fragments for one draw");
+        return buffer->draw(c, *indexed, passes[layout], room);
       },
       [&] { return buffer->words(); },
-      [&](const cases::Case& some) { return draw_layers(some, go_on); }};
+      [&](const cases::Case& some) { return draw_layers(some, nullptr, go_on); }};
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
@@ -400,7 +422,25 @@ Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c, std::optional<ca
   impl_->complaint.clear();
   const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
   Result<cases::Fragments> drawn =
-      appends ? impl_->append_all(c, !way, go_on) : impl_->draw_layers(c, go_on);
+      appends ? impl_->append_all(c, nullptr, !way, go_on) : impl_->draw_layers(c, nullptr, go_on);
+  if (!drawn) return drawn;
+  if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
+  return drawn;
+}
+
+Result<cases::Fragments> CaseDrawer::draw_assembled(const cases::Case& c, cases::Topology topology,
+                                                    std::span<const std::uint32_t> indices,
+                                                    const std::function<void()>& go_on) {
+  const auto upright = with_upright_viewport(c, NegativeSizes::none);
+  cases::Case drawn_case = upright ? *upright : c;
+  const Result<IndexedDraw> indexed = indexed_draw(drawn_case, topology, indices);
+  if (!indexed) return tl::unexpected(indexed.error());
+  drawn_case.triangles = indexed->primitives;
+  impl_->complaint.clear();
+  const bool is_together = drawn_case.depth_test == cases::DepthTest::less;
+  Result<cases::Fragments> drawn = is_together
+                                       ? impl_->draw_layers(drawn_case, &*indexed, go_on)
+                                       : impl_->append_all(drawn_case, &*indexed, false, go_on);
   if (!drawn) return drawn;
   if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
   return drawn;

@@ -2,9 +2,11 @@
 
 // Draws cases through OpenGL.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "backends/gl/context.h"
@@ -44,6 +46,13 @@ class CaseDrawer {
   /// lacks something that the case needs.
   Result<cases::Fragments> draw(
       const cases::Case& c, std::optional<cases::DrawBy> way = std::nullopt,
+      const std::function<void()>& go_on = [] {});
+
+  /// Draws indices in place of the case's triangles, as Assembler::draw_assembled() does, in one
+  /// draw call: into a layer if there is a depth test, or else appending fragments. Fails with
+  /// Failure::unsupported if neither can draw the case.
+  Result<cases::Fragments> draw_assembled(
+      const cases::Case& c, cases::Topology topology, std::span<const std::uint32_t> indices,
       const std::function<void()>& go_on = [] {});
 
   /// Draws all triangles of a case in one draw call, as PictureDrawer::draw_picture() does.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,7 +39,7 @@ bool is_software(std::string_view renderer) {
 constexpr int kSubtexelBits = 4;
 constexpr int kSubtexelBitsOfMesa = 8;
 
-class GlBackend : public Backend, public WaysOfDrawing, public PictureDrawer {
+class GlBackend : public Backend, public WaysOfDrawing, public PictureDrawer, public Assembler {
  public:
   GlBackend(gl::Context context, gl::CaseDrawer drawer)
       : context_(std::move(context)), drawer_(std::move(drawer)) {}
@@ -53,7 +54,13 @@ class GlBackend : public Backend, public WaysOfDrawing, public PictureDrawer {
             .has_limits = true,
             .capabilities = drawer_.capabilities(),
             .ways = ways(),
-            .draws_pictures = true};
+            .draws_pictures = true,
+            .assembles = true};
+  }
+  Assembler* assembler() override { return this; }
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override {
+    return drawer_.draw_assembled(c, topology, indices, [this] { go_on(); });
   }
   PictureDrawer* picture_drawer() override { return this; }
   Result<cases::Picture> draw_picture(const cases::Case& c,

@@ -8,6 +8,7 @@
 
 #include "cases/json_members.h"
 #include "cases/names.h"
+#include "cases/topology.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::size_t count_of(cases::DepthError /*type*/) { return 3; }
 constexpr std::size_t count_of(cases::KeptDepth /*type*/) { return 4; }
 constexpr std::size_t count_of(cases::Claim /*type*/) { return 2; }
 constexpr std::size_t count_of(Failure /*type*/) { return 5; }
-constexpr std::size_t count_of(Question /*type*/) { return 4; }
+constexpr std::size_t count_of(Question /*type*/) { return 5; }
 constexpr std::size_t count_of(cases::DepthFunction /*type*/) { return 8; }
 constexpr std::size_t count_of(cases::ColorFormat /*type*/) { return 2; }
 constexpr std::size_t count_of(cases::Shading /*type*/) { return 6; }
@@ -132,7 +133,7 @@ void members(Archive& archive, T& p) {
 }
 template <typename Archive, cases::Either<Request> T>
 void members(Archive& archive, T& r) {
-  archive(r.question, r.source, r.way, r.occluders, r.pipeline);
+  archive(r.question, r.source, r.way, r.occluders, r.pipeline, r.topology, r.indices);
 }
 template <typename Archive, cases::Either<Driver> T>
 void members(Archive& archive, T& d) {
@@ -150,7 +151,7 @@ void members(Archive& archive, T& c) {
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
   archive(a.description, a.driver, a.api, a.has_limits, a.capabilities, a.same_as, a.ways,
-          a.answers_occlusion_queries, a.draws_pictures);
+          a.answers_occlusion_queries, a.draws_pictures, a.assembles);
 }
 template <typename Archive, cases::Either<Greeting> T>
 void members(Archive& archive, T& g) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "backends/backend.h"
 #include "cases/case.h"
@@ -18,14 +19,16 @@
 namespace rastercheck::backends {
 
 /// The questions that one process asks the other about a case.
-enum class Question : std::uint8_t { promise, drawing, occlusion, picture };
+enum class Question : std::uint8_t { promise, drawing, occlusion, picture, assembly };
 
 struct Request {
   Question question = Question::drawing;
   cases::Case source;
-  std::optional<cases::DrawBy> way = std::nullopt;  ///< the way of drawing that was asked for
-  std::uint64_t occluders = 0;                      ///< for Question::occlusion
-  cases::Pipeline pipeline = {};                    ///< for Question::picture
+  std::optional<cases::DrawBy> way = std::nullopt;        ///< the way of drawing that was asked for
+  std::uint64_t occluders = 0;                            ///< for Question::occlusion
+  cases::Pipeline pipeline = {};                          ///< for Question::picture
+  cases::Topology topology = cases::Topology::triangles;  ///< for Question::assembly
+  std::vector<std::uint32_t> indices = {};                ///< for Question::assembly
 };
 
 /// The first message of a process: describes its backend, or says why it has none.
@@ -34,7 +37,7 @@ struct Greeting {
   std::optional<Error> problem;
 };
 
-/// The answer to a request for a drawing.
+/// The answer to a request for a drawing; an assembled one leaves out the contract.
 struct DrawingAnswer {
   Drawn drawn;
   std::optional<Error> problem;

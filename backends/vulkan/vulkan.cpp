@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,7 +33,7 @@ using vulkan::Device;
 using vulkan::DrawingResources;
 using vulkan::PictureDrawing;
 
-class VulkanBackend : public Backend, public WaysOfDrawing, public PictureDrawer {
+class VulkanBackend : public Backend, public WaysOfDrawing, public PictureDrawer, public Assembler {
  public:
   VulkanBackend(std::string specification, std::unique_ptr<Device> device,
                 std::unique_ptr<DrawingResources> resources, CaseDrawing drawing)
@@ -51,7 +52,17 @@ class VulkanBackend : public Backend, public WaysOfDrawing, public PictureDrawer
         .has_limits = true,
         .capabilities = vulkan::drawable(device_->limits()),
         .ways = ways(),
-        .draws_pictures = true};
+        .draws_pictures = true,
+        .assembles = true};
+  }
+  Assembler* assembler() override { return this; }
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override {
+    const auto upright = with_upright_viewport(c, NegativeSizes::height);
+    const cases::Case& drawn = upright ? *upright : c;
+    const std::string missing = vulkan::lacks(device_->limits(), drawn);
+    if (!missing.empty()) return lacking(missing);
+    return checked(drawing_.draw_assembled(drawn, topology, indices, [this] { go_on(); }));
   }
   WaysOfDrawing* ways_of_drawing() override { return this; }
   std::vector<cases::DrawBy> ways() const override { return drawing_.ways(); }

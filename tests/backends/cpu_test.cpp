@@ -17,6 +17,7 @@
 #include "oracle/judged_transform.h"
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
+#include "tests/backends/assembled_cases.h"
 
 namespace rastercheck::backends::cpu_test {
 namespace {
@@ -421,47 +422,13 @@ TEST(Cpu, ReadsMatricesRowByRow) {
 }
 
 TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
-  cases::Case c;
-  c.framebuffer = {8, 8, 1};
-  c.viewport.width = 8;
-  c.viewport.height = 8;
-  c.positions = {{-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}, {1, 1, 0.5F, 1}};
-  c.attributes = {{"vertex", cases::Interpolation::flat, cases::Location::sample}};
-  c.attribute_values = {0, 1, 2, 3};
-  const std::vector<std::uint32_t> strip{0, 1, 2, 3};
-  const std::vector<std::uint32_t> fan{0, 1, 3, 2};
-  using Triangles = std::vector<cases::Triangle>;
   for (const char* specification : {"cpu", "cpu:output=framebuffer"}) {
     const auto backend = make_backend(specification).value();
-    ASSERT_NE(backend->assembler(), nullptr);
     for (const cases::Rules rules :
          {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
-      c.rules = rules;
-      const bool is_last = rules == cases::Rules::opengl;
-      const auto expect_drawn = [&](cases::Topology topology,
-                                    const std::vector<std::uint32_t>& indices,
-                                    const Triangles& triangles) {
-        c.triangles = triangles;
-        const cases::Fragments expected = backend->draw(c).value().fragments;
-        c.triangles.clear();
-        const cases::Fragments drawn =
-            backend->assembler()->draw_assembled(c, topology, indices).value();
-        EXPECT_EQ(drawn.size(), 64U);
-        EXPECT_EQ(drawn.triangle, expected.triangle) << specification;
-        EXPECT_EQ(drawn.x, expected.x);
-        EXPECT_EQ(drawn.attributes, expected.attributes) << specification;
-      };
-      expect_drawn(cases::Topology::strip, strip,
-                   is_last ? Triangles{{0, 1, 2}, {2, 1, 3}} : Triangles{{0, 1, 2}, {1, 3, 2}});
-      expect_drawn(cases::Topology::fan, fan,
-                   is_last ? Triangles{{0, 1, 3}, {0, 3, 2}} : Triangles{{1, 3, 0}, {3, 2, 0}});
-      expect_drawn(cases::Topology::triangles, {0, 1, 2, cases::kRestart, 2, 1, 3, 0},
-                   {{0, 1, 2}, {2, 1, 3}});
+      expect_strips_and_fans(*backend, rules);
+      expect_strips_of_lines(*backend, rules);
     }
-    const auto refused = backend->assembler()->draw_assembled(c, cases::Topology::strip,
-                                                              std::vector<std::uint32_t>{0, 1, 4});
-    ASSERT_FALSE(refused.has_value());
-    EXPECT_NE(refused.error().reason.find("vertex index"), std::string::npos);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/backends/assembled_cases.h"
 #include "tests/backends/drivers.h"
 #include "tests/backends/lines_and_points.h"
 #include "tests/backends/stored_depth.h"
@@ -349,6 +350,19 @@ TEST_P(GlBackend, BiasesBySlope) { expect_slopes(backend()); }
 TEST_P(GlBackend, ClampsTheBias) { expect_clamped_bias(backend()); }
 TEST_P(GlBackend, LimitsBiasedDepths) { expect_limited_depths(backend()); }
 TEST_P(GlBackend, ComparesStoredDepths) { expect_tests_of_stored_depths(backend()); }
+
+TEST_P(GlBackend, DrawsStripsAndFans) {
+  if (is_es()) {  // it cannot append fragments
+    const std::vector<std::uint32_t> strip{0, 1, 2, 3};
+    const auto drawn = backend().assembler()->draw_assembled(case_of_corners(cases::Rules::opengl),
+                                                             cases::Topology::strip, strip);
+    ASSERT_FALSE(drawn);
+    EXPECT_EQ(drawn.error().failure, Failure::unsupported);
+    return;
+  }
+  expect_strips_and_fans(backend(), cases::Rules::opengl);
+  expect_strips_of_lines(backend(), cases::Rules::opengl);
+}
 
 TEST_P(GlBackend, DrawsLines) {
   expect_lines(backend(), cases::Rules::opengl, cases::LineMode::bresenham);

@@ -13,6 +13,7 @@
 #include "backends/backend.h"
 #include "backends/factory.h"
 #include "cases/case_reader.h"
+#include "tests/backends/assembled_cases.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::backends::isolation_test {
@@ -66,6 +67,14 @@ TEST(Isolation, DrawsTheSameBitsAndPromisesTheSame) {
     fragments += drawn->fragments.size();
   }
   EXPECT_GT(fragments, 8000);
+}
+
+TEST(Isolation, AssemblesStripsAndFans) {
+  const auto isolated = make_isolated_backend("cpu", isolation()).value();
+  expect_strips_and_fans(*isolated, cases::Rules::opengl);
+  expect_strips_of_lines(*isolated, cases::Rules::vulkan);
+  const auto method = make_isolated_backend("method:rational-linear", isolation()).value();
+  EXPECT_EQ(method->assembler(), nullptr);
 }
 
 TEST(Isolation, AnswersOcclusionQueriesAlike) {

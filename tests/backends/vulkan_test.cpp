@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cases/sample_pattern.h"
+#include "tests/backends/assembled_cases.h"
 #include "tests/backends/drivers.h"
 #include "tests/backends/lines_and_points.h"
 #include "tests/backends/stored_depth.h"
@@ -443,6 +444,11 @@ TEST_P(Vulkan, DrawsWithinViewportsOfNegativeWidth) {
   c.viewport.x = kSize;
   c.viewport.width = -kSize;
   EXPECT_EQ(pixels_of(draw(c)), turned);
+}
+
+TEST_P(Vulkan, DrawsStripsAndFans) {
+  expect_strips_and_fans(backend(), cases::Rules::vulkan);
+  expect_strips_of_lines(backend(), cases::Rules::vulkan);
 }
 
 TEST_P(Vulkan, DrawsLines) {

@@ -107,6 +107,20 @@ TEST(Assembly, MakesNothingOfLessThanThree) {
   }
 }
 
+TEST(Assembly, MakesTheLinesOfStripsAndLists) {
+  const auto lines = [](LineTopology topology, const std::vector<std::uint32_t>& indices) {
+    std::vector<glm::uvec3> made;
+    EXPECT_EQ(assemble_lines(topology, indices, made), std::nullopt);
+    return made;
+  };
+  constexpr std::uint32_t r = kRestart;
+  EXPECT_THAT(lines(LineTopology::strip, {4, 5, 6, r, 7, r, r, 8, 9}),
+              ElementsAre(glm::uvec3(4, 5, 5), glm::uvec3(5, 6, 6), glm::uvec3(8, 9, 9)));
+  EXPECT_THAT(lines(LineTopology::list, {4, 5, 6, r, 7, 8, 9, 7}),
+              ElementsAre(glm::uvec3(4, 5, 5), glm::uvec3(7, 8, 8), glm::uvec3(9, 7, 7)));
+  EXPECT_THAT(lines(LineTopology::strip, {}), IsEmpty());
+}
+
 TEST(Assembly, AppendsToWhatIsThere) {
   std::vector<glm::uvec3> triangles{{9, 9, 9}};
   const std::vector<std::uint32_t> indices{0, 1, 2};

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "backends/primitive_vertices.h"
 
@@ -72,7 +73,10 @@ void set_depth_bias(const Capabilities& has, const cases::DepthBias& bias) {
   }
 }
 
-GLenum mode_of(cases::Primitive primitive) {
+GLenum mode_of(cases::Primitive primitive, cases::Topology topology) {
+  const bool is_of_lines = primitive == cases::Primitive::lines;
+  if (topology == cases::Topology::strip) return is_of_lines ? GL_LINE_STRIP : GL_TRIANGLE_STRIP;
+  if (topology == cases::Topology::fan) return GL_TRIANGLE_FAN;
   switch (primitive) {
     case cases::Primitive::triangles:
       return GL_TRIANGLES;
@@ -90,6 +94,42 @@ void set_primitive(const Capabilities& has, const cases::Case& c) {
   if (c.primitive == cases::Primitive::points && !has.is_es) glEnable(GL_PROGRAM_POINT_SIZE);
 }
 
+/// Collects the vertices of a pass, as vertices_of() returns them.
+class VertexData {
+ public:
+  VertexData(const Capabilities& has, const cases::Case& c, const Pass& pass, std::size_t count)
+      : has_(&has), case_(&c), pass_(&pass), values_(count * stride()), to_(values_.data()) {}
+
+  /// Adds the next vertex. No more may be added than were announced.
+  void add(std::uint32_t vertex, float number) {
+    const cases::ClipVertex& p = case_->positions[vertex];
+    std::copy_n(std::array{p.x, p.y, p.z, p.w}.data(), 4, to_);
+    const auto attributes = case_->attributes_of(vertex);
+    for (std::size_t i = 0; i < pass_->size(); ++i) {
+      for (std::size_t k = 0; k < (*pass_)[i].count; ++k) {
+        to_[4 * (1 + i) + k] = attributes[(*pass_)[i].attributes[k]];
+      }
+    }
+    const auto distances = case_->clip_distances_of(vertex);
+    float* const clip = to_ + 4 * (1 + pass_->size());
+    std::copy(distances.begin(), distances.end(), clip);
+    std::fill(clip + distances.size(), clip + 4 * has_->clip_vectors(), kInside);
+    to_[stride() - 1] = number;
+    to_ += stride();
+  }
+
+  std::vector<float> take() { return std::move(values_); }
+
+ private:
+  std::size_t stride() const { return 4 * vectors_of(*has_, *pass_) + 1; }
+
+  const Capabilities* has_;
+  const cases::Case* case_;
+  const Pass* pass_;
+  std::vector<float> values_;
+  float* to_;
+};
+
 }  // namespace
 
 std::size_t inputs_of(const Capabilities& has, const Pass& pass) {
@@ -98,40 +138,32 @@ std::size_t inputs_of(const Capabilities& has, const Pass& pass) {
 
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass) {
-  const std::size_t stride = 4 * vectors_of(has, pass) + 1;
-  std::vector<float> values(vertices_per(c.primitive) * triangles.size() * stride);
-  float* to = values.data();
+  VertexData data(has, c, pass, vertices_per(c.primitive) * triangles.size());
   float number = 0;
   for (const cases::Triangle& triangle : triangles) {
     ++number;
     for (const std::uint32_t vertex : backends::vertices_of(c.primitive, triangle)) {
-      const cases::ClipVertex& p = c.positions[vertex];
-      std::copy_n(std::array{p.x, p.y, p.z, p.w}.data(), 4, to);
-      const auto attributes = c.attributes_of(vertex);
-      for (std::size_t i = 0; i < pass.size(); ++i) {
-        for (std::size_t k = 0; k < pass[i].count; ++k) {
-          to[4 * (1 + i) + k] = attributes[pass[i].attributes[k]];
-        }
-      }
-      const auto distances = c.clip_distances_of(vertex);
-      float* const clip = to + 4 * (1 + pass.size());
-      std::copy(distances.begin(), distances.end(), clip);
-      std::fill(clip + distances.size(), clip + 4 * has.clip_vectors(), kInside);
-      to[stride - 1] = number;
-      to += stride;
+      data.add(vertex, number);
     }
   }
-  return values;
+  return data.take();
 }
 
-void hand_over_vertices(const Capabilities& has, const cases::Case& c,
-                        std::span<const cases::Triangle> triangles, const Pass& pass,
+std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
+                               const IndexedDraw& indexed, const Pass& pass) {
+  VertexData data(has, c, pass, indexed.vertices.size());
+  for (std::size_t place = 0; place < indexed.vertices.size(); ++place) {
+    data.add(indexed.vertices[place], indexed.numbers[place]);
+  }
+  return data.take();
+}
+
+void hand_over_vertices(const Capabilities& has, const Pass& pass, std::span<const float> vertices,
                         GLuint vertex_array, GLuint buffer) {
-  const std::vector<float> values = vertices_of(has, c, triangles, pass);
   glBindVertexArray(vertex_array);
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)),
-               values.data(), GL_STREAM_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(),
+               GL_STREAM_DRAW);
   const auto vectors = static_cast<GLuint>(vectors_of(has, pass));
   const auto stride = static_cast<GLsizei>((4 * vectors + 1) * sizeof(float));
   for (GLuint i = 0; i < kMostInputs; ++i) {
@@ -149,8 +181,23 @@ void hand_over_vertices(const Capabilities& has, const cases::Case& c,
 
 void draw_primitives(const cases::Case& c, std::size_t first, std::size_t count) {
   const std::size_t vertices = vertices_per(c.primitive);
-  glDrawArrays(mode_of(c.primitive), static_cast<GLint>(first * vertices),
-               static_cast<GLsizei>(count * vertices));
+  glDrawArrays(mode_of(c.primitive, cases::Topology::triangles),
+               static_cast<GLint>(first * vertices), static_cast<GLsizei>(count * vertices));
+}
+
+void draw_indices(const cases::Case& c, const IndexedDraw& indexed, GLuint buffer) {
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(indexed.order.size() * sizeof(std::uint32_t)),
+               indexed.order.data(), GL_STREAM_DRAW);
+  // Every version that cases are drawn with has one of the two.
+  const bool has_fixed = epoxy_gl_version() >= 43 || !epoxy_is_desktop_gl();
+  const GLenum restart = has_fixed ? GL_PRIMITIVE_RESTART_FIXED_INDEX : GL_PRIMITIVE_RESTART;
+  if (!has_fixed) glPrimitiveRestartIndex(cases::kRestart);
+  glEnable(restart);
+  glDrawElements(mode_of(c.primitive, indexed.topology), static_cast<GLsizei>(indexed.order.size()),
+                 GL_UNSIGNED_INT, nullptr);
+  glDisable(restart);
 }
 
 void use_program(GLuint program, const cases::Case& c) {

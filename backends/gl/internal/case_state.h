@@ -10,6 +10,7 @@
 
 #include "backends/gl/internal/capabilities.h"
 #include "backends/gl/internal/varyings.h"
+#include "backends/indexed_draw.h"
 #include "cases/case.h"
 
 namespace rastercheck::backends::gl {
@@ -26,10 +27,12 @@ std::size_t inputs_of(const Capabilities& has, const Pass& pass);
 /// the case lacks are positive, so that they clip nothing.
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass);
+/// Likewise, the vertices of a draw of indices with their numbers.
+std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
+                               const IndexedDraw& indexed, const Pass& pass);
 
 /// Puts vertices_of() into the buffer and sets it as the input of a case's program.
-void hand_over_vertices(const Capabilities& has, const cases::Case& c,
-                        std::span<const cases::Triangle> triangles, const Pass& pass,
+void hand_over_vertices(const Capabilities& has, const Pass& pass, std::span<const float> vertices,
                         GLuint vertex_array, GLuint buffer);
 
 /// Makes a case's program the current one, and hands over the size of points.
@@ -38,6 +41,8 @@ void use_program(GLuint program, const cases::Case& c);
 /// Draws `count` triangles, lines or points, from that with index `first` on, of those that were
 /// handed over.
 void draw_primitives(const cases::Case& c, std::size_t first, std::size_t count);
+/// Draws the indices of a draw whose vertices were handed over. `buffer` is for the indices.
+void draw_indices(const cases::Case& c, const IndexedDraw& indexed, GLuint buffer);
 
 /// Sets the case's state except the scissor test, which also affects clears: set that with
 /// set_scissor() after clearing the target.

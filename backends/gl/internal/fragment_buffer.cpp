@@ -21,6 +21,7 @@ FragmentBuffer::FragmentBuffer(const Capabilities& has, CasePrograms& programs)
       programs_(&programs),
       vertex_array_(generate_vertex_array()),
       vertices_(generate_buffer()),
+      indices_(generate_buffer()),
       records_(generate_buffer()),
       target_(generate_framebuffer()) {}
 
@@ -39,8 +40,26 @@ Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
                                          const Pass& pass, std::size_t room) {
   const Result<GLuint> program = programs_->get(c, pass, Output::records);
   if (!program) return tl::unexpected(program.error());
-  hand_over_vertices(*has_, c, triangles, pass, vertex_array_.name(), vertices_.name());
-  const std::size_t words_of_record = kRecordHead + 4 * pass.size();
+  hand_over_vertices(*has_, pass, vertices_of(*has_, c, triangles, pass), vertex_array_.name(),
+                     vertices_.name());
+  return append(c, *program, kRecordHead + 4 * pass.size(), room,
+                [&] { draw_primitives(c, 0, triangles.size()); });
+}
+
+Result<std::size_t> FragmentBuffer::draw(const cases::Case& c, const IndexedDraw& indexed,
+                                         const Pass& pass, std::size_t room) {
+  const Result<GLuint> program = programs_->get(c, pass, Output::records);
+  if (!program) return tl::unexpected(program.error());
+  hand_over_vertices(*has_, pass, vertices_of(*has_, c, indexed, pass), vertex_array_.name(),
+                     vertices_.name());
+  return append(c, *program, kRecordHead + 4 * pass.size(), room,
+                [&] { draw_indices(c, indexed, indices_.name()); });
+}
+
+template <typename Draw>
+Result<std::size_t> FragmentBuffer::append(const cases::Case& c, GLuint program,
+                                           std::size_t words_of_record, std::size_t room,
+                                           const Draw& draw) {
   const std::size_t bytes = (1 + room * words_of_record) * kWord;
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, records_.name());
   if (bytes > bytes_) {
@@ -53,13 +72,13 @@ Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, records_.name());
 
   bind_target(c.framebuffer);
-  use_program(*program, c);
-  glUniform1ui(glGetUniformLocation(*program, "room"), static_cast<GLuint>(room));
+  use_program(program, c);
+  glUniform1ui(glGetUniformLocation(program, "room"), static_cast<GLuint>(room));
   set_case_state(*has_, c);
   // A depth test that runs before the shader would discard fragments.
   glDisable(GL_DEPTH_TEST);
   set_scissor(c);
-  draw_primitives(c, 0, triangles.size());
+  draw();
   reset_case_state(*has_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::uint32_t count = 0;

@@ -186,7 +186,8 @@ Result<void> PictureDrawing::draw_into(const Layers& layers, const cases::Case& 
   const Result<PictureProgram> program = programs_.get(shading);
   if (!program) return tl::unexpected(program.error());
 
-  hand_over_vertices(*has_, c, c.triangles, shading.pass, vertex_array_.name(), vertices_.name());
+  hand_over_vertices(*has_, shading.pass, vertices_of(*has_, c, c.triangles, shading.pass),
+                     vertex_array_.name(), vertices_.name());
   use_program(program->name, c);
   glActiveTexture(GL_TEXTURE0);
   Object texture;

@@ -100,6 +100,14 @@ void append_primitive(const cases::Case& c, Pass pass, const VertexLayout& layou
   }
 }
 
+void append_places(const cases::Case& c, Pass pass, const VertexLayout& layout,
+                   const IndexedDraw& indexed, std::vector<float>& floats) {
+  for (std::size_t place = 0; place < indexed.vertices.size(); ++place) {
+    const auto number = static_cast<std::size_t>(indexed.numbers[place]);
+    append_vertex(c, pass, layout, number, indexed.vertices[place], floats);
+  }
+}
+
 std::uint32_t vertices_of(const cases::Case& c, std::size_t primitives) {
   return static_cast<std::uint32_t>(vertices_per(c.primitive) * primitives);
 }
@@ -120,6 +128,18 @@ void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline
   vkCmdSetDepthBiasEnable(buffer, bias.is_none() ? VK_FALSE : VK_TRUE);
   vkCmdSetDepthBias(buffer, bias.constant, bias.clamp, bias.slope);
   if (c.primitive == cases::Primitive::lines) vkCmdSetLineWidth(buffer, c.line_width);
+}
+
+void draw_indices(VkCommandBuffer buffer, const IndexedDraw& indexed, VkBuffer indices) {
+  vkCmdBindIndexBuffer(buffer, indices, 0, VK_INDEX_TYPE_UINT32);
+  if (indexed.topology != cases::Topology::triangles) {
+    vkCmdDrawIndexed(buffer, static_cast<std::uint32_t>(indexed.order.size()), 1, 0, 0, 0);
+    return;
+  }
+  for (const std::span<const std::uint32_t> run : runs_of(indexed.order)) {
+    const auto first = static_cast<std::uint32_t>(run.data() - indexed.order.data());
+    vkCmdDrawIndexed(buffer, static_cast<std::uint32_t>(run.size()), 1, first, 0, 0);
+  }
 }
 
 }  // namespace rastercheck::backends::vulkan

@@ -194,18 +194,21 @@ struct CaseDrawing::Impl {
       : shared(&the_resources), records(std::move(the_records)) {}
 
   const Limits& limits() const { return shared->device->limits(); }
-  Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
-                           const Target& target);
+  Result<void> draw_layers(const cases::Case& c, const IndexedDraw* indexed, Pass pass,
+                           std::span<const Layer> layers, const Target& target);
   Result<void> draw_ones(const cases::Case& c, Pass pass, std::size_t layer_count,
                          const Target& target);
-  Result<cases::Fragments> draw_in_layers(const cases::Case& c, const std::function<void()>& go_on);
-  Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
-                                      const std::function<void()>& go_on);
+  Result<cases::Fragments> draw_in_layers(const cases::Case& c, const IndexedDraw* indexed,
+                                          const std::function<void()>& go_on);
+  Result<cases::Fragments> append_all(const cases::Case& c, const IndexedDraw* indexed,
+                                      bool is_checked, const std::function<void()>& go_on);
   bool appends(const cases::Case& c) const;
-  Result<std::size_t> append_some(const cases::Case& c, Pass pass, std::size_t first,
-                                  std::size_t count, std::size_t room);
-  void record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
-              std::span<const Layer> layers, const Target& target) const;
+  Result<std::size_t> append_some(const cases::Case& c, const IndexedDraw* indexed, Pass pass,
+                                  std::size_t first, std::size_t count, std::size_t room);
+  void record(VkCommandBuffer buffer, const cases::Case& c, const IndexedDraw* indexed,
+              VkPipeline pipeline, std::span<const Layer> layers, const Target& target) const;
+  Result<void> hand_over(const IndexedDraw& indexed, const cases::Case& c, Pass pass,
+                         const VertexLayout& layout);
 
   DrawingResources* shared;
   FragmentBuffer records;
@@ -216,23 +219,36 @@ CaseDrawing::CaseDrawing(CaseDrawing&& other) noexcept = default;
 CaseDrawing& CaseDrawing::operator=(CaseDrawing&& other) noexcept = default;
 CaseDrawing::~CaseDrawing() = default;
 
-Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
-                                            std::span<const Layer> layers,
+/// Hands over the vertices and the indices of a draw.
+Result<void> CaseDrawing::Impl::hand_over(const IndexedDraw& indexed, const cases::Case& c,
+                                          Pass pass, const VertexLayout& layout) {
+  std::vector<float> floats;
+  append_places(c, pass, layout, indexed, floats);
+  return shared->hand_over(floats).and_then([&] { return shared->hand_over(indexed.order); });
+}
+
+/// Draws the layers' triangles, or the indices if there are any, for which there is one layer.
+Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, const IndexedDraw* indexed,
+                                            Pass pass, std::span<const Layer> layers,
                                             const Target& target_of) {
-  const PipelineKind kind = kind_of(c, limits(), pass);
+  PipelineKind kind = kind_of(c, limits(), pass);
+  if (indexed != nullptr) kind.topology = indexed->topology;
   const Result<VkPipeline> pipeline = shared->pipelines.get(*shared->device, kind);
   if (!pipeline) return tl::unexpected(pipeline.error());
   const VertexLayout layout = vertex_layout(kind);
-  std::vector<float> floats;
-  for (const Layer& layer : layers) {
-    for (const std::size_t triangle : layer) {
-      append_primitive(c, pass, layout, triangle, triangle + 1, floats);
+  if (indexed != nullptr) {
+    if (Result<void> handed = hand_over(*indexed, c, pass, layout); !handed) return handed;
+  } else {
+    std::vector<float> floats;
+    for (const Layer& layer : layers) {
+      for (const std::size_t triangle : layer) {
+        append_primitive(c, pass, layout, triangle, triangle + 1, floats);
+      }
     }
+    if (Result<void> handed = shared->hand_over(floats); !handed) return handed;
   }
-  if (Result<void> handed = shared->hand_over(floats); !handed) return handed;
-
   return shared->commands.run(*shared->device, [&](VkCommandBuffer buffer) {
-    record(buffer, c, *pipeline, layers, target_of);
+    record(buffer, c, indexed, *pipeline, layers, target_of);
   });
 }
 
@@ -259,7 +275,8 @@ Result<void> CaseDrawing::Impl::draw_ones(const cases::Case& c, Pass pass, std::
   });
 }
 
-void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
+void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c,
+                               const IndexedDraw* indexed, VkPipeline pipeline,
                                std::span<const Layer> layers, const Target& target_of) const {
   target_of.begin(buffer);
   bind_case(buffer, c, pipeline, shared->vertices.buffer.get());
@@ -267,7 +284,11 @@ void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkP
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const std::uint32_t count = vertices_of(c, layers[i].size());
     target_of.begin_layer(buffer, i, c.depth_clear.value_or(1));
-    vkCmdDraw(buffer, count, 1, first, 0);
+    if (indexed != nullptr) {
+      draw_indices(buffer, *indexed, shared->indices.buffer.get());
+    } else {
+      vkCmdDraw(buffer, count, 1, first, 0);
+    }
     Target::end_layer(buffer);
     first += count;
   }
@@ -281,6 +302,7 @@ Result<CaseDrawing> CaseDrawing::create(DrawingResources& resources) {
 }
 
 Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
+                                                           const IndexedDraw* indexed,
                                                            const std::function<void()>& go_on) {
   CaseFragments fragments(c);
   if (c.triangles.empty()) return fragments.take();
@@ -307,7 +329,7 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
     for (std::size_t first = 0; first < layers.size(); first += shape.layers) {
       const auto some =
           std::span(layers).subspan(first, std::min(shape.layers, layers.size() - first));
-      if (const auto drawn = draw_layers(c, pass, some, **of_shape); !drawn) {
+      if (const auto drawn = draw_layers(c, indexed, pass, some, **of_shape); !drawn) {
         return tl::unexpected(drawn.error());
       }
       for (std::size_t i = 0; i < some.size(); ++i) {
@@ -328,20 +350,31 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
   return fragments.take();
 }
 
-Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pass,
-                                                   std::size_t first, std::size_t count,
+Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, const IndexedDraw* indexed,
+                                                   Pass pass, std::size_t first, std::size_t count,
                                                    std::size_t room) {
   PipelineKind kind = kind_of(c, limits(), pass);
   kind.output = Output::records;
+  if (indexed != nullptr) kind.topology = indexed->topology;
   const Result<VkPipeline> pipeline = shared->pipelines.get(*shared->device, kind);
   if (!pipeline) return tl::unexpected(pipeline.error());
   const VertexLayout layout = vertex_layout(kind);
-  std::vector<float> floats;
-  for (std::size_t t = 0; t < count; ++t) {
-    append_primitive(c, pass, layout, first + t, t + 1, floats);
+  if (indexed != nullptr) {
+    if (count < c.triangles.size()) {
+      return failed("too many fragments for one draw", Failure::unsupported);
+    }
+    if (Result<void> handed = hand_over(*indexed, c, pass, layout); !handed) {
+      return tl::unexpected(handed.error());
+    }
+  } else {
+    std::vector<float> floats;
+    for (std::size_t t = 0; t < count; ++t) {
+      append_primitive(c, pass, layout, first + t, t + 1, floats);
+    }
+    if (Result<void> handed = shared->hand_over(floats); !handed) {
+      return tl::unexpected(handed.error());
+    }
   }
-  if (Result<void> handed = shared->hand_over(floats); !handed)
-    return tl::unexpected(handed.error());
   const std::size_t words = room * (kRecordHead + kSlotSize * pass.size());
   if (Result<void> ready = records.make_room(*shared->device, words); !ready) {
     return tl::unexpected(ready.error());
@@ -350,7 +383,11 @@ Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pa
     begin_without_images(buffer, c.framebuffer);
     bind_case(buffer, c, *pipeline, shared->vertices.buffer.get());
     records.bind(buffer, shared->pipelines.appending_layout(), room);
-    vkCmdDraw(buffer, vertices_of(c, count), 1, 0, 0);
+    if (indexed != nullptr) {
+      draw_indices(buffer, *indexed, shared->indices.buffer.get());
+    } else {
+      vkCmdDraw(buffer, vertices_of(c, count), 1, 0, 0);
+    }
     vkCmdEndRendering(buffer);
     FragmentBuffer::show_host(buffer);
   });
@@ -358,7 +395,8 @@ Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pa
   return records.count();
 }
 
-Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, bool is_checked,
+Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c,
+                                                       const IndexedDraw* indexed, bool is_checked,
                                                        const std::function<void()>& go_on) {
   std::string what = lacks_of_appending(c);
   if (!limits().fragment_stores) {
@@ -375,10 +413,10 @@ Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, boo
   const AppendingDriver driver{
       records.most_words(),
       [&](std::size_t layout, std::size_t first, std::size_t count, std::size_t room) {
-        return append_some(c, passes[layout], first, count, room);
+        return append_some(c, indexed, passes[layout], first, count, room);
       },
       [&] { return records.words(); },
-      [&](const cases::Case& some) { return draw_in_layers(some, go_on); }};
+      [&](const cases::Case& some) { return draw_in_layers(some, nullptr, go_on); }};
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
@@ -399,7 +437,25 @@ std::vector<cases::DrawBy> CaseDrawing::ways() const {
 Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c, std::optional<cases::DrawBy> way,
                                            const std::function<void()>& go_on) {
   const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
-  return appends ? impl_->append_all(c, !way, go_on) : impl_->draw_in_layers(c, go_on);
+  return appends ? impl_->append_all(c, nullptr, !way, go_on)
+                 : impl_->draw_in_layers(c, nullptr, go_on);
+}
+
+Result<cases::Fragments> CaseDrawing::draw_assembled(const cases::Case& c, cases::Topology topology,
+                                                     std::span<const std::uint32_t> indices,
+                                                     const std::function<void()>& go_on) {
+  const Result<IndexedDraw> indexed = indexed_draw(c, topology, indices);
+  if (!indexed) return tl::unexpected(indexed.error());
+  cases::Case drawn = c;
+  drawn.triangles = indexed->primitives;
+  if (drawn.depth_test == cases::DepthTest::none) {
+    return impl_->append_all(drawn, &*indexed, false, go_on);
+  }
+  // Without an initial depth, layers_of() draws from last to first, which a strip cannot.
+  if (!drawn.depth_clear) {
+    return failed("a depth buffer without an initial depth", Failure::unsupported);
+  }
+  return impl_->draw_in_layers(drawn, &*indexed, go_on);
 }
 
 }  // namespace rastercheck::backends::vulkan

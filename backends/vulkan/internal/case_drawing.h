@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "backends/vulkan/internal/drawing_resources.h"
@@ -10,6 +12,7 @@
 #include "cases/draw_by.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends::vulkan {
 
@@ -35,6 +38,13 @@ class CaseDrawing {
   /// than one case may take, or if the way cannot draw it.
   Result<cases::Fragments> draw(
       const cases::Case& c, std::optional<cases::DrawBy> way = std::nullopt,
+      const std::function<void()>& go_on = [] {});
+
+  /// Draws indices in place of the case's triangles, as Assembler::draw_assembled() does, in one
+  /// draw: into a layer if there is a depth test, or else appending fragments. Fails with
+  /// Failure::unsupported if neither can draw the case.
+  Result<cases::Fragments> draw_assembled(
+      const cases::Case& c, cases::Topology topology, std::span<const std::uint32_t> indices,
       const std::function<void()>& go_on = [] {});
 
  private:

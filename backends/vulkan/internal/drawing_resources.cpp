@@ -13,6 +13,19 @@ namespace {
 /// The most bytes of one layer, out of the 4 GiB that a process has.
 constexpr std::size_t kMost = std::size_t{1} << 30U;
 
+/// Copies bytes to a buffer, which is replaced by a larger one if it has too little room.
+Result<void> copy_to(HostBuffer& buffer, const Device& device, std::span<const std::byte> bytes,
+                     VkBufferUsageFlags usage) {
+  if (buffer.bytes.size() < bytes.size()) {
+    buffer = {};
+    Result<HostBuffer> made = make_host_buffer(device, std::bit_ceil(bytes.size()), usage);
+    if (!made) return tl::unexpected(made.error());
+    buffer = *std::move(made);
+  }
+  std::copy(bytes.begin(), bytes.end(), buffer.bytes.begin());  // none may be copied to none
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_memory(const TargetShape& shape) {
@@ -83,16 +96,13 @@ Result<DepthReading> DrawingResources::depth_reading(const cases::Case& c) {
 }
 
 Result<void> DrawingResources::hand_over(const std::vector<float>& floats) {
-  const std::span<const std::byte> bytes = std::as_bytes(std::span(floats));
-  if (vertices.bytes.size() < bytes.size()) {
-    vertices = {};
-    Result<HostBuffer> made =
-        make_host_buffer(*device, std::bit_ceil(bytes.size()), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    if (!made) return tl::unexpected(made.error());
-    vertices = *std::move(made);
-  }
-  std::copy(bytes.begin(), bytes.end(), vertices.bytes.begin());  // none may be copied to none
-  return {};
+  return copy_to(vertices, *device, std::as_bytes(std::span(floats)),
+                 VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+}
+
+Result<void> DrawingResources::hand_over(const std::vector<std::uint32_t>& some) {
+  return copy_to(indices, *device, std::as_bytes(std::span(some)),
+                 VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
 
 }  // namespace rastercheck::backends::vulkan

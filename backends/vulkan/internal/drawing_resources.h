@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -29,14 +30,16 @@ struct DrawingResources {
   /// Finds out how the depths of a case are to be read, on the first such case by clearing layers
   /// of one pixel to known depths. May replace the target.
   Result<DepthReading> depth_reading(const cases::Case& c);
-  /// Copies floats to the buffer `vertices`.
+  /// Copies floats to the buffer `vertices`, or indices to the buffer `indices`.
   Result<void> hand_over(const std::vector<float>& floats);
+  Result<void> hand_over(const std::vector<std::uint32_t>& some);
 
   const Device* device = nullptr;
   Pipelines pipelines;
   SampleReader reader;
   Commands commands;
   HostBuffer vertices = {};
+  HostBuffer indices = {};
   std::optional<Target> target = std::nullopt;
   /// How shaders convert unorm depths, by bits and samples.
   std::map<std::pair<int, int>, std::optional<UnormFetch>> fetches = {};

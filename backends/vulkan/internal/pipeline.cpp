@@ -23,7 +23,12 @@ VkPipelineColorBlendAttachmentState attachment_state(cases::Blend blend) {
   return state;
 }
 
-VkPrimitiveTopology topology_of(cases::Primitive primitive) {
+VkPrimitiveTopology topology_of(cases::Primitive primitive, cases::Topology topology) {
+  const bool is_of_lines = primitive == cases::Primitive::lines;
+  if (topology == cases::Topology::strip) {
+    return is_of_lines ? VK_PRIMITIVE_TOPOLOGY_LINE_STRIP : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+  }
+  if (topology == cases::Topology::fan) return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN;
   switch (primitive) {
     case cases::Primitive::triangles:
       return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
@@ -95,7 +100,10 @@ void Description::describe_vertices(const PipelineSource& source) {
   vertices.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(source.inputs.size());
   vertices.pVertexAttributeDescriptions = source.inputs.data();
   assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-  assembly.topology = topology_of(source.primitive);
+  assembly.topology = topology_of(source.primitive, source.topology);
+  // Restarts in lists need an extension.
+  assembly.primitiveRestartEnable =
+      source.topology == cases::Topology::triangles ? VK_FALSE : VK_TRUE;
 }
 
 void Description::describe_rasterization(const PipelineSource& source) {

@@ -9,11 +9,12 @@
 #include "backends/vulkan/internal/device.h"
 #include "backends/vulkan/internal/object.h"
 #include "cases/case.h"
+#include "cases/picture.h"
 #include "cases/picture_layout.h"
 
 namespace rastercheck::backends::vulkan {
 
-/// The parts of a pipeline that draws lists of triangles, lines or points. Not among them are the
+/// The parts of a pipeline that draws lists, strips or fans. Not among them are the
 /// viewport, the scissor, culling, the front face, the depth bias, the function of the depth test
 /// and the width of lines, which are set when a draw is recorded.
 struct PipelineSource {
@@ -23,6 +24,7 @@ struct PipelineSource {
   std::uint32_t vertex_size = 0;  ///< bytes
   std::vector<VkVertexInputAttributeDescription> inputs;
   cases::Primitive primitive = cases::Primitive::triangles;
+  cases::Topology topology = cases::Topology::triangles;  ///< strips and fans have restarts
   VkLineRasterizationModeEXT line_mode = VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT;
   int samples = 1;
   bool depth_clamp = false;

@@ -187,6 +187,7 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
   source.vertex_size = bytes(vertex_layout(kind).size);
   source.inputs = inputs_of(kind);
   source.primitive = kind.primitive;
+  source.topology = kind.topology;
   source.line_mode = kind.line_mode;
   source.samples = kind.samples;
   source.depth_clamp = kind.depth_clamp;

@@ -13,6 +13,7 @@
 #include "backends/vulkan/internal/object.h"
 #include "backends/vulkan/slots.h"
 #include "cases/case.h"
+#include "cases/picture.h"
 #include "cases/picture_layout.h"
 
 namespace rastercheck::backends::vulkan {
@@ -28,6 +29,7 @@ enum class Output {
 /// The properties that a pipeline depends on; all other state is set when a draw is recorded.
 struct PipelineKind {
   cases::Primitive primitive = cases::Primitive::triangles;
+  cases::Topology topology = cases::Topology::triangles;
   VkLineRasterizationModeEXT line_mode = VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT;
   int samples = 1;
   bool depth_clamp = false;

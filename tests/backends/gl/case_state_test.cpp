@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace rastercheck::backends::gl::case_state_test {
@@ -38,6 +39,22 @@ TEST(CaseState, PutsEachVertexOfLinesAndPointsOnce) {
   c.primitive = cases::Primitive::points;
   c.triangles = {{1, 1, 1}};
   EXPECT_EQ(vertices_of({}, c, c.triangles, {}), (std::vector<float>{5, 6, 7, 8, 1}));
+}
+
+// Kills: a number at each vertex of its primitive, where a driver that lets another one provoke
+// would draw the same.
+TEST(CaseState, NumbersOnlyTheVerticesThatProvoke) {
+  cases::Case c;
+  c.positions = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
+  c.primitive = cases::Primitive::lines;
+  const std::vector<std::uint32_t> strip{2, 0, cases::kRestart, 1, 0};
+  c.rules = cases::Rules::opengl;
+  const IndexedDraw last = indexed_draw(c, cases::Topology::strip, strip).value();
+  EXPECT_EQ(vertices_of({}, c, last, {}),
+            (std::vector<float>{9, 10, 11, 12, 0, 1, 2, 3, 4, 1, 5, 6, 7, 8, 0, 1, 2, 3, 4, 2}));
+  c.rules = cases::Rules::vulkan;
+  const IndexedDraw first = indexed_draw(c, cases::Topology::strip, strip).value();
+  EXPECT_EQ(first.numbers, (std::vector<float>{1, 0, 2, 0}));
 }
 
 }  // namespace
