@@ -17,12 +17,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <string>
 #include <utility>
 
 #include "properties/choices.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/indexed_vertices.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/random_state.h"
 #include "properties/window_position.h"
@@ -31,10 +31,6 @@ namespace rastercheck::properties::strips_and_fans_are_their_triangles_law {
 namespace {
 
 using cases::Topology;
-
-/// The greatest number of a case's vertices that are drawn; without a limit, a mesh would take
-/// hours.
-constexpr std::size_t kMostVertices = 48;
 
 struct Indexed {
   Topology topology = Topology::strip;
@@ -53,28 +49,6 @@ const char* word(Topology topology) {
   return "fan";
 }
 
-/// Choices made from the positions alone (64-bit FNV-1a of their bits, then further steps of the
-/// hash). The triangles of generated cases follow from these choices, so the choices must not
-/// depend on the triangles, as those of choices_of() do.
-class PositionChoices {
- public:
-  explicit PositionChoices(const cases::Case& c) {
-    for (const cases::ClipVertex& p : c.positions) {
-      for (const float coordinate : {p.x, p.y, p.z, p.w}) {
-        take(std::bit_cast<std::uint32_t>(coordinate));
-      }
-    }
-  }
-  bool one_in(std::uint64_t n) {
-    take(1);
-    return (state_ >> 32) % n == 0;
-  }
-
- private:
-  void take(std::uint64_t bits) { state_ = (state_ ^ bits) * 0x100000001b3U; }
-  std::uint64_t state_ = 0xcbf29ce484222325U;
-};
-
 Indexed indices_of(const cases::Case& c) {
   PositionChoices choices(c);
   Indexed chosen;
@@ -83,12 +57,7 @@ Indexed indices_of(const cases::Case& c) {
   } else if (choices.one_in(2)) {
     chosen.topology = Topology::fan;
   }
-  const auto count = static_cast<std::uint32_t>(std::min(c.positions.size(), kMostVertices));
-  for (std::uint32_t vertex = 0; vertex < count; ++vertex) {
-    if (choices.one_in(9)) chosen.indices.push_back(cases::kRestart);
-    chosen.indices.push_back(vertex);
-    if (choices.one_in(9)) chosen.indices.push_back(vertex);
-  }
+  chosen.indices = indices_with_restarts(c, choices);
   return chosen;
 }
 
@@ -134,16 +103,6 @@ std::vector<cases::Triangle> triangles_of(cases::Rules rules, const Indexed& ind
   }
   end_run();
   return all;
-}
-
-/// The indices as text, "0 1 R 2 3", with R for a restart.
-std::string index_text(const std::vector<std::uint32_t>& indices) {
-  std::string text;
-  for (const std::uint32_t index : indices) {
-    text += text.empty() ? "" : " ";
-    text += index == cases::kRestart ? "R" : std::to_string(index);
-  }
-  return text;
 }
 
 std::string note_of(const cases::Case& expanded, const Indexed& indexed,
