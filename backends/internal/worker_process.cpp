@@ -65,8 +65,11 @@ std::uint64_t most_bytes(const Request& request) {
         4 + 4 * static_cast<double>(std::max<std::size_t>(c.attributes.size(), 4));
     return static_cast<std::uint64_t>(std::min(samples * sample, kMost)) + kMostMessageBytes;
   }
-  if (request.question != Question::drawing) return kMostMessageBytes;
-  const double fragments = samples * static_cast<double>(c.triangles.size());
+  const bool is_assembly = request.question == Question::assembly;
+  if (request.question != Question::drawing && !is_assembly) return kMostMessageBytes;
+  // Each index begins at most one triangle or line.
+  const std::size_t primitives = is_assembly ? request.indices.size() : c.triangles.size();
+  const double fragments = samples * static_cast<double>(primitives);
   // A triangle number, x, y, sample and depth; for each attribute, its value and two derivatives.
   const double fragment = 13 + 12 * static_cast<double>(c.attributes.size());
   return static_cast<std::uint64_t>(std::min(fragments * fragment, kMost)) + kMostMessageBytes;
@@ -139,8 +142,9 @@ Result<std::string> WorkerProcess::ask(const Request& request) {
   log_.read();
   if (process_.has_ended_within({})) return tl::unexpected(loss("after its last answer"));
   log_.forget();
-  const bool is_drawing =
-      request.question == Question::drawing || request.question == Question::picture;
+  const bool is_drawing = request.question == Question::drawing ||
+                          request.question == Question::assembly ||
+                          request.question == Question::picture;
   const std::string_view doing = is_drawing ? kWhileDrawing : "while giving its contract";
   deadline_ = deadline();
   if (!channel_.send(pack(request), [this] { return wait(); })) {
