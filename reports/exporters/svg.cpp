@@ -29,12 +29,14 @@ struct Look {
 };
 // Shapes differ by more than colour: filled or hollow, thin or thick.
 constexpr Look kRight{"r", "fill:#1a7f4b", "drawn, as it must be"};
-constexpr Look kBlank{"b", "fill:none;stroke:#9a9a9a", "not drawn, as it may be"};
+constexpr Look kBlank{"b", "fill:none;stroke:#9a9a9a", "not drawn, correctly"};
+constexpr Look kLeftOut{"l", "fill:none;stroke:#9a9a9a;stroke-dasharray:2 2",
+                        "not drawn, as it may be"};
 constexpr Look kMissing{"m", "fill:#fff;stroke:#c62828;stroke-width:3", "missing"};
 constexpr Look kExtra{"x", "fill:#c62828;stroke:#c62828;stroke-width:3", "drawn, and must not be"};
 constexpr Look kWrong{"w", "fill:#e08a00;stroke:#000;stroke-width:2", "drawn with a wrong value"};
-constexpr Look kFree{"f", "fill:#9a9a9a", "drawn, and may be"};
-constexpr std::array kLooks{kRight, kBlank, kMissing, kExtra, kWrong, kFree};
+constexpr Look kFree{"f", "fill:#9a9a9a", "drawn, as it may be"};
+constexpr std::array kLooks{kRight, kBlank, kLeftOut, kMissing, kExtra, kWrong, kFree};
 
 /// The violation at a sample; nullptr if none.
 const records::Violation* violation_at(const records::Exhibit& exhibit,
@@ -53,7 +55,10 @@ const Look& look_of(const records::Exhibit& exhibit, const InspectedSample& samp
     if (!sample.is_drawn) return kMissing;
     return violation->kind == records::AttributeKind::coverage ? kExtra : kWrong;
   }
-  if (!sample.is_drawn) return sample.verdict == Verdict::required ? kMissing : kBlank;
+  if (!sample.is_drawn) {
+    if (sample.verdict == Verdict::required) return kMissing;
+    return sample.verdict == Verdict::permitted ? kLeftOut : kBlank;
+  }
   if (sample.verdict == Verdict::forbidden) return kExtra;
   return sample.verdict == Verdict::required ? kRight : kFree;
 }

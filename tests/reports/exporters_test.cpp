@@ -157,6 +157,22 @@ TEST(Svg, ShowsWhatOnlyThePropertyKnows) {
   EXPECT_EQ(count(written("svg", seam), "class=\"x\" cx=\"130\" cy=\"130\" r=\"7\""), 1U);
 }
 
+// Kills: "as it may be" said of samples that must not be drawn.
+TEST(Svg, TellsSamplesThatMayBeLeftOutFromThoseThatMustBe) {
+  records::Exhibit open = exhibit();
+  for (records::InspectedSample& sample : open.inspection->samples) {
+    sample.is_drawn = false;
+    sample.verdict = records::Verdict::forbidden;
+  }
+  open.violations.clear();
+  EXPECT_THAT(written("svg", open), AllOf(HasSubstr("not drawn, correctly</text>"),
+                                          Not(HasSubstr("as it may be</text>"))));
+  open.inspection->samples.front().verdict = records::Verdict::permitted;
+  const std::string text = written("svg", open);
+  EXPECT_EQ(count(text, "class=\"l\" cx=\"50\" cy=\"50\""), 1U);
+  EXPECT_THAT(text, HasSubstr("not drawn, as it may be</text>"));
+}
+
 TEST(Svg, IsRefusedWithoutASample) {
   records::Exhibit blank = exhibit();
   blank.inspection.reset();
