@@ -431,6 +431,10 @@ Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c, std::optional<ca
 Result<cases::Fragments> CaseDrawer::draw_assembled(const cases::Case& c, cases::Topology topology,
                                                     std::span<const std::uint32_t> indices,
                                                     const std::function<void()>& go_on) {
+  // A triangle's number is a flat value, even if the case has none.
+  if (!impl_->has.has_provoking_vertex && c.rules != cases::Rules::opengl) {
+    return unsupported(impl_->has.api + " cannot choose the provoking vertex of strips");
+  }
   const auto upright = with_upright_viewport(c, NegativeSizes::none);
   cases::Case drawn_case = upright ? *upright : c;
   const Result<IndexedDraw> indexed = indexed_draw(drawn_case, topology, indices);

@@ -444,6 +444,11 @@ Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c, std::optional<c
 Result<cases::Fragments> CaseDrawing::draw_assembled(const cases::Case& c, cases::Topology topology,
                                                      std::span<const std::uint32_t> indices,
                                                      const std::function<void()>& go_on) {
+  // A triangle's number is a flat value, even if the case has none.
+  if (c.rules == cases::Rules::opengl && !impl_->limits().provoking_vertex_last) {
+    return failed("it lacks OpenGL's provoking vertex of strips (VK_EXT_provoking_vertex)",
+                  Failure::unsupported);
+  }
   const Result<IndexedDraw> indexed = indexed_draw(c, topology, indices);
   if (!indexed) return tl::unexpected(indexed.error());
   cases::Case drawn = c;
