@@ -119,7 +119,8 @@ class Assembler {
   /// Draws a list, strip or fan of a case's vertices, in place of the case's triangles, as
   /// Backend::draw() does. Triangles are numbered in the order of the indices. The index
   /// cases::kRestart starts a new list, strip or fan. A case of lines has lists and strips of
-  /// lines. Fails with Failure::unsupported if the backend cannot draw the case this way.
+  /// lines, one of points neither (cases::has_topology()). Fails with Failure::unsupported if the
+  /// backend cannot draw the case this way.
   virtual Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                                   std::span<const std::uint32_t> indices) = 0;
 

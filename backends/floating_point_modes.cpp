@@ -9,17 +9,17 @@
 namespace rastercheck::backends {
 namespace {
 
-// The bits that change results. The control register's other bits are exception masks, sticky flags
-// and, on arm64, which NaN an operation gives.
+// The bits that change which number an operation gives.
 #if defined(__SSE__)
-// MXCSR: rounding (bits 13 and 14), flush to zero (15), denormals are zero (6).
+// MXCSR: rounding (bits 13 and 14), flush to zero (15), denormals are zero (6). The others are
+// exception masks and sticky flags.
 constexpr unsigned kModes = 0xe040;
 unsigned control_register() { return _mm_getcsr(); }
 void set_control_register(unsigned control) { _mm_setcsr(control); }
 #elif defined(__aarch64__)
-// FPCR: rounding (bits 22 and 23) and flush to zero (24), which is for operands, too. Bits 32 and
-// above are reserved.
-constexpr unsigned kModes = 0x01c00000;
+// FPCR: rounding (bits 22 and 23), flush to zero (24), and what newer cores have: flushed operands
+// (0) and another meaning of bit 24 (1), both 0 on older ones. Bits 32 and above are reserved.
+constexpr unsigned kModes = 0x01c00003;
 unsigned control_register() {
   unsigned long long control = 0;
   asm volatile("mrs %0, fpcr" : "=r"(control));

@@ -10,8 +10,8 @@ class FloatingPointModes {
   FloatingPointModes& operator=(const FloatingPointModes&) = delete;
   ~FloatingPointModes();
 
-  /// True if the rounding mode or what happens to subnormal numbers has changed since construction;
-  /// the latter is seen on x86 and arm64.
+  /// True if the rounding mode or the treatment of subnormal numbers has changed since
+  /// construction. Subnormal numbers are watched on x86 and arm64 only.
   bool have_changed() const;
 
  private:

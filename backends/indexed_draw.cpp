@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 #include "backends/primitive_vertices.h"
 #include "cases/topology.h"
@@ -25,15 +26,10 @@ std::vector<cases::Triangle> primitives_of_run(const cases::Case& c, cases::Topo
   return primitives;
 }
 
-/// The vertex of a primitive that the others take flat values from. The last one of a case's line
-/// or point is repeated, so it is the third whatever the primitive.
+/// The vertex that gives a primitive its flat values. A case repeats the last vertex of a line, so
+/// the last one is always the third.
 std::uint32_t provoking(cases::Rules rules, const cases::Triangle& primitive) {
   return rules == cases::Rules::opengl ? primitive[2] : primitive[0];
-}
-
-bool has_topology(cases::Primitive primitive, cases::Topology topology) {
-  if (topology == cases::Topology::fan) return primitive == cases::Primitive::triangles;
-  return topology == cases::Topology::triangles || primitive != cases::Primitive::points;
 }
 
 }  // namespace
@@ -51,22 +47,24 @@ std::vector<std::span<const std::uint32_t>> runs_of(std::span<const std::uint32_
 
 Result<IndexedDraw> indexed_draw(const cases::Case& c, cases::Topology topology,
                                  std::span<const std::uint32_t> indices) {
-  if (!has_topology(c.primitive, topology)) {
-    return tl::unexpected(
-        Error{"", "", "the case's primitives have no such topology", Failure::unsupported});
+  if (!cases::has_topology(c.primitive, topology)) {
+    return tl::unexpected(Error{"", "", std::string(cases::kNoSuchTopology), Failure::unsupported});
   }
   IndexedDraw draw;
   draw.topology = topology;
+  const auto restarts = std::ranges::count(indices, cases::kRestart);
+  auto place = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(indices.size()) - restarts);
+  draw.vertices.resize(place);
+  draw.numbers.resize(place);
   for (const std::uint32_t index : indices) {
     if (index == cases::kRestart) {
       draw.order.push_back(index);
       continue;
     }
     if (index >= c.positions.size()) return tl::unexpected(Error{"", "", "no such vertex"});
-    draw.order.push_back(static_cast<std::uint32_t>(draw.vertices.size()));
-    draw.vertices.push_back(index);
+    draw.vertices[--place] = index;
+    draw.order.push_back(place);
   }
-  draw.numbers.resize(draw.vertices.size());
   for (const std::span<const std::uint32_t> run : runs_of(draw.order)) {
     for (const cases::Triangle& of_run :
          primitives_of_run(c, topology, static_cast<std::uint32_t>(run.size()))) {

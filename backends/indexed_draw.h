@@ -14,8 +14,9 @@
 
 namespace rastercheck::backends {
 
-/// A draw of indices. A place is the position of a vertex among the indices, restarts not counted:
-/// a vertex named twice has two places.
+/// A draw of indices. Each index that names a vertex has a place of its own in the vertices that
+/// the driver gets, since a vertex cannot carry the numbers of two primitives. Places run against
+/// the indices, so that a driver that ignores them draws something else.
 struct IndexedDraw {
   cases::Topology topology = cases::Topology::strip;
   std::vector<std::uint32_t> vertices;  ///< [place]: the case's vertex
@@ -24,9 +25,8 @@ struct IndexedDraw {
   std::vector<cases::Triangle> primitives;  ///< the case's vertices of each
 };
 
-/// Turns indices into a draw of a case's kind of primitives; lines have no fans, points only lists.
-/// Fails if an index is not that of a vertex, with Failure::unsupported if the case's primitives
-/// have no such topology.
+/// Turns indices into a draw of a case's kind of primitives. Fails if an index is not that of a
+/// vertex, with Failure::unsupported if cases::has_topology() is false.
 Result<IndexedDraw> indexed_draw(const cases::Case& c, cases::Topology topology,
                                  std::span<const std::uint32_t> indices);
 

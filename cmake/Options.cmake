@@ -31,9 +31,10 @@ target_compile_options(rastercheck_options INTERFACE
   $<$<BOOL:${RASTERCHECK_WERROR}>:-Werror>)
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
-  # The kernels keep vectors in structures, which SVE's vectors of unknown length do not allow. NEON
-  # remains; Highway 1.0's includes AES, and constructors that the compiler adds to structures have
-  # only what the whole file has.
+  # The kernels keep vectors in structures, which SVE's vectors of unknown length do not allow, so
+  # only NEON remains. Highway 1.0's NEON needs processors with AES, so every arm64 build does. The
+  # flag is for all files, because constructors that the compiler adds to structures of vectors are
+  # compiled with the file's flags, not with the kernel's.
   target_compile_definitions(rastercheck_options INTERFACE
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
   target_compile_options(rastercheck_options INTERFACE -march=armv8-a+crypto)

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 #include "backends/cpu/case_state.h"
+#include "cases/topology.h"
 #include "rasterizer/assembly.h"
 #include "rasterizer/vertex_stage.h"
 
@@ -84,12 +86,10 @@ Result<std::vector<cases::Normal>> transformed_normals(const cases::Matrix4& mod
 Result<cases::Case> assembled(const cases::Case& c, cases::Topology topology,
                               std::span<const std::uint32_t> indices) {
   static_assert(cases::kRestart == ras::kRestart);
-  const bool is_of_lines = c.primitive == cases::Primitive::lines;
-  if (c.primitive == cases::Primitive::points ||
-      (is_of_lines && topology == cases::Topology::fan)) {
-    return tl::unexpected(
-        Error{"", "", "the case's primitives have no such topology", Failure::unsupported});
+  if (!cases::has_topology(c.primitive, topology)) {
+    return tl::unexpected(Error{"", "", std::string(cases::kNoSuchTopology), Failure::unsupported});
   }
+  const bool is_of_lines = c.primitive == cases::Primitive::lines;
   std::vector<glm::uvec3> triangles;
   const auto error = is_of_lines
                          ? ras::assemble_lines(line_word(topology), indices, triangles)

@@ -237,7 +237,7 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     set_scissor(c);
     if (plan.indexed != nullptr) {
-      draw_indices(c, *plan.indexed, indices.name());
+      draw_indices(has, c, *plan.indexed, indices.name());
     } else {
       draw_primitives(c, layer * plan.triangles, plan.triangles);
     }
@@ -393,7 +393,8 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c,
           return buffer->draw(c, std::span(c.triangles).subspan(first, count), passes[layout],
                               room);
         }
-        if (count < c.triangles.size()) return unsupported("too many fragments for one draw");
+        if (count < c.triangles.size())
+          return unsupported("its triangles or fragments are too many for one draw");
         return buffer->draw(c, *indexed, passes[layout], room);
       },
       [&] { return buffer->words(); },

@@ -1,8 +1,8 @@
 // Line strips are their lines: a strip of vertices v_0, v_1, … draws the same as the lines
-// (v_i, v_{i + 1}), in this order, and so does a list of (v_{2i}, v_{2i + 1}). So each end that two
-// lines of a strip share is drawn as often as the lines draw it, and a line's flat values are those
-// of the end that the API names: the second in OpenGL, else the first (OpenGL 4.6, section 10.1.2
-// and table 13.2; Vulkan 1.3, Line Strips).
+// (v_i, v_{i + 1}), in this order, and so does a list of (v_{2i}, v_{2i + 1}). An end that two
+// lines of a strip share is drawn as if both were drawn by themselves, and a line's flat values are
+// those of the end that the API names: the second in OpenGL, else the first (OpenGL 4.6,
+// section 10.1.2 and table 13.2; Vulkan 1.3, Line Strips).
 //
 // The vertices' positions choose the topology and the indices: all vertices in turn, with
 // occasional repeats and restarts. The case's own lines have no influence; in generated cases they
@@ -25,11 +25,6 @@ namespace {
 
 using cases::Topology;
 
-struct Indexed {
-  Topology topology = Topology::strip;
-  std::vector<std::uint32_t> indices;
-};
-
 Indexed indices_of(const cases::Case& c) {
   PositionChoices choices(c);
   Indexed chosen;
@@ -50,30 +45,13 @@ std::vector<cases::Triangle> lines_of(const Indexed& indexed) {
   return lines;
 }
 
-const char* word(Topology topology) { return topology == Topology::strip ? "strip" : "list"; }
-
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
   if (c.primitive != cases::Primitive::lines) return not_applicable(kNotLines);
   cases::ClipCase expanded = c;
   const Indexed indexed = indices_of(expanded);
   expanded.triangles = lines_of(indexed);
-  if (backend.assembler() == nullptr || expanded.triangles.empty()) {
-    return not_applicable("the backend does not assemble strips, or the case has no lines");
-  }
-  const Result<cases::Fragments> drawn =
-      draw_assembled(expanded, indexed.topology, indexed.indices, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  Check judged = judge_drawn(expanded, backend.contract(expanded), *drawn, {}, index);
-  add_to_notes(judged, [&](const records::Violation& violation) {
-    return fmt::format("line {} of a {} of vertices {} (R: restart)", violation.place.triangle,
-                       word(indexed.topology), index_text(indexed.indices));
-  });
-  add_label(judged, word(indexed.topology));
-  if (std::find(indexed.indices.begin(), indexed.indices.end(), cases::kRestart) !=
-      indexed.indices.end()) {
-    add_label(judged, "restart");
-  }
-  return judged;
+  if (expanded.triangles.empty()) return not_applicable("the case's vertices make no line");
+  return check_assembled(expanded, indexed, backend, index);
 }
 
 bool is_promised(backends::Backend& backend) {

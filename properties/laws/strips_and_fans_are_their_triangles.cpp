@@ -32,23 +32,6 @@ namespace {
 
 using cases::Topology;
 
-struct Indexed {
-  Topology topology = Topology::strip;
-  std::vector<std::uint32_t> indices;
-};
-
-const char* word(Topology topology) {
-  switch (topology) {
-    case Topology::triangles:
-      return "list";
-    case Topology::strip:
-      return "strip";
-    case Topology::fan:
-      break;
-  }
-  return "fan";
-}
-
 Indexed indices_of(const cases::Case& c) {
   PositionChoices choices(c);
   Indexed chosen;
@@ -105,35 +88,13 @@ std::vector<cases::Triangle> triangles_of(cases::Rules rules, const Indexed& ind
   return all;
 }
 
-std::string note_of(const cases::Case& expanded, const Indexed& indexed,
-                    const records::Violation& violation) {
-  std::string text = fmt::format("a {} of vertices {} (R: restart) instead of the case's triangles",
-                                 word(indexed.topology), index_text(indexed.indices));
-  if (violation.place.triangle >= expanded.triangles.size()) return text;
-  const auto& [a, b, c] = expanded.triangles[violation.place.triangle];
-  return text +
-         fmt::format(", its triangle {} of vertices {}, {}, {}", violation.place.triangle, a, b, c);
-}
-
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
   cases::ClipCase expanded = c;
   const Indexed indexed = indices_of(expanded);
   expanded.triangles = triangles_of(c.rules, indexed);
-  if (backend.assembler() == nullptr || expanded.triangles.empty())
-    return not_applicable("the backend does not assemble strips, or the case has no triangles");
-  const Result<cases::Fragments> drawn =
-      draw_assembled(expanded, indexed.topology, indexed.indices, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  Check judged = judge_drawn(expanded, backend.contract(expanded), *drawn, {}, index);
-  add_to_notes(judged, [&](const records::Violation& violation) {
-    return note_of(expanded, indexed, violation);
-  });
-  add_label(judged, word(indexed.topology));
-  if (std::find(indexed.indices.begin(), indexed.indices.end(), cases::kRestart) !=
-      indexed.indices.end()) {
-    add_label(judged, "restart");
-  }
-  if (expanded.cull != cases::Cull::none) add_label(judged, "culled");
+  if (expanded.triangles.empty()) return not_applicable("the case's vertices make no triangle");
+  Result<Check> judged = check_assembled(expanded, indexed, backend, index);
+  if (judged && expanded.cull != cases::Cull::none) add_label(*judged, "culled");
   return judged;
 }
 

@@ -352,16 +352,24 @@ TEST_P(GlBackend, LimitsBiasedDepths) { expect_limited_depths(backend()); }
 TEST_P(GlBackend, ComparesStoredDepths) { expect_tests_of_stored_depths(backend()); }
 
 TEST_P(GlBackend, DrawsStripsAndFans) {
-  if (is_es()) {  // it cannot append fragments
-    const std::vector<std::uint32_t> strip{0, 1, 2, 3};
-    const auto drawn = backend().assembler()->draw_assembled(case_of_corners(cases::Rules::opengl),
-                                                             cases::Topology::strip, strip);
-    ASSERT_FALSE(drawn);
-    EXPECT_EQ(drawn.error().failure, Failure::unsupported);
+  if (!is_es()) {
+    for (const auto rules : {cases::Rules::opengl, cases::Rules::vulkan}) {
+      expect_strips_and_fans(backend(), rules);
+      expect_strips_of_lines(backend(), rules);
+    }
     return;
   }
-  expect_strips_and_fans(backend(), cases::Rules::opengl);
-  expect_strips_of_lines(backend(), cases::Rules::opengl);
+  // OpenGL ES cannot append fragments, nor choose the provoking vertex.
+  const cases::Case c = case_of_corners(cases::Rules::opengl);
+  expect_strips_and_fans_of(backend(), with_depth_test(c));
+  const cases::Case of_vulkan = with_depth_test(case_of_corners(cases::Rules::vulkan));
+  for (const cases::Case& refused : {c, of_vulkan}) {
+    const std::vector<std::uint32_t> strip{0, 1, 2, 3};
+    const auto drawn =
+        backend().assembler()->draw_assembled(refused, cases::Topology::strip, strip);
+    ASSERT_FALSE(drawn);
+    EXPECT_EQ(drawn.error().failure, Failure::unsupported);
+  }
 }
 
 TEST_P(GlBackend, DrawsLines) {

@@ -447,8 +447,10 @@ TEST_P(Vulkan, DrawsWithinViewportsOfNegativeWidth) {
 }
 
 TEST_P(Vulkan, DrawsStripsAndFans) {
-  expect_strips_and_fans(backend(), cases::Rules::vulkan);
-  expect_strips_of_lines(backend(), cases::Rules::vulkan);
+  for (const auto rules : {cases::Rules::vulkan, cases::Rules::opengl}) {
+    expect_strips_and_fans(backend(), rules);
+    expect_strips_of_lines(backend(), rules);
+  }
 }
 
 TEST_P(Vulkan, DrawsLines) {

@@ -185,13 +185,14 @@ void draw_primitives(const cases::Case& c, std::size_t first, std::size_t count)
                static_cast<GLint>(first * vertices), static_cast<GLsizei>(count * vertices));
 }
 
-void draw_indices(const cases::Case& c, const IndexedDraw& indexed, GLuint buffer) {
+void draw_indices(const Capabilities& has, const cases::Case& c, const IndexedDraw& indexed,
+                  GLuint buffer) {
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(indexed.order.size() * sizeof(std::uint32_t)),
                indexed.order.data(), GL_STREAM_DRAW);
   // Every version that cases are drawn with has one of the two.
-  const bool has_fixed = epoxy_gl_version() >= 43 || !epoxy_is_desktop_gl();
+  const bool has_fixed = has.version >= 43 || has.is_es;
   const GLenum restart = has_fixed ? GL_PRIMITIVE_RESTART_FIXED_INDEX : GL_PRIMITIVE_RESTART;
   if (!has_fixed) glPrimitiveRestartIndex(cases::kRestart);
   glEnable(restart);

@@ -31,7 +31,8 @@ std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                const IndexedDraw& indexed, const Pass& pass);
 
-/// Puts vertices_of() into the buffer and sets it as the input of a case's program.
+/// Puts vertices, as vertices_of() returns them, into the buffer and sets it as the input of a
+/// case's program.
 void hand_over_vertices(const Capabilities& has, const Pass& pass, std::span<const float> vertices,
                         GLuint vertex_array, GLuint buffer);
 
@@ -42,7 +43,8 @@ void use_program(GLuint program, const cases::Case& c);
 /// handed over.
 void draw_primitives(const cases::Case& c, std::size_t first, std::size_t count);
 /// Draws the indices of a draw whose vertices were handed over. `buffer` is for the indices.
-void draw_indices(const cases::Case& c, const IndexedDraw& indexed, GLuint buffer);
+void draw_indices(const Capabilities& has, const cases::Case& c, const IndexedDraw& indexed,
+                  GLuint buffer);
 
 /// Sets the case's state except the scissor test, which also affects clears: set that with
 /// set_scissor() after clearing the target.

@@ -53,7 +53,7 @@ Result<std::size_t> FragmentBuffer::draw(const cases::Case& c, const IndexedDraw
   hand_over_vertices(*has_, pass, vertices_of(*has_, c, indexed, pass), vertex_array_.name(),
                      vertices_.name());
   return append(c, *program, kRecordHead + 4 * pass.size(), room,
-                [&] { draw_indices(c, indexed, indices_.name()); });
+                [&] { draw_indices(*has_, c, indexed, indices_.name()); });
 }
 
 template <typename Draw>

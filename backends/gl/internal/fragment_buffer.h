@@ -39,7 +39,7 @@ class FragmentBuffer {
 
  private:
   void bind_target(const cases::FramebufferSize& size);
-  /// Draws what was handed over, by `draw()`.
+  /// Calls `draw()`, which draws the vertices handed over, and reads the records.
   template <typename Draw>
   Result<std::size_t> append(const cases::Case& c, GLuint program, std::size_t words_of_record,
                              std::size_t room, const Draw& draw);

@@ -224,7 +224,8 @@ Result<void> CaseDrawing::Impl::hand_over(const IndexedDraw& indexed, const case
                                           Pass pass, const VertexLayout& layout) {
   std::vector<float> floats;
   append_places(c, pass, layout, indexed, floats);
-  return shared->hand_over(floats).and_then([&] { return shared->hand_over(indexed.order); });
+  return shared->hand_over(floats).and_then(
+      [&] { return shared->hand_over_indices(indexed.order); });
 }
 
 /// Draws the layers' triangles, or the indices if there are any, for which there is one layer.
@@ -361,7 +362,7 @@ Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, const I
   const VertexLayout layout = vertex_layout(kind);
   if (indexed != nullptr) {
     if (count < c.triangles.size()) {
-      return failed("too many fragments for one draw", Failure::unsupported);
+      return failed("its triangles or fragments are too many for one draw", Failure::unsupported);
     }
     if (Result<void> handed = hand_over(*indexed, c, pass, layout); !handed) {
       return tl::unexpected(handed.error());

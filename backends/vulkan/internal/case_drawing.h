@@ -42,7 +42,8 @@ class CaseDrawing {
 
   /// Draws indices in place of the case's triangles, as Assembler::draw_assembled() does, in one
   /// draw: into a layer if there is a depth test, or else appending fragments. Fails with
-  /// Failure::unsupported if neither can draw the case.
+  /// Failure::unsupported if neither can draw the case. A triangle whose depth appending does not
+  /// tell, or that has too many fragments by itself, is drawn once more, as a list of one.
   Result<cases::Fragments> draw_assembled(
       const cases::Case& c, cases::Topology topology, std::span<const std::uint32_t> indices,
       const std::function<void()>& go_on = [] {});

@@ -100,8 +100,8 @@ Result<void> DrawingResources::hand_over(const std::vector<float>& floats) {
                  VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
 }
 
-Result<void> DrawingResources::hand_over(const std::vector<std::uint32_t>& some) {
-  return copy_to(indices, *device, std::as_bytes(std::span(some)),
+Result<void> DrawingResources::hand_over_indices(const std::vector<std::uint32_t>& order) {
+  return copy_to(indices, *device, std::as_bytes(std::span(order)),
                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
 

@@ -30,9 +30,10 @@ struct DrawingResources {
   /// Finds out how the depths of a case are to be read, on the first such case by clearing layers
   /// of one pixel to known depths. May replace the target.
   Result<DepthReading> depth_reading(const cases::Case& c);
-  /// Copies floats to the buffer `vertices`, or indices to the buffer `indices`.
+  /// Copies floats to the buffer `vertices`.
   Result<void> hand_over(const std::vector<float>& floats);
-  Result<void> hand_over(const std::vector<std::uint32_t>& some);
+  /// Copies indices, and restarts among them, to the buffer `indices`.
+  Result<void> hand_over_indices(const std::vector<std::uint32_t>& order);
 
   const Device* device = nullptr;
   Pipelines pipelines;

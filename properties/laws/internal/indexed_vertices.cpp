@@ -1,9 +1,12 @@
 #include "properties/laws/internal/indexed_vertices.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
+#include <string>
 
-#include "cases/picture.h"
+#include "properties/laws/internal/tally.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -11,6 +14,16 @@ namespace {
 /// The greatest number of a case's vertices that are drawn; without a limit, a mesh would take
 /// hours.
 constexpr std::size_t kMostVertices = 48;
+
+/// The indices as text, "0 1 R 2 3", with R for a restart.
+std::string index_text(const std::vector<std::uint32_t>& indices) {
+  std::string text;
+  for (const std::uint32_t index : indices) {
+    text += text.empty() ? "" : " ";
+    text += index == cases::kRestart ? "R" : std::to_string(index);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -38,13 +51,39 @@ std::vector<std::uint32_t> indices_with_restarts(const cases::Case& c, PositionC
   return indices;
 }
 
-std::string index_text(const std::vector<std::uint32_t>& indices) {
-  std::string text;
-  for (const std::uint32_t index : indices) {
-    text += text.empty() ? "" : " ";
-    text += index == cases::kRestart ? "R" : std::to_string(index);
+std::string_view word(cases::Topology topology) {
+  switch (topology) {
+    case cases::Topology::triangles:
+      return "list";
+    case cases::Topology::strip:
+      return "strip";
+    case cases::Topology::fan:
+      break;
   }
-  return text;
+  return "fan";
+}
+
+Result<Check> check_assembled(const cases::ClipCase& expanded, const Indexed& indexed,
+                              backends::Backend& backend, std::uint64_t index) {
+  const Result<cases::Fragments> drawn =
+      draw_assembled(expanded, indexed.topology, indexed.indices, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  Check judged = judge_drawn(expanded, backend.contract(expanded), *drawn, {}, index);
+  add_to_notes(judged, [&](const records::Violation& violation) {
+    std::string text =
+        fmt::format("a {} of vertices {} (R: restart) instead of the case's triangles or lines",
+                    word(indexed.topology), index_text(indexed.indices));
+    if (violation.place.triangle >= expanded.triangles.size()) return text;
+    const auto& [a, b, c] = expanded.triangles[violation.place.triangle];
+    return text +
+           (expanded.primitive == cases::Primitive::triangles
+                ? fmt::format(", its triangle {} of vertices {}, {}, {}", violation.place.triangle,
+                              a, b, c)
+                : fmt::format(", its line {} of vertices {}, {}", violation.place.triangle, a, b));
+  });
+  add_label(judged, std::string(word(indexed.topology)));
+  if (std::ranges::count(indexed.indices, cases::kRestart) > 0) add_label(judged, "restart");
+  return judged;
 }
 
 }  // namespace rastercheck::properties

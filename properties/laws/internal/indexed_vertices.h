@@ -1,12 +1,14 @@
 #pragma once
 
-// Shared by laws about strips and fans.
+// Shared by laws about strips, fans and lists of indices.
 
 #include <cstdint>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/picture.h"
+#include "properties/judged_law.h"
 
 namespace rastercheck::properties {
 
@@ -26,7 +28,18 @@ class PositionChoices {
 /// The first vertices of a case in turn, with occasional repeats and restarts.
 std::vector<std::uint32_t> indices_with_restarts(const cases::Case& c, PositionChoices& choices);
 
-/// The indices as text, "0 1 R 2 3", with R for a restart.
-std::string index_text(const std::vector<std::uint32_t>& indices);
+struct Indexed {
+  cases::Topology topology = cases::Topology::strip;
+  std::vector<std::uint32_t> indices;
+};
+
+/// "list", "strip" or "fan".
+std::string_view word(cases::Topology topology);
+
+/// Draws the indices in place of the case's primitives, which must be those that the rules make of
+/// them, and judges the drawing. Labels the topology, and restarts; begins the note of each
+/// violation with what was drawn.
+Result<Check> check_assembled(const cases::ClipCase& expanded, const Indexed& indexed,
+                              backends::Backend& backend, std::uint64_t index);
 
 }  // namespace rastercheck::properties

@@ -17,7 +17,7 @@ using irr::video::S3DVertex;
 
 irr::u32 byte_of(float color) { return static_cast<irr::u32>(std::floor(color * 255 + 0.5F)); }
 
-/* Irrlicht's y points up, the image's down. Half of the depth range is in front of every plane. */
+/* Irrlicht's y points up, the image's down. Depth 0.5 lies between the near and far planes. */
 S3DVertex vertex_of(const image_vertex& v) {
   const float w = v.position[3];
   const irr::video::SColor color(255, byte_of(v.color[0]), byte_of(v.color[1]),
