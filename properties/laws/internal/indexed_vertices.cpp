@@ -70,16 +70,17 @@ Result<Check> check_assembled(const cases::ClipCase& expanded, const Indexed& in
   if (!drawn) return tl::unexpected(drawn.error());
   Check judged = judge_drawn(expanded, backend.contract(expanded), *drawn, {}, index);
   add_to_notes(judged, [&](const records::Violation& violation) {
-    std::string text =
-        fmt::format("a {} of vertices {} (R: restart) instead of the case's triangles or lines",
-                    word(indexed.topology), index_text(indexed.indices));
+    const bool is_of_triangles = expanded.primitive == cases::Primitive::triangles;
+    std::string text = fmt::format("a {} of vertices {} (R: restart) instead of the case's {}",
+                                   word(indexed.topology), index_text(indexed.indices),
+                                   is_of_triangles ? "triangles" : "lines");
     if (violation.place.triangle >= expanded.triangles.size()) return text;
     const auto& [a, b, c] = expanded.triangles[violation.place.triangle];
-    return text +
-           (expanded.primitive == cases::Primitive::triangles
+    text += is_of_triangles
                 ? fmt::format(", its triangle {} of vertices {}, {}, {}", violation.place.triangle,
                               a, b, c)
-                : fmt::format(", its line {} of vertices {}, {}", violation.place.triangle, a, b));
+                : fmt::format(", its line {} of vertices {}, {}", violation.place.triangle, a, b);
+    return text;
   });
   add_label(judged, std::string(word(indexed.topology)));
   if (std::ranges::count(indexed.indices, cases::kRestart) > 0) add_label(judged, "restart");

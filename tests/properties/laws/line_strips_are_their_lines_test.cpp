@@ -10,6 +10,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
+#include "tests/properties/laws/own_findings.h"
 
 namespace rastercheck::properties::line_strips_are_their_lines_test {
 namespace {
@@ -21,27 +22,11 @@ using testing::IsSupersetOf;
 
 constexpr std::string_view kLaw = "line-strips-are-their-lines";
 
-struct Found {
-  std::uint64_t violations = 0;
-  std::set<std::string> notes;
-  std::set<std::string> labels;
-  std::set<std::string> strata;
-};
-
 /// The findings of the law in its own cases, drawn with damaged indices.
 Found find_with(AssemblyDamage damage, std::uint64_t count = 30) {
   DamagedBackend backend({}, "cpu");
   backend.assembly_damage = std::move(damage);
-  Found found;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const Generated made = own_case(kLaw, i);
-    const Check check = check_law(*find_law(kLaw), made.source, backend, i).value();
-    found.violations += check.violation_count;
-    for (const records::Violation& violation : check.violations) found.notes.insert(violation.note);
-    found.labels.insert(check.labels.begin(), check.labels.end());
-    found.strata.insert(made.stratum);
-  }
-  return found;
+  return find_in_cases(kLaw, backend, count);
 }
 
 TEST(LineStrips, MeetEveryModeTopologyAndRestart) {

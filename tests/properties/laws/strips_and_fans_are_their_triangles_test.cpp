@@ -9,6 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
+#include "tests/properties/laws/own_findings.h"
 
 namespace rastercheck::properties::strips_and_fans_are_their_triangles_test {
 namespace {
@@ -22,31 +23,10 @@ using testing::IsSupersetOf;
 
 constexpr std::string_view kLaw = "strips-and-fans-are-their-triangles";
 
-/// The findings of the law in its own cases, drawn by a damaged backend.
-struct Found {
-  std::uint64_t violations = 0;
-  std::set<std::string> notes;
-  std::set<std::string> labels;
-  std::set<std::string> strata;
-};
-
-Found find_in_cases(DamagedBackend& backend, std::uint64_t count) {
-  Found found;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const Generated made = own_case(kLaw, i);
-    const Check check = check_law(*find_law(kLaw), made.source, backend, i).value();
-    found.violations += check.violation_count;
-    for (const records::Violation& violation : check.violations) found.notes.insert(violation.note);
-    found.labels.insert(check.labels.begin(), check.labels.end());
-    found.strata.insert(made.stratum);
-  }
-  return found;
-}
-
 Found find_with(AssemblyDamage damage, std::uint64_t count = 30) {
   DamagedBackend backend({}, "cpu");
   backend.assembly_damage = std::move(damage);
-  return find_in_cases(backend, count);
+  return find_in_cases(kLaw, backend, count);
 }
 
 TEST(StripsAndFans, MeetEveryTopologyRuleAndRestart) {
@@ -107,7 +87,7 @@ TEST(StripsAndFans, FindOddTrianglesWoundTheOtherWay) {
   StripsBy backend([](std::span<const std::uint32_t> run, std::size_t i) {
     return cases::Triangle{run[i], run[i + 1], run[i + 2]};
   });
-  const Found found = find_in_cases(backend, 60);
+  const Found found = find_in_cases(kLaw, backend, 60);
   EXPECT_GT(found.violations, 0U);
   ASSERT_FALSE(found.notes.empty());
   EXPECT_THAT(*found.notes.begin(), HasSubstr(" of vertices "));
